@@ -3,7 +3,7 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau_archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
+use plateau_archive::{Archive, Attribute, Contents, Defect, Lines, Polyline};
 use plateau_mesh::DVec3;
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
@@ -48,7 +48,7 @@ fn coordinates_keep_every_bit() {
 #[test]
 fn the_bytes_of_this_version_are_frozen() {
     for (file, archive) in [("full", sample::full()), ("strip", Archive::new(sample::strip()).unwrap())] {
-        let path = format!("{}/tests/export/archive-v5-{file}.bin", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/tests/export/archive-v1-{file}.bin", env!("CARGO_MANIFEST_DIR"));
         if std::env::var_os("PLATEAU_WRITE_ARCHIVES").is_some() {
             std::fs::write(&path, archive.to_bytes().unwrap()).unwrap();
         }
@@ -88,7 +88,7 @@ fn a_strip_unrolls_from_its_bridges() {
 fn bridges_that_do_not_unroll_the_mesh_are_refused() {
     let with = |pairs: &[[u32; 2]]| {
         let mut contents = sample::strip();
-        contents.line_sets[0].lines = Lines::Segments { pairs: pairs.to_vec(), values: None };
+        contents.line_sets[0].lines = Lines::Segments(pairs.to_vec());
         Archive::new(contents)
     };
     assert!(with(&[[0, 3], [1, 3], [1, 4], [2, 4]]).is_ok());
@@ -115,7 +115,7 @@ fn foreign_other_version_truncated_and_changed_files_have_different_errors() {
     let bytes = sample::full().to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
-    for version in [4, 6] {
+    for version in [0, 2, 5] {
         let mut other = body(&sample::full());
         other[8] = version;
         assert_eq!(Archive::from_bytes(&signed(other)), Err(Defect::Version(version.into())));
@@ -144,7 +144,7 @@ fn a_body_of_wrong_length_with_a_matching_checksum_is_refused() {
 fn a_huge_count_is_refused_before_memory_is_allocated() {
     // Generator and title are empty, and unit and axis are the first values. The next number is a count of 2^62
     // vertices.
-    let mut body = b"\x89PLATEAU\x05\0\0\0\0\0\0\0".to_vec();
+    let mut body = b"\x89PLATEAU\x01\0\0\0\0\0\0\0".to_vec();
     body.extend_from_slice(&[0xff; 8]);
     body.push(0x3f);
     assert!(matches!(Archive::from_bytes(&signed(body)), Err(Defect::Bytes(_))));
@@ -152,19 +152,33 @@ fn a_huge_count_is_refused_before_memory_is_allocated() {
 
 #[test]
 fn the_error_for_invalid_contents_names_the_defect() {
-    let curvature = |values: Vec<f64>| Some(MeanCurvature { values, least_range: 0.0 });
     let line = |vertices: Vec<u32>| {
         let lines = Lines::Polylines(vec![Polyline { vertices, closed: false }]);
-        vec![LineSet { name: "boundaries".into(), group: String::new(), lines }]
+        vec![sample::line_set("boundaries", lines, vec![])]
     };
+    let stress = |count: usize| Attribute::new("stress", "kN/m", vec![1.0; count]);
+    let with = move |value: f64| vec![Attribute { values: vec![value; 4], ..stress(4) }];
+    let range = move |low: f64, high: f64| vec![Attribute { range: [low, high], ..stress(4) }];
+    let named = move |name: &str| vec![Attribute { name: name.into(), ..stress(4) }];
     type Change = Box<dyn Fn(&mut Contents)>;
     let cases: Vec<(&str, Change)> = vec![
         ("no triangle", Box::new(|c| c.mesh.triangles.clear())),
         ("not finite", Box::new(|c| c.mesh.vertices[3].y = f64::NAN)),
         ("triangle names", Box::new(|c| c.mesh.triangles[2][1] = 5)),
-        ("differ in number", Box::new(move |c| c.mean_curvature = curvature(vec![0.0; 4]))),
-        ("negative", Box::new(move |c| c.mean_curvature = curvature(vec![0.0, 0.0, 0.0, 0.0, -1.0]))),
-        ("not finite", Box::new(move |c| c.mean_curvature = curvature(vec![0.0, 0.0, 0.0, 0.0, f64::INFINITY]))),
+        ("differ in number", Box::new(move |c| c.vertex_attributes = vec![stress(4)])),
+        ("differ in number", Box::new(move |c| c.triangle_attributes = vec![stress(5)])),
+        (
+            "differ in number",
+            Box::new(move |c| {
+                c.line_sets = vec![sample::line_set("ribs", Lines::Segments(vec![[0, 1]]), vec![stress(2)])]
+            }),
+        ),
+        ("not finite", Box::new(move |c| c.triangle_attributes = with(f64::INFINITY))),
+        ("not finite", Box::new(move |c| c.triangle_attributes = range(0.0, f64::NAN))),
+        ("below its start", Box::new(move |c| c.triangle_attributes = range(1.0, 0.0))),
+        ("not lower case", Box::new(move |c| c.triangle_attributes = named("Stress"))),
+        ("not lower case", Box::new(move |c| c.triangle_attributes = named(""))),
+        ("same name", Box::new(move |c| c.triangle_attributes = vec![stress(4), stress(4)])),
         ("line names", Box::new(move |c| c.line_sets = line(vec![0, 5]))),
         ("fewer than two", Box::new(move |c| c.line_sets = line(vec![0]))),
         ("input point", Box::new(|c| c.input_vertices = vec![vec![9]])),
@@ -184,7 +198,7 @@ proptest! {
     /// unchanged.
     #[test]
     fn any_payload_gives_an_archive_or_an_error(payload in prop::collection::vec(any::<u8>(), 0..400)) {
-        let body = [b"\x89PLATEAU\x05\0\0\0".as_slice(), &payload].concat();
+        let body = [b"\x89PLATEAU\x01\0\0\0".as_slice(), &payload].concat();
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
             prop_assert_eq!(Archive::from_bytes(&archive.to_bytes().unwrap()), Ok(archive));
         }

@@ -3,12 +3,11 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau_archive::archive::Certificate;
 use plateau_archive::formats::{
     Choices, Colors, Error, MeshFormat, Origin, PatternFormat, Quantity, dxf, picture, svg,
 };
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_archive::{Archive, Contents, LineSet, Lines, MeanCurvature, SegmentValues};
+use plateau_archive::{Archive, Attribute, Contents, Lines};
 use plateau_forms::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
 use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
@@ -188,7 +187,7 @@ fn glb_normals_have_unit_length_at_folds_slivers_and_loose_points() {
 #[test]
 fn a_mesh_is_neutral_unless_colours_are_asked_for() {
     let mut contents = sample::full().contents().clone();
-    contents.certificate = Some(Certificate { slack: vec![0.5; 5], proof: "{}".into() });
+    contents.vertex_attributes.push(slack(vec![0.5; 5]));
     let glb = Glb::of(&archive(contents.clone()));
     for mesh in glb.document["meshes"].as_array().unwrap() {
         for primitive in mesh["primitives"].as_array().unwrap() {
@@ -205,6 +204,11 @@ fn a_mesh_is_neutral_unless_colours_are_asked_for() {
     assert!(base.iter().all(|&channel| channel > 0.5), "{base:?}");
     let ply = with(MeshFormat::Ply, &contents, Choices { ascii: true, ..Choices::default() });
     assert!(!String::from_utf8(ply).unwrap().contains("red"));
+}
+
+/// Returns the attribute of a proven lower bound.
+fn slack(values: Vec<f64>) -> Attribute {
+    Attribute { range: [0.0, 1.0], ..Attribute::new("lower_bound_slack", "", values) }
 }
 
 fn colors(quantity: Quantity, range: Option<f64>) -> Choices {
@@ -227,7 +231,7 @@ fn colors_of(glb: &Glb, mesh: usize) -> Vec<[u8; 4]> {
 fn glb_colours_run_from_blue_to_red_over_the_stated_range() {
     let mut contents = sample::roof(1.0, DVec3::ZERO);
     contents.unit = Unit::Millimetre;
-    contents.mean_curvature = Some(MeanCurvature { values: vec![0.0, 0.5, 1.0, 1.5, 2.0], least_range: 1e-6 });
+    contents.vertex_attributes = vec![Attribute::new("mean_curvature", "1/mm", vec![0.0, 0.5, 1.0, 1.5, 2.0])];
     let archive = archive(contents);
     let of_range = |range| Glb::with(&archive, colors(Quantity::MeanCurvature, range));
     let glb = of_range(None);
@@ -255,7 +259,8 @@ fn the_default_scale_of_the_curvature_ends_at_its_95th_percentile_but_not_below_
     contents.mesh.vertices.resize(100, apex);
     let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
     let mut found = |values, least_range| {
-        contents.mean_curvature = Some(MeanCurvature { values, least_range });
+        let curvature = Attribute::new("mean_curvature", "1/m", values).ending_at_percentile(0.95, least_range);
+        contents.vertex_attributes = vec![curvature];
         let glb = Glb::with(&archive(contents.clone()), colors(Quantity::MeanCurvature, None));
         (glb.document["asset"]["extras"]["color_range"]["max"].as_f64().unwrap(), colors_of(&glb, 0))
     };
@@ -272,10 +277,10 @@ fn the_default_scale_of_the_curvature_ends_at_its_95th_percentile_but_not_below_
 #[test]
 fn lines_and_slack_have_colours_too() {
     let mut contents = sample::full().contents().clone();
-    contents.certificate = Some(Certificate { slack: vec![0.0, 0.25, 0.5, 0.75, 1.0], proof: "{}".into() });
+    contents.vertex_attributes.push(slack(vec![0.0, 0.25, 0.5, 0.75, 1.0]));
     let full = archive(contents.clone());
-    let slack = Glb::with(&full, colors(Quantity::LowerBoundSlack, None));
-    assert_eq!(colors_of(&slack, 0), [BLUE, CYAN, GREEN, YELLOW, RED]);
+    let tight = Glb::with(&full, colors(Quantity::LowerBoundSlack, None));
+    assert_eq!(colors_of(&tight, 0), [BLUE, CYAN, GREEN, YELLOW, RED]);
 
     // The members of the sample have the lengths 2.5 and 0.125. Each line has its colour at both ends.
     let length = Glb::with(&full, colors(Quantity::Length, Some(0.25)));
@@ -287,13 +292,12 @@ fn lines_and_slack_have_colours_too() {
     assert_eq!(largest.document["asset"]["extras"]["color_range"]["max"], json!(2.5));
 
     // Values below zero are blue, and the arrows of reactions keep their own colour.
-    let forces = |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: "kN".into(), values });
-    let set = |name: &str, lines| LineSet { name: name.into(), group: String::new(), lines };
+    let forces = |values: Vec<f64>| vec![Attribute::new("force", "kN", values)];
     let arrow = [[0.0; 3], [0.0, 0.0, 1.0]];
     contents.line_sets = vec![
-        set("cables", Lines::Segments { pairs: vec![[0, 4], [1, 4]], values: forces(vec![4.0, -1.0]) }),
-        set("masts", Lines::Segments { pairs: vec![[2, 4]], values: forces(vec![2.0]) }),
-        set("reactions", Lines::Arrows { ends: vec![arrow], values: forces(vec![100.0]) }),
+        sample::line_set("cables", Lines::Segments(vec![[0, 4], [1, 4]]), forces(vec![4.0, -1.0])),
+        sample::line_set("masts", Lines::Segments(vec![[2, 4]]), forces(vec![2.0])),
+        sample::line_set("reactions", Lines::Arrows(vec![arrow]), forces(vec![100.0])),
     ];
     let force = Glb::with(&archive(contents), colors(Quantity::Force, None));
     assert_eq!(colors_of(&force, 1), [RED, RED, BLUE, BLUE]);
@@ -343,7 +347,7 @@ fn glb_lines_are_separate_nodes() {
     let members = glb.primitive(3);
     assert_eq!(members["mode"], json!(1));
     assert_eq!(glb.floats(&members["attributes"]["_LENGTH"]), [2.5, 2.5, 0.125, 0.125]);
-    assert_eq!(nodes[3]["extras"], json!({ "_LENGTH": { "unit": "cm" } }));
+    assert_eq!(nodes[3]["extras"], json!({ "_LENGTH": { "unit": "cm" }, "_STRAIN": { "unit": "" } }));
     let ends = glb.vectors(&members["attributes"]["POSITION"]);
     let positions = glb.vectors(&glb.primitive(0)["attributes"]["POSITION"]);
     assert_eq!(ends, [positions[2], positions[4], positions[3], positions[4]]);
@@ -380,13 +384,14 @@ fn custom(primitive: &gltf::Primitive<'_>, name: &str, buffer: &[u8]) -> Option<
 fn the_importer_of_the_crate_gltf_reads_every_file_back() {
     let mut net = sample::full().contents().clone();
     net.mesh.triangles.clear();
+    net.triangle_attributes.clear();
     net.line_sets[1].name = "cables".into();
-    let mut slack = sample::full().contents().clone();
-    slack.certificate = Some(Certificate { slack: vec![0.0, 0.25, 0.5, 0.75, 1.0], proof: "{}".into() });
+    let mut proven = sample::full().contents().clone();
+    proven.vertex_attributes.push(slack(vec![0.0, 0.25, 0.5, 0.75, 1.0]));
     let far = sample::roof(1.0, DVec3::new(1e7, -1e7 + 0.125, 3e6));
-    for contents in [net, slack, far, with_degenerate_parts(1.0).0] {
+    for contents in [net, proven, far, with_degenerate_parts(1.0).0] {
         let archive = archive(contents.clone());
-        let colored = contents.mean_curvature.is_some();
+        let colored = contents.at_vertices("mean_curvature").is_some();
         for (format, colored) in [(MeshFormat::Glb, false), (MeshFormat::Gltf, false), (MeshFormat::Glb, colored)] {
             let choices = if colored { colors(Quantity::MeanCurvature, Some(0.02)) } else { Choices::default() };
             let (document, buffer) = imported(&format.encode_with(&archive, choices).unwrap());
@@ -405,14 +410,18 @@ fn the_importer_of_the_crate_gltf_reads_every_file_back() {
                 assert_eq!((primitive.mode(), mesh.name()), (gltf::mesh::Mode::Points, Some("vertices")));
             } else {
                 let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
-                assert_eq!((primitive.mode(), indices), (gltf::mesh::Mode::Triangles, contents.mesh.triangles.concat()));
+                assert_eq!(
+                    (primitive.mode(), indices),
+                    (gltf::mesh::Mode::Triangles, contents.mesh.triangles.concat())
+                );
                 assert_eq!(reader.read_normals().unwrap().len(), positions.len());
             }
-            let curvature = contents.mean_curvature.as_ref().map(|known| &known.values);
-            let per_metre = |values: &Vec<f64>| values.iter().map(|value| (value / metres) as f32).collect();
-            assert_eq!(custom(&primitive, "MEAN_CURVATURE", &buffer), curvature.map(per_metre));
-            let slack = contents.certificate.as_ref().map(|proof| proof.slack.iter().map(|&x| x as f32).collect());
-            assert_eq!(custom(&primitive, "LOWER_BOUND_SLACK", &buffer), slack);
+            let expected = |name: &str, unit: f64| {
+                let known = contents.at_vertices(name)?;
+                Some(known.values.iter().map(|value| (value / unit) as f32).collect::<Vec<_>>())
+            };
+            assert_eq!(custom(&primitive, "MEAN_CURVATURE", &buffer), expected("mean_curvature", metres));
+            assert_eq!(custom(&primitive, "LOWER_BOUND_SLACK", &buffer), expected("lower_bound_slack", 1.0));
             let red = reader.read_colors(0).map(|colors| colors.into_rgba_u8().last());
             assert_eq!(red, colored.then_some(Some(RED)));
             for set in contents.line_sets.iter().filter(|set| set.name != "directrices") {
@@ -423,8 +432,11 @@ fn the_importer_of_the_crate_gltf_reads_every_file_back() {
                 let indices: Option<Vec<u32>> = reader.read_indices().map(|indices| indices.into_u32().collect());
                 match &set.lines {
                     Lines::Polylines(_) => assert_eq!(indices, Some(vec![0, 1, 2, 3, 0])),
-                    Lines::Segments { pairs, values: None } => assert_eq!(indices, Some(pairs.concat())),
-                    _ => assert_eq!(custom(&line, "LENGTH", &buffer), Some(vec![2.5, 2.5, 0.125, 0.125])),
+                    Lines::Segments(pairs) if set.attributes.is_empty() => assert_eq!(indices, Some(pairs.concat())),
+                    _ => {
+                        assert_eq!(custom(&line, "LENGTH", &buffer), Some(vec![2.5, 2.5, 0.125, 0.125]));
+                        assert_eq!(custom(&line, "STRAIN", &buffer), Some(vec![0.0, 0.0, 0.5, 0.5]));
+                    }
                 }
             }
             assert!(nodes.next().is_none());
@@ -432,7 +444,8 @@ fn the_importer_of_the_crate_gltf_reads_every_file_back() {
     }
     let parts = [("one".to_owned(), sample::full()), ("two".to_owned(), archive(sample::roof(1.0, DVec3::ZERO)))];
     let (document, _) = imported(&plateau_archive::formats::gltf::to_glb_scene("batch", &parts).unwrap());
-    let names = document.default_scene().unwrap().nodes().map(|node| (node.name().unwrap().to_owned(), node.children().len()));
+    let names =
+        document.default_scene().unwrap().nodes().map(|node| (node.name().unwrap().to_owned(), node.children().len()));
     assert_eq!(names.collect::<Vec<_>>(), [("one".to_owned(), 4), ("two".to_owned(), 1)]);
 }
 
@@ -563,18 +576,18 @@ fn ply_has_the_mean_curvature_and_the_colours_of_gltf() {
 
 #[test]
 fn the_slack_of_a_lower_bound_is_in_glb_and_ply() {
-    let slack = vec![0.0, 0.25, 0.5, 0.75, 1.0];
+    let known = vec![0.0, 0.25, 0.5, 0.75, 1.0];
     let mut contents = sample::full().contents().clone();
-    contents.certificate = Some(Certificate { slack: slack.clone(), proof: "{}".into() });
+    contents.vertex_attributes.push(slack(known.clone()));
     let glb = Glb::of(&archive(contents.clone()));
     let values = glb.items(&glb.primitive(0)["attributes"]["_LOWER_BOUND_SLACK"], 4);
     let values: Vec<f64> = values.iter().map(|x| f32::from_le_bytes(x[..].try_into().unwrap()).into()).collect();
-    assert_eq!(values, slack);
+    assert_eq!(values, known);
     let text = with(MeshFormat::Ply, &contents, Choices { ascii: true, ..Choices::default() });
     let text = String::from_utf8(text).unwrap();
     let rows = text.split_once("property double lower_bound_slack\nelement face 4\n").unwrap().1.lines().skip(2);
     let values: Vec<f64> = rows.take(5).map(|row| row.rsplit(' ').next().unwrap().parse().unwrap()).collect();
-    assert_eq!(values, slack);
+    assert_eq!(values, known);
     let bytes = with(MeshFormat::Ply, &contents, Choices::default());
     let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
     assert_eq!(bytes.len(), end + 5 * 44 + 4 * 13);
@@ -603,7 +616,7 @@ fn ply_as_text_reads_back_to_the_same_bits() {
         assert!(vertices.iter().all(|row| row.len() == columns));
         let read: Vec<DVec3> = vertices.iter().map(|row| DVec3::from_slice(row)).collect();
         assert_eq!(bits(&read), bits(&contents.mesh.vertices));
-        if let Some(curvature) = &contents.mean_curvature {
+        if let Some(curvature) = contents.at_vertices("mean_curvature") {
             assert_eq!(vertices.iter().map(|row| row[3]).collect::<Vec<_>>(), curvature.values);
         }
         let triangles: Vec<[u32; 3]> = faces.iter().map(|row| [1, 2, 3].map(|k| row[k] as u32)).collect();
@@ -620,7 +633,10 @@ fn json_has_every_number_and_the_documented_form() {
     let read: Vec<DVec3> = mesh.vertices.iter().map(|&vertex| DVec3::from_array(vertex)).collect();
     assert_eq!(bits(&read), bits(&contents.mesh.vertices));
     assert_eq!((&mesh.triangles, &mesh.input_vertices), (&contents.mesh.triangles, &contents.input_vertices));
-    assert_eq!(mesh.attributes.mean_curvature.as_ref(), contents.mean_curvature.as_ref().map(|known| &known.values));
+    assert_eq!(
+        mesh.attributes.mean_curvature.as_ref(),
+        contents.at_vertices("mean_curvature").map(|known| &known.values)
+    );
     let lines = |name: &str, paths: Vec<Vec<u32>>| MeshLines { name: name.into(), paths, arrows: vec![], values: None };
     let length = LineValues { name: "length".into(), unit: "cm".into(), values: vec![2.5, 0.125] };
     assert_eq!(
@@ -635,8 +651,7 @@ fn json_has_every_number_and_the_documented_form() {
     // Arrows have their own ends, which move with the origin.
     let mut contents = contents.clone();
     let ends = vec![[[1.0, 2.0, 3.0], [4.0, 5.0, 6.5]]];
-    let lines = Lines::Arrows { ends: ends.clone(), values: None };
-    contents.line_sets = vec![LineSet { name: "reactions".into(), group: String::new(), lines }];
+    contents.line_sets = vec![sample::line_set("reactions", Lines::Arrows(ends.clone()), vec![])];
     let read =
         |origin| -> JsonMesh { serde_json::from_slice(&with(MeshFormat::Json, &contents, choices(origin))).unwrap() };
     assert_eq!(read(Origin::Given).lines[0].arrows, ends);
@@ -908,11 +923,7 @@ fn a_picture_does_not_depend_on_the_place_and_the_size_of_the_mesh() {
 #[test]
 fn a_picture_of_a_degenerate_mesh_is_a_picture() {
     let of = |corners: [[f64; 3]; 3]| {
-        let boundary = LineSet {
-            name: "boundaries".into(),
-            group: String::new(),
-            lines: Lines::Segments { pairs: vec![[0, 1], [1, 2], [2, 2]], values: None },
-        };
+        let boundary = sample::line_set("boundaries", Lines::Segments(vec![[0, 1], [1, 2], [2, 2]]), vec![]);
         archive(Contents {
             mesh: Mesh::new(corners.map(DVec3::from_array).to_vec(), vec![[0, 1, 2], [0, 0, 0]]),
             line_sets: vec![boundary],

@@ -223,12 +223,12 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
             CABLES => (Part::Cables, Some(Part::CableForces)),
             _ => continue,
         };
-        let LineSet { lines: Lines::Segments { pairs, values }, .. } = set else { continue };
+        let LineSet { lines: Lines::Segments(pairs), attributes, .. } = set else { continue };
         for pair in pairs {
             let ends = pair.map(|vertex| vertices[vertex as usize]);
             add(lines, Type::Curve, envelope::to_json(&write::polyline_curve(&ends)));
         }
-        if let (Some(part), Some(values)) = (numbers, values) {
+        if let (Some(part), Some(values)) = (numbers, attributes.first()) {
             values.values.iter().for_each(|&value| add(part, Type::Number, Value::from(value).to_string()));
         }
     }

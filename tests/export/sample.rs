@@ -1,9 +1,7 @@
 //! Sample archives for the export tests, with every kind of content, at any position and size.
 
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_archive::{
-    Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues,
-};
+use plateau_archive::{Archive, Attribute, Contents, Fold, LineSet, Lines, Pattern, Piece, Polyline};
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
 /// Returns a roof of four triangles over a unit square, with its apex off the centre, scaled and moved.
@@ -22,21 +20,22 @@ pub fn roof(scale: f64, offset: DVec3) -> Contents {
     }
 }
 
+/// Returns a line set without a group.
+pub fn line_set(name: &str, lines: Lines, attributes: Vec<Attribute>) -> LineSet {
+    LineSet { name: name.into(), group: String::new(), lines, attributes }
+}
+
 /// Returns a strip of three triangles, which can be unrolled.
 #[allow(dead_code, reason = "not every test that takes samples unrolls one")]
 pub fn strip() -> Contents {
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.5, 0.25]];
-    let segments = |pairs: &[[u32; 2]]| Lines::Segments { pairs: pairs.to_vec(), values: None };
+    let bridges = Lines::Segments(vec![[0, 3], [1, 3], [1, 4], [2, 4]]);
     Contents {
         generator: "plateau test".into(),
         title: "strip".into(),
         mesh: Mesh::new(points.map(DVec3::from_array).to_vec(), vec![[0, 1, 3], [1, 4, 3], [1, 2, 4]]),
         input_vertices: vec![vec![0, 1, 2], vec![3, 4]],
-        line_sets: vec![LineSet {
-            name: "bridges".into(),
-            group: String::new(),
-            lines: segments(&[[0, 3], [1, 3], [1, 4], [2, 4]]),
-        }],
+        line_sets: vec![line_set("bridges", bridges, vec![])],
         statistics: "{}".into(),
         unrolls: true,
         ..Contents::default()
@@ -48,27 +47,22 @@ pub fn full() -> Archive {
     let mut contents = roof(250.0, DVec3::new(3.0, -5.0, 0.25));
     contents.unit = Unit::Centimetre;
     contents.title = "roof <of> \"four\" & more — é\nx".into();
-    contents.mean_curvature = Some(MeanCurvature { values: vec![0.0, 0.0, 0.0, 0.0, 0.02], least_range: 1e-9 });
+    contents.vertex_attributes = vec![Attribute::new("mean_curvature", "1/cm", vec![0.0, 0.0, 0.0, 0.0, 0.02])];
+    contents.triangle_attributes = vec![Attribute::new("ply", "", vec![1.0, 1.0, 2.0, 2.0])];
+    let boundary = Polyline { vertices: vec![0, 1, 2, 3], closed: true };
+    let members = LineSet {
+        group: "lattice".into(),
+        ..line_set(
+            "members",
+            Lines::Segments(vec![[2, 4], [3, 4]]),
+            vec![Attribute::new("length", "cm", vec![2.5, 0.125]), Attribute::new("strain", "", vec![0.0, 0.5])],
+        )
+    };
     contents.line_sets = vec![
-        LineSet {
-            name: "boundaries".into(),
-            group: String::new(),
-            lines: Lines::Polylines(vec![Polyline { vertices: vec![0, 1, 2, 3], closed: true }]),
-        },
-        LineSet {
-            name: "bridges".into(),
-            group: String::new(),
-            lines: Lines::Segments { pairs: vec![[0, 4], [1, 4]], values: None },
-        },
-        LineSet {
-            name: "members".into(),
-            group: "lattice".into(),
-            lines: Lines::Segments {
-                pairs: vec![[2, 4], [3, 4]],
-                values: Some(SegmentValues { name: "length".into(), unit: "cm".into(), values: vec![2.5, 0.125] }),
-            },
-        },
-        LineSet { name: "directrices".into(), group: String::new(), lines: Lines::Polylines(Vec::new()) },
+        line_set("boundaries", Lines::Polylines(vec![boundary]), vec![]),
+        line_set("bridges", Lines::Segments(vec![[0, 4], [1, 4]]), vec![]),
+        members,
+        line_set("directrices", Lines::Polylines(Vec::new()), vec![]),
     ];
     Archive::new(contents).expect("the sample is sound")
 }

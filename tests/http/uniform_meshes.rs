@@ -1,6 +1,6 @@
 //! Uniform meshes over HTTP: statistics, members in the glTF, and errors.
 
-use crate::app::{TestApp, UNIFORM, example, pointers, problem};
+use crate::app::{MINIMAL, TestApp, UNIFORM, example, pointers, problem};
 use serde_json::{Value, json};
 
 fn square() -> Value {
@@ -26,6 +26,28 @@ async fn the_mesh_of_a_square_has_the_rows_of_table_1_and_the_squares_points_fir
     let obj = app.get(&format!("{}?format=obj", job["links"]["mesh"].as_str().unwrap())).await.text().await.unwrap();
     let first = obj.lines().filter(|line| line.starts_with("v ")).take(4).collect::<Vec<_>>();
     assert_eq!(first, ["v 0.0 0.0 0.0", "v 10.0 0.0 0.0", "v 10.0 10.0 0.0", "v 0.0 10.0 0.0"]);
+}
+
+#[tokio::test]
+async fn warnings_have_their_figures_by_name() {
+    let app = TestApp::start().await;
+    let warning = |job: &Value, code: &str| -> Value {
+        let warnings = job["warnings"].as_array().unwrap();
+        warnings.iter().find(|warning| warning["code"] == code).unwrap_or_else(|| panic!("{job:#}")).clone()
+    };
+    // One corner is above the plane of the others, and the plane of the outline passes a quarter of that from each corner.
+    let mut polygon = square();
+    polygon[2][2] = json!(0.01);
+    let body = json!({ "domain": { "polygon": polygon }, "edge_length": 1, "objective": "most_equal_edges" });
+    let projected = warning(&app.solve(UNIFORM, &body).await, "projected");
+    let distance = projected["values"]["distance"].as_f64().unwrap();
+    assert!((0.0024..0.0026).contains(&distance), "{projected}");
+
+    let corners = json!([[0, 0, 0], [1, 0, 1], [1, 1, 0], [0, 1, 1]]);
+    let body = json!({ "boundaries": [corners], "solver": "vertex_relaxation", "area_tolerance": 1e-2 });
+    let job = app.solve(MINIMAL, &body).await;
+    let residual = &job["statistics"]["residual"];
+    assert_eq!(warning(&job, "not_minimal")["values"], json!({ "residual": residual, "tolerance": 1e-6 }));
 }
 
 #[tokio::test]

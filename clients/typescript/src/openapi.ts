@@ -1219,6 +1219,13 @@ export interface components {
             /** @description Stable name in snake case. */
             code: string;
             detail: string;
+            /**
+             * @description Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
+             *     are in the request's unit.
+             */
+            values: {
+                [key: string]: number;
+            };
         };
         /** @description Curves along which three sheets of a film meet, and the balance of the sheets there. */
         Junctions: {

@@ -16,30 +16,47 @@ use crate::units::{Unit, UpAxis};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
 /// Version of the format. This program reads and writes only this version.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 1;
 const HEAD_BYTES: usize = MAGIC.len() + 4;
 const CHECKSUM_BYTES: usize = 32;
 
 /// Name of the line sets of cables.
 pub const CABLES: &str = "cables";
+/// Name of the unsigned mean curvature of vertices.
+pub const MEAN_CURVATURE: &str = "mean_curvature";
+/// Name of the slack of a proven lower bound of the area: how far the bound is from being tight at a vertex, from 0 to 1.
+pub const LOWER_BOUND_SLACK: &str = "lower_bound_slack";
 
-/// Unsigned mean curvature of each vertex.
+/// A quantity with a number for each vertex, for each triangle, or for each line of a set, such as a force.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct MeanCurvature {
-    /// One value per vertex in 1/unit, finite and not negative.
+pub struct Attribute {
+    /// Name of lower-case letters, digits and underscores, such as `length`.
+    pub name: String,
+    /// Unit of the values, made of the client's units, such as `kN` or `1/m`. Empty for plain numbers.
+    pub unit: String,
+    /// Ends of the colour scale that is used unless another one is asked for.
+    pub range: [f64; 2],
     pub values: Vec<f64>,
-    /// Lower bound, in 1/unit, of the end of a colour scale that follows from the values, so that the errors of the mesh
-    /// do not look like curvature.
-    pub least_range: f64,
 }
 
-/// Proof of a lower bound of the area.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Certificate {
-    /// One value per vertex, from 0 to 1: how far the bound is from being tight there.
-    pub slack: Vec<f64>,
-    /// The proof as JSON text, which this module does not interpret.
-    pub proof: String,
+impl Attribute {
+    /// Returns an attribute whose range is from 0 to the largest value, or to 0 if no value is above 0.
+    #[must_use]
+    pub fn new(name: &str, unit: impl Into<String>, values: Vec<f64>) -> Self {
+        let largest = values.iter().copied().fold(0.0, f64::max);
+        Self { name: name.into(), unit: unit.into(), range: [0.0, largest], values }
+    }
+
+    /// Ends the range at the smallest value that at least this share of the values does not exceed, but not below `least`,
+    /// so that neither a few large values nor the errors of a mesh decide about the colours.
+    #[must_use]
+    pub fn ending_at_percentile(mut self, share: f64, least: f64) -> Self {
+        let mut sorted = self.values.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let rank = (share * sorted.len() as f64).ceil() as usize;
+        self.range[1] = sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0).max(least);
+        self
+    }
 }
 
 /// Vertices joined in order. A closed polyline does not repeat its first vertex.
@@ -50,29 +67,22 @@ pub struct Polyline {
     pub closed: bool,
 }
 
-/// A number for each segment of a line set, such as its length or force.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SegmentValues {
-    /// Name of lower-case letters, digits and underscores, such as `length`.
-    pub name: String,
-    /// Unit of the values. Empty for a plain number.
-    pub unit: String,
-    pub values: Vec<f64>,
-}
-
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Lines {
     Polylines(Vec<Polyline>),
-    Segments {
-        #[serde(with = "difference_groups")]
-        pairs: Vec<[u32; 2]>,
-        values: Option<SegmentValues>,
-    },
+    Segments(#[serde(with = "difference_groups")] Vec<[u32; 2]>),
     /// Straight lines with their own ends, which are no vertices of the mesh, in the client's unit and axes.
-    Arrows {
-        ends: Vec<[[f64; 3]; 2]>,
-        values: Option<SegmentValues>,
-    },
+    Arrows(Vec<[[f64; 3]; 2]>),
+}
+
+impl Lines {
+    fn count(&self) -> usize {
+        match self {
+            Self::Polylines(polylines) => polylines.len(),
+            Self::Segments(pairs) => pairs.len(),
+            Self::Arrows(ends) => ends.len(),
+        }
+    }
 }
 
 /// Lines along the mesh that a viewer can switch on.
@@ -83,6 +93,8 @@ pub struct LineSet {
     /// Subset of the lines with this name, such as `lattice`. Empty if all lines with this name are in one set.
     pub group: String,
     pub lines: Lines,
+    /// Attributes of the lines. JSON and PLY files have the first one only.
+    pub attributes: Vec<Attribute>,
 }
 
 impl LineSet {
@@ -105,7 +117,9 @@ pub struct Contents {
     /// The mesh. Its first vertices are the input's points in input order.
     #[serde(with = "mesh")]
     pub mesh: Mesh,
-    pub mean_curvature: Option<MeanCurvature>,
+    pub vertex_attributes: Vec<Attribute>,
+    /// Attributes of the triangles, which no format writes.
+    pub triangle_attributes: Vec<Attribute>,
     pub line_sets: Vec<LineSet>,
     /// Vertices that the points of each input polyline became.
     #[serde(with = "difference_lists")]
@@ -115,7 +129,8 @@ pub struct Contents {
     /// True if the mesh consists of developable strips that can be unrolled. The line set [`pattern::BRIDGES`] then has
     /// the strips' bridges from first to last, and the mesh has their triangles in the same order.
     pub unrolls: bool,
-    pub certificate: Option<Certificate>,
+    /// The proof of a lower bound of the area as JSON text, which this module does not interpret.
+    pub proof: Option<String>,
 }
 
 /// Largest distance from zero, in extents of the mesh, at which f32 coordinates are exact enough: rounding moves a vertex
@@ -136,6 +151,12 @@ pub fn middle(vertices: &[DVec3]) -> DVec3 {
 }
 
 impl Contents {
+    /// Returns the attribute of the vertices with this name.
+    #[must_use]
+    pub fn at_vertices(&self, name: &str) -> Option<&Attribute> {
+        self.vertex_attributes.iter().find(|attribute| attribute.name == name)
+    }
+
     /// Returns the largest side of the bounding box.
     #[must_use]
     pub fn extent(&self) -> f64 {
@@ -256,12 +277,8 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     ensure(fits(vertices.len()) && fits(contents.mesh.triangles.len()), "more than 2^32 vertices or triangles")?;
     ensure(vertices.iter().all(|v| v.is_finite()), "a coordinate is not finite")?;
     ensure(contents.mesh.triangles.iter().flatten().all(exists), "a triangle names a vertex that does not exist")?;
-    if let Some(curvature) = &contents.mean_curvature {
-        ensure(curvature.values.len() == vertices.len(), "mean curvature and vertices differ in number")?;
-        let sound = |value: f64| value.is_finite() && value >= 0.0;
-        ensure(sound(curvature.least_range), "the curvature's range is negative or not finite")?;
-        ensure(curvature.values.iter().all(|&value| sound(value)), "a mean curvature is negative or not finite")?;
-    }
+    check_attributes(&contents.vertex_attributes, vertices.len())?;
+    check_attributes(&contents.triangle_attributes, contents.mesh.triangles.len())?;
     for set in &contents.line_sets {
         ensure(!set.name.is_empty(), "a line set without a name")?;
         match &set.lines {
@@ -272,39 +289,40 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
                     "a line names a vertex that does not exist",
                 )?;
             }
-            Lines::Segments { pairs, values } => {
+            Lines::Segments(pairs) => {
                 ensure(pairs.iter().flatten().all(exists), "a line names a vertex that does not exist")?;
-                check_values(values.as_ref(), pairs.len())?;
             }
-            Lines::Arrows { ends, values } => {
+            Lines::Arrows(ends) => {
                 let finite = ends.iter().flatten().flatten().all(|coordinate| coordinate.is_finite());
                 ensure(finite, "an arrow's coordinate is not finite")?;
-                check_values(values.as_ref(), ends.len())?;
             }
         }
+        check_attributes(&set.attributes, set.lines.count())?;
     }
     ensure(contents.input_vertices.iter().flatten().all(exists), "an input point's vertex does not exist")?;
     ensure(serde_json::from_str::<serde::de::IgnoredAny>(&contents.statistics).is_ok(), "the statistics are not JSON")?;
-    if let Some(Certificate { slack, proof }) = &contents.certificate {
-        ensure(slack.len() == vertices.len(), "slack and vertices differ in number")?;
-        ensure(slack.iter().all(|value| (0.0..=1.0).contains(value)), "a slack is not between 0 and 1")?;
+    if let Some(proof) = &contents.proof {
         ensure(serde_json::from_str::<serde::de::IgnoredAny>(proof).is_ok(), "the proof is not JSON")?;
     }
     ensure(!contents.unrolls || unrolls(contents), "the bridges are not those of the mesh's strips")
 }
 
-fn check_values(values: Option<&SegmentValues>, lines: usize) -> Result<(), &'static str> {
-    let Some(values) = values else { return Ok(()) };
+fn check_attributes(attributes: &[Attribute], items: usize) -> Result<(), &'static str> {
     let letters = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_';
-    if values.values.len() != lines {
-        Err("segments and their values differ in number")
-    } else if !values.values.iter().all(|value| value.is_finite()) {
-        Err("a segment's value is not finite")
-    } else if values.name.is_empty() || !values.name.bytes().all(letters) {
-        Err("a value's name is not lower case")
-    } else {
-        Ok(())
+    for (k, Attribute { name, range, values, .. }) in attributes.iter().enumerate() {
+        if values.len() != items {
+            return Err("the values of an attribute and what they belong to differ in number");
+        } else if !values.iter().chain(range).all(|value| value.is_finite()) {
+            return Err("a value of an attribute is not finite");
+        } else if range[0] > range[1] {
+            return Err("the range of an attribute ends below its start");
+        } else if name.is_empty() || !name.bytes().all(letters) {
+            return Err("the name of an attribute is not lower case");
+        } else if attributes[..k].iter().any(|other| other.name == *name) {
+            return Err("two attributes have the same name");
+        }
     }
+    Ok(())
 }
 
 /// Returns true if the mesh consists of the strips that its bridges describe. Only what unrolling relies on is checked.

@@ -12,5 +12,5 @@ pub mod formats;
 pub mod pattern;
 pub mod units;
 
-pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+pub use archive::{Archive, Attribute, Contents, Defect, LineSet, Lines, Polyline};
 pub use pattern::{Fold, Pattern, Piece};

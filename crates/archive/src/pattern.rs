@@ -69,8 +69,8 @@ pub const BRIDGES: &str = "bridges";
 /// Returns the bridges of a ruled surface.
 pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
     contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
-        Lines::Segments { pairs, .. } => Some(pairs.as_slice()),
-        Lines::Polylines(_) | Lines::Arrows { .. } => None,
+        Lines::Segments(pairs) => Some(pairs.as_slice()),
+        Lines::Polylines(_) | Lines::Arrows(_) => None,
     })
 }
 

@@ -3,6 +3,7 @@
 use crate::rejection::FieldError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Progress of a job.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -18,12 +19,15 @@ pub struct Progress {
 }
 
 /// A warning about the input or the result of a job that succeeded.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "JobWarning")]
 pub struct Warning {
     /// Stable name in snake case.
     pub code: String,
     pub detail: String,
+    /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
+    /// are in the request's unit.
+    pub values: BTreeMap<String, f64>,
 }
 
 impl Warning {

@@ -4,9 +4,10 @@ use crate::rejection::{FieldError, MAX_ERRORS};
 use crate::report::{Progress, SolveError, Warning};
 use plateau_archive::archive::{Contents, middle};
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_archive::{Archive, LineSet, Lines, Polyline, SegmentValues};
+use plateau_archive::{Archive, Attribute, LineSet, Lines, Polyline};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A solved request.
 #[derive(Debug)]
@@ -98,7 +99,7 @@ pub enum Signal {
 pub(crate) fn far_from_zero(archive: &Archive) -> Option<Warning> {
     let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its coordinates: \
         STL files are relative to `origin` of the statistics, unless they are asked for with `origin=given`";
-    let warning = || Warning { code: Warning::FAR_FROM_ZERO.into(), detail: detail.into() };
+    let warning = || Warning { code: Warning::FAR_FROM_ZERO.into(), detail: detail.into(), values: BTreeMap::new() };
     archive.contents().is_far_from_zero().then(warning)
 }
 
@@ -120,7 +121,12 @@ pub(crate) fn on_the_wire(progress: plateau_mesh::Progress) -> Progress {
 }
 
 pub(crate) fn warnings(warnings: Vec<plateau_mesh::error::Warning>) -> Vec<Warning> {
-    warnings.into_iter().map(|warning| Warning { code: warning.code.into(), detail: warning.detail }).collect()
+    let on_the_wire = |plateau_mesh::error::Warning { code, detail, values }| Warning {
+        code: code.into(),
+        detail,
+        values: values.into_iter().map(|(name, value)| (name.into(), value)).collect(),
+    };
+    warnings.into_iter().map(on_the_wire).collect()
 }
 
 pub(crate) fn generator() -> String {
@@ -128,7 +134,7 @@ pub(crate) fn generator() -> String {
 }
 
 pub(crate) fn line_set(name: &str, lines: Lines) -> LineSet {
-    LineSet { name: name.into(), group: String::new(), lines }
+    LineSet { name: name.into(), group: String::new(), lines, attributes: Vec::new() }
 }
 
 /// Returns the polylines with two or more vertices. An apex has one vertex and is left out.
@@ -155,14 +161,13 @@ const LONGEST_ARROW: f64 = 0.25;
 pub(crate) fn reactions(
     supports: Vec<(DVec3, DVec3)>,
     vertices: &[DVec3],
-    forces: impl Fn(Vec<f64>) -> Option<SegmentValues>,
-) -> Lines {
+    forces: impl Fn(Vec<f64>) -> Attribute,
+) -> LineSet {
     let largest = supports.iter().map(|(_, force)| force.length()).fold(0.0, f64::max);
     let radius = LONGEST_ARROW * polyline::radius(vertices);
     // Dividing first keeps the arrows finite however small the forces are.
     let arrow = |force: DVec3| if largest > 0.0 { radius * (force / largest) } else { DVec3::ZERO };
-    Lines::Arrows {
-        ends: supports.iter().map(|&(foot, force)| [foot, foot + arrow(force)].map(|end| end.to_array())).collect(),
-        values: forces(supports.iter().map(|(_, force)| force.length()).collect()),
-    }
+    let ends = supports.iter().map(|&(foot, force)| [foot, foot + arrow(force)].map(|end| end.to_array())).collect();
+    let attributes = vec![forces(supports.iter().map(|(_, force)| force.length()).collect())];
+    LineSet { attributes, ..line_set("reactions", Lines::Arrows(ends)) }
 }

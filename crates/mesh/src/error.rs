@@ -122,18 +122,41 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 /// A fact about the input or the result that the caller should know although the solve succeeded.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
     /// A stable name in snake case: `folds`, `merged_points`, `not_converged`.
     pub code: &'static str,
     /// Description of the fact.
     pub detail: String,
+    /// Finite figures of the description, by name. Indices count from 0, and lengths are in the unit of the coordinates.
+    pub values: Vec<(&'static str, f64)>,
 }
 
 impl Warning {
     /// A warning of this code.
     pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
-        Self { code, detail: detail.into() }
+        Self { code, detail: detail.into(), values: Vec::new() }
+    }
+
+    /// Adds a figure. A figure that is not finite is left out, because JSON cannot hold it.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: f64) -> Self {
+        if value.is_finite() {
+            self.values.push((name, value));
+        }
+        self
+    }
+
+    /// Adds a number of things or an index.
+    #[must_use]
+    pub fn with_count(self, name: &'static str, count: usize) -> Self {
+        self.with(name, count as f64)
+    }
+
+    /// Adds the coordinates `x`, `y` and `z` of a place.
+    #[must_use]
+    pub fn with_place(self, [x, y, z]: [f64; 3]) -> Self {
+        self.with("x", x).with("y", y).with("z", z)
     }
 
     /// The warning that `count` points were merged with their neighbours, of the given directrix where there are several
@@ -145,7 +168,8 @@ impl Warning {
         } else {
             format!("{count} points were merged with their neighbours, because they are equal or nearly equal")
         };
-        Self::new("merged_points", place + &merged)
+        let warning = Self::new("merged_points", place + &merged).with_count("count", count);
+        directrix.into_iter().fold(warning, |warning, k| warning.with_count("directrix", k))
     }
 
     /// The warning that points were projected onto their plane, from which they were up to `distance` away.
@@ -154,6 +178,6 @@ impl Warning {
             "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in the \
              unit of the coordinates"
         );
-        Self::new("projected", detail)
+        Self::new("projected", detail).with("distance", distance)
     }
 }

@@ -107,7 +107,7 @@ pub fn check(
              for example at ({}, {}, {})",
             found.pairs, place.x, place.y, place.z
         );
-        Warning::new("self_intersections", detail)
+        Warning::new("self_intersections", detail).with("pairs", found.pairs as f64).with_place(place.to_array())
     });
     let check = SelfIntersectionCheck {
         pairs: found.complete.then_some(found.pairs),

@@ -106,7 +106,7 @@ pub(super) fn assemble(
         reasons.sort_unstable();
         reasons.dedup();
         let detail = format!("{} edges are outside [ℓ, 2ℓ]: {}", out_of_range.len(), reasons.join(", "));
-        warnings.push(Warning::new("out_of_range", detail));
+        warnings.push(Warning::new("out_of_range", detail).with_count("count", out_of_range.len()));
     }
     UniformMesh {
         mesh,
@@ -147,7 +147,8 @@ pub(super) fn finish(
         && 2.0 * row.deviation > result.statistics.length_tolerance
     {
         let detail = format!("{most} lengths stand for all members to {:.6e} only, see shared_lengths", row.deviation);
-        result.warnings.push(Warning::new("lengths_not_reached", detail));
+        let warning = Warning::new("lengths_not_reached", detail);
+        result.warnings.push(warning.with_count("lengths", most).with("deviation", row.deviation));
     }
     execution.report(Progress {
         fraction: 1.0,

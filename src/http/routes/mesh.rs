@@ -206,8 +206,8 @@ pub async fn certificate(
     let [format] = parameters(query.as_deref(), ["format"])?;
     let (_, media_type) = choose(format, &headers, &CERTIFICATE_FORMATS)?;
     let proof = |archive: &Archive| {
-        let certificate = archive.contents().certificate.as_ref().ok_or(JobsError::NoCertificate)?;
-        Ok(certificate.proof.clone().into_bytes())
+        let proof = archive.contents().proof.as_ref().ok_or(JobsError::NoCertificate)?;
+        Ok(proof.clone().into_bytes())
     };
     let file = app.jobs.convert(id, caller.owner(), "certificate", proof).await?;
     Ok(answer(&headers, &file, media_type, &format!("{id}.certificate.json")))

@@ -695,6 +695,9 @@ class JobWarning(TypedDict):
     code: str
     """Stable name in snake case."""
     detail: str
+    values: Dict[str, float]
+    """Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
+    are in the request's unit."""
 
 
 class Junctions(TypedDict):

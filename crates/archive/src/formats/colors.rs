@@ -1,7 +1,7 @@
 //! Colours of a mesh by a quantity of its result, from blue at 0 through green to red at the end of a scale.
 
 use super::Error;
-use crate::archive::{Contents, LineSet, Lines, SegmentValues};
+use crate::archive::{Attribute, Contents, LOWER_BOUND_SLACK, LineSet, Lines, MEAN_CURVATURE};
 
 /// Quantity that a mesh can be coloured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +31,8 @@ impl Quantity {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::MeanCurvature => "mean_curvature",
-            Self::LowerBoundSlack => "lower_bound_slack",
+            Self::MeanCurvature => MEAN_CURVATURE,
+            Self::LowerBoundSlack => LOWER_BOUND_SLACK,
             Self::Length => "length",
             Self::Force => "force",
         }
@@ -43,26 +43,21 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
-    /// Returns the values at the vertices if the quantity is one of vertices and the mesh has it.
-    pub(super) fn at_vertices(self, contents: &Contents) -> Option<&[f64]> {
-        match self {
-            Self::MeanCurvature => contents.mean_curvature.as_ref().map(|curvature| curvature.values.as_slice()),
-            Self::LowerBoundSlack => contents.certificate.as_ref().map(|certificate| certificate.slack.as_slice()),
-            Self::Length | Self::Force => None,
-        }
+    /// Returns the quantity at the vertices if the mesh has it there.
+    pub(super) fn at_vertices(self, contents: &Contents) -> Option<&Attribute> {
+        contents.at_vertices(self.name())
     }
 
-    /// Returns the values of a set of segments if they are of this quantity. Arrows keep their own colour, because the
-    /// forces of reactions are of another magnitude than those of cables.
-    pub(super) fn along(self, set: &LineSet) -> Option<&SegmentValues> {
-        match &set.lines {
-            Lines::Segments { values: Some(values), .. } if values.name == self.name() => Some(values),
-            _ => None,
-        }
+    /// Returns the quantity of a set of segments if they have it. Arrows keep their own colour, because the forces of
+    /// reactions are of another magnitude than those of cables.
+    pub(super) fn along(self, set: &LineSet) -> Option<&Attribute> {
+        let is_this = |attribute: &&Attribute| attribute.name == self.name();
+        set.attributes.iter().find(is_this).filter(|_| matches!(set.lines, Lines::Segments(_)))
     }
 
-    fn is_in(self, contents: &Contents, line_sets: &[LineSet]) -> bool {
-        self.at_vertices(contents).is_some() || line_sets.iter().any(|set| self.along(set).is_some())
+    /// Returns the quantity at the vertices and in each line set that has it.
+    fn all_in<'a>(self, contents: &'a Contents, line_sets: &'a [LineSet]) -> impl Iterator<Item = &'a Attribute> {
+        self.at_vertices(contents).into_iter().chain(line_sets.iter().filter_map(move |set| self.along(set)))
     }
 }
 
@@ -73,48 +68,40 @@ pub(super) const STOPS: [[f64; 3]; 5] =
 /// Scale from the values of a quantity to colours.
 pub(super) struct Scale {
     pub quantity: Quantity,
-    /// Value that is red. Zero and smaller values are blue.
+    /// Value that is blue, as smaller ones are.
+    pub min: f64,
+    /// Value that is red, as larger ones are.
     pub max: f64,
     /// Unit of the values. Empty for plain numbers.
     pub unit: String,
 }
 
-/// Share of the vertices that are within the scale of the mean curvature, so that the few largest values, at the corners
-/// of the boundary, do not decide about the colours of all others.
-const WITHIN_SCALE: f64 = 0.95;
-
 impl Scale {
-    /// Returns the scale of a file with these line sets. Without a range, it ends at the 95th percentile of the mean
-    /// curvature but not below its least range, at 1 for the slack, and at the largest length or force.
+    /// Returns the scale of a file with these line sets. Without a range, it covers 0 and the ranges of the quantity in the
+    /// file. With a range, it starts at 0.
     ///
     /// # Errors
     /// Returns [`Error::NoQuantity`] if the file does not have the quantity.
     pub fn new(colors: Colors, contents: &Contents, line_sets: &[LineSet]) -> Result<Self, Error> {
         let Colors { quantity, range } = colors;
-        if !quantity.is_in(contents, line_sets) {
-            let offered = Quantity::ALL.into_iter().filter(|quantity| quantity.is_in(contents, line_sets));
+        let known = || quantity.all_in(contents, line_sets);
+        let Some(first) = known().next() else {
+            let offered = Quantity::ALL.into_iter().filter(|other| other.all_in(contents, line_sets).next().is_some());
             return Err(Error::NoQuantity { asked: quantity.name(), offered: offered.map(Quantity::name).collect() });
-        }
-        let along = || line_sets.iter().filter_map(|set| quantity.along(set));
-        let largest = || along().flat_map(|values| &values.values).copied().fold(0.0, f64::max);
-        let max = range.unwrap_or_else(|| match (&contents.mean_curvature, quantity) {
-            (Some(curvature), Quantity::MeanCurvature) => {
-                percentile(&curvature.values, WITHIN_SCALE).max(curvature.least_range)
-            }
-            (_, Quantity::LowerBoundSlack) => 1.0,
-            _ => largest(),
-        });
-        let unit = match quantity {
-            Quantity::MeanCurvature => format!("1/{}", contents.unit.symbol()),
-            _ => along().next().map(|values| values.unit.clone()).unwrap_or_default(),
         };
-        Ok(Self { quantity, max, unit })
+        let (min, max) = match range {
+            Some(max) => (0.0, max),
+            None => known()
+                .fold((0.0, 0.0), |(min, max), attribute| (attribute.range[0].min(min), attribute.range[1].max(max))),
+        };
+        Ok(Self { quantity, min, max, unit: first.unit.clone() })
     }
 
     /// Returns the colour of a value. If the scale is empty, the colour is blue.
     pub fn color(&self, value: f64) -> [u8; 4] {
         let steps = (STOPS.len() - 1) as f64;
-        let position = if self.max > 0.0 { (value / self.max).clamp(0.0, 1.0) * steps } else { 0.0 };
+        let length = self.max - self.min;
+        let position = if length > 0.0 { ((value - self.min) / length).clamp(0.0, 1.0) * steps } else { 0.0 };
         let low = (position.floor() as usize).min(STOPS.len() - 2);
         let fraction = position - low as f64;
         let channel = |c: usize| {
@@ -122,26 +109,5 @@ impl Scale {
             (255.0 * value).round() as u8
         };
         [channel(0), channel(1), channel(2), 255]
-    }
-}
-
-/// Returns the smallest of the values that at least this share of them does not exceed, or 0 without values.
-fn percentile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let rank = (share * sorted.len() as f64).ceil() as usize;
-    sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::percentile;
-
-    #[test]
-    fn the_percentile_is_a_value_that_the_share_does_not_exceed() {
-        let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
-        assert_eq!(percentile(&values, 0.95), 95.0);
-        assert_eq!(percentile(&[3.0], 0.95), 3.0);
-        assert_eq!(percentile(&[], 0.95), 0.0);
     }
 }

@@ -12,7 +12,7 @@
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
 //! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
 //!   bound is tight.
-//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32).
+//! - `_MEAN_CURVATURE` is in 1/m. Attributes are clamped to f32.
 //! - A mesh is neutral unless colours are asked for. `COLOR_0` then runs from blue at 0 through green to red, interpolated
 //!   linearly between the stops of `asset.extras.color_range`, whose `max` is in the unit of the job's statistics.
 //!
@@ -37,7 +37,7 @@ use serde_json::{Value, json};
 
 use super::colors::{STOPS, Scale};
 use super::{Choices, Error, Origin, sheets};
-use crate::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};
+use crate::archive::{Archive, Attribute, Contents, LineSet, Lines, Polyline};
 use crate::units::UpAxis;
 
 /// Smallest supported size of a mesh. Below it, f32 cannot distinguish a ten-millionth of the mesh from zero.
@@ -187,18 +187,16 @@ impl Scene {
         if !mesh.triangles.is_empty() {
             attributes.insert(Valid(Semantic::Normals), self.vectors(&normals(mesh, frame)));
         }
-        if let Some(curvature) = &contents.mean_curvature {
-            let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
-            let values = with_split_vertices(&curvature.values);
-            attributes.insert(custom("mean_curvature"), self.scalars(values.into_iter().map(per_metre)));
-        }
-        if let Some(certificate) = &contents.certificate {
-            let slack = with_split_vertices(&certificate.slack);
-            attributes.insert(custom("lower_bound_slack"), self.scalars(slack.into_iter().map(|value| value as f32)));
+        for attribute in &contents.vertex_attributes {
+            // The unit of length is the metre in glTF, so values per unit of length are per metre.
+            let is_per_length = attribute.unit == format!("1/{}", contents.unit.symbol());
+            let unit = if is_per_length { frame.metres } else { 1.0 };
+            let values = with_split_vertices(&attribute.values).into_iter().map(|value| clamped(value / unit));
+            attributes.insert(custom(&attribute.name), self.scalars(values));
         }
         let base_color = match scale.and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?))) {
-            Some((scale, values)) => {
-                let values = with_split_vertices(values);
+            Some((scale, attribute)) => {
+                let values = with_split_vertices(&attribute.values);
                 let colors = self.colors(values.into_iter().map(|value| scale.color(value)));
                 attributes.insert(Valid(Semantic::Colors(0)), colors);
                 WHITE
@@ -221,7 +219,7 @@ impl Scene {
         let surface = primitive(mode, attributes, indices, material);
         let mut nodes = vec![self.placed_mesh(name, vec![surface], frame, raw(&place))];
         for set in line_sets {
-            let scale = scale.filter(|scale| scale.quantity.along(set).is_some());
+            let scale = scale.and_then(|scale| Some((scale, scale.quantity.along(set)?)));
             let name = set.full_name();
             // The material follows those of the sets before it, and an empty set has none.
             let material = Index::new(self.root.materials.len() as u32);
@@ -230,12 +228,12 @@ impl Scene {
                 continue;
             }
             self.material(&name, if scale.is_some() { WHITE } else { line_color(set) }, false);
-            let extras = match &set.lines {
-                Lines::Segments { values: Some(values), .. } | Lines::Arrows { values: Some(values), .. } => {
-                    raw(&json!({ custom(&values.name).to_string(): { "unit": values.unit } }))
-                }
-                _ => None,
-            };
+            let units: serde_json::Map<String, Value> = set
+                .attributes
+                .iter()
+                .map(|attribute| (custom(&attribute.name).to_string(), json!({ "unit": attribute.unit })))
+                .collect();
+            let extras = if units.is_empty() { None } else { raw(&units.into()) };
             nodes.push(self.placed_mesh(&name, primitives, frame, extras));
         }
         nodes
@@ -243,13 +241,8 @@ impl Scene {
 
     /// Adds a node at the frame's origin with a mesh of these primitives. Both have the same name.
     fn placed_mesh(&mut self, name: &str, primitives: Vec<Primitive>, frame: &Frame, extras: Extras) -> Index<Node> {
-        let mesh = gltf::json::Mesh {
-            name: Some(name.into()),
-            primitives,
-            weights: None,
-            extensions: None,
-            extras: None,
-        };
+        let mesh =
+            gltf::json::Mesh { name: Some(name.into()), primitives, weights: None, extensions: None, extras: None };
         let mesh = Some(Index::push(&mut self.root.meshes, mesh));
         let node = Node { name: Some(name.into()), mesh, extras, ..Node::default() };
         self.node(node, Some(frame.translation()))
@@ -272,14 +265,15 @@ impl Scene {
         Index::push(&mut self.root.materials, material)
     }
 
-    /// Returns the primitives of a line set, or none for an empty set. `scale` is the scale of the set's own values.
+    /// Returns the primitives of a line set, or none for an empty set. `scale` is a scale and the attribute that it
+    /// colours.
     fn line_primitives(
         &mut self,
         set: &LineSet,
         material: Index<Material>,
         shared: Shared<'_>,
         frame: &Frame,
-        scale: Option<&Scale>,
+        scale: Option<(&Scale, &Attribute)>,
     ) -> Vec<Primitive> {
         let at_shared = || BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
         match &set.lines {
@@ -287,41 +281,43 @@ impl Scene {
                 .iter()
                 .map(|line| primitive(Mode::LineStrip, at_shared(), Some(self.indices(along(line))), material))
                 .collect(),
-            Lines::Segments { pairs, .. } if pairs.is_empty() => Vec::new(),
-            Lines::Segments { pairs, values: None } => {
+            Lines::Segments(pairs) if pairs.is_empty() => Vec::new(),
+            Lines::Segments(pairs) if set.attributes.is_empty() => {
                 let indices = self.indices(pairs.iter().flatten().copied());
                 vec![primitive(Mode::Lines, at_shared(), Some(indices), material)]
             }
-            Lines::Segments { pairs, values: Some(values) } => {
+            Lines::Segments(pairs) => {
                 let ends: Vec<[f32; 3]> =
                     pairs.iter().flatten().map(|&vertex| shared.positions[vertex as usize]).collect();
-                vec![self.own_lines(&ends, Some(values), material, scale)]
+                vec![self.own_lines(&ends, &set.attributes, material, scale)]
             }
-            Lines::Arrows { ends, .. } if ends.is_empty() => Vec::new(),
-            Lines::Arrows { ends, values } => {
+            Lines::Arrows(ends) if ends.is_empty() => Vec::new(),
+            Lines::Arrows(ends) => {
                 let ends: Vec<[f32; 3]> =
                     ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
-                vec![self.own_lines(&ends, values.as_ref(), material, scale)]
+                vec![self.own_lines(&ends, &set.attributes, material, scale)]
             }
         }
     }
 
-    /// Returns the primitive of lines with their own positions, two for each line, and a value at both ends of each.
+    /// Returns the primitive of lines with their own positions, two for each line, and their values at both ends of each.
     fn own_lines(
         &mut self,
         ends: &[[f32; 3]],
-        values: Option<&SegmentValues>,
+        of_lines: &[Attribute],
         material: Index<Material>,
-        scale: Option<&Scale>,
+        scale: Option<(&Scale, &Attribute)>,
     ) -> Primitive {
         let mut attributes = BTreeMap::from([(Valid(Semantic::Positions), self.positions(ends))]);
-        if let Some(values) = values {
-            let at_ends = || values.values.iter().flat_map(|&value| [value; 2]);
-            attributes.insert(custom(&values.name), self.scalars(at_ends().map(clamped)));
-            if let Some(scale) = scale {
-                let colors = self.colors(at_ends().map(|value| scale.color(value)));
-                attributes.insert(Valid(Semantic::Colors(0)), colors);
-            }
+        let at_ends =
+            |attribute: &Attribute| -> Vec<f64> { attribute.values.iter().flat_map(|&value| [value; 2]).collect() };
+        for attribute in of_lines {
+            let values = at_ends(attribute).into_iter().map(clamped);
+            attributes.insert(custom(&attribute.name), self.scalars(values));
+        }
+        if let Some((scale, attribute)) = scale {
+            let colors = self.colors(at_ends(attribute).into_iter().map(|value| scale.color(value)));
+            attributes.insert(Valid(Semantic::Colors(0)), colors);
         }
         primitive(Mode::Lines, attributes, None, material)
     }
@@ -458,9 +454,9 @@ fn asset_extras(contents: &Contents, frame: &Frame, scale: Option<&Scale>) -> Va
         "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         "statistics": statistics, "input_vertices": contents.input_vertices,
     });
-    if let Some(Scale { quantity, max, unit }) = scale {
+    if let Some(Scale { quantity, min, max, unit }) = scale {
         extras["color_range"] =
-            json!({ "quantity": quantity.name(), "unit": unit, "min": 0.0, "max": max, "stops": STOPS });
+            json!({ "quantity": quantity.name(), "unit": unit, "min": min, "max": max, "stops": STOPS });
     }
     extras
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 use super::{Choices, Error};
-use crate::archive::{Archive, LineSet, Lines, SegmentValues};
+use crate::archive::{Archive, LineSet, Lines, MEAN_CURVATURE};
 
 #[derive(Serialize)]
 struct Mesh<'a> {
@@ -26,7 +26,14 @@ struct LinesOf<'a> {
     name: String,
     paths: Vec<Vec<u32>>,
     arrows: Vec<[[f64; 3]; 2]>,
-    values: Option<&'a SegmentValues>,
+    values: Option<Values<'a>>,
+}
+
+#[derive(Serialize)]
+struct Values<'a> {
+    name: &'a str,
+    unit: &'a str,
+    values: &'a [f64],
 }
 
 /// Writes the vertices and triangles in archive order, and the lines.
@@ -36,14 +43,15 @@ struct LinesOf<'a> {
 pub fn to_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let shift = choices.shift(contents);
-    let curvature = contents.mean_curvature.iter().map(|curvature| ("mean_curvature", curvature.values.as_slice()));
+    // The published form has this attribute of the vertices and no other.
+    let curvature = contents.at_vertices(MEAN_CURVATURE).map(|curvature| (MEAN_CURVATURE, curvature.values.as_slice()));
     let mesh = Mesh {
         unit: contents.unit.symbol(),
         up: contents.up.symbol(),
         origin: shift.to_array(),
         vertices: contents.mesh.vertices.iter().map(|&vertex| (vertex - shift).to_array()).collect(),
         triangles: &contents.mesh.triangles,
-        attributes: curvature.collect(),
+        attributes: curvature.into_iter().collect(),
         lines: choices.line_sets(contents).iter().map(|set| lines_of(set, shift)).collect(),
         input_vertices: &contents.input_vertices,
     };
@@ -52,21 +60,21 @@ pub fn to_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
 
 /// Returns each line as the vertices along it, and arrows as their two ends. A closed line ends with its first vertex.
 fn lines_of(set: &LineSet, shift: DVec3) -> LinesOf<'_> {
-    let (paths, arrows, values) = match &set.lines {
+    let (paths, arrows) = match &set.lines {
         Lines::Polylines(polylines) => {
             let path = |line: &crate::Polyline| -> Vec<u32> {
                 let back = line.closed.then(|| line.vertices.first().copied()).flatten();
                 line.vertices.iter().copied().chain(back).collect()
             };
-            (polylines.iter().map(path).collect(), Vec::new(), None)
+            (polylines.iter().map(path).collect(), Vec::new())
         }
-        Lines::Segments { pairs, values } => {
-            (pairs.iter().map(|pair| pair.to_vec()).collect(), Vec::new(), values.as_ref())
-        }
-        Lines::Arrows { ends, values } => {
+        Lines::Segments(pairs) => (pairs.iter().map(|pair| pair.to_vec()).collect(), Vec::new()),
+        Lines::Arrows(ends) => {
             let place = |end: [f64; 3]| (DVec3::from_array(end) - shift).to_array();
-            (Vec::new(), ends.iter().map(|ends| ends.map(place)).collect(), values.as_ref())
+            (Vec::new(), ends.iter().map(|ends| ends.map(place)).collect())
         }
     };
+    let values = set.attributes.first();
+    let values = values.map(|known| Values { name: &known.name, unit: &known.unit, values: &known.values });
     LinesOf { name: set.full_name(), paths, arrows, values }
 }

@@ -34,7 +34,7 @@ pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
     }
     let mut count = contents.mesh.vertices.len() as u64;
     for set in choices.line_sets(contents) {
-        if let Lines::Arrows { ends, .. } = &set.lines {
+        if let Lines::Arrows(ends) = &set.lines {
             // Their own vertices follow those of the mesh, whose numbers stay.
             for end in ends.iter().flatten() {
                 let [x, y, z] = (DVec3::from_array(*end) - shift).to_array();
@@ -50,12 +50,12 @@ pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
                     put!("l {}", indices.collect::<Vec<_>>().join(" "));
                 }
             }
-            Lines::Segments { pairs, .. } => {
+            Lines::Segments(pairs) => {
                 for [a, b] in pairs.iter().map(|pair| pair.map(from_one)) {
                     put!("l {a} {b}");
                 }
             }
-            Lines::Arrows { ends, .. } => {
+            Lines::Arrows(ends) => {
                 for _ in ends {
                     put!("l {} {}", count + 1, count + 2);
                     count += 2;

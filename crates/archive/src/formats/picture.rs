@@ -190,8 +190,8 @@ impl Pen {
 /// when asked.
 fn each_segment(set: &LineSet, mut visit: impl FnMut([u32; 2])) {
     match &set.lines {
-        Lines::Segments { pairs, .. } => pairs.iter().for_each(|&pair| visit(pair)),
-        Lines::Arrows { .. } => {}
+        Lines::Segments(pairs) => pairs.iter().for_each(|&pair| visit(pair)),
+        Lines::Arrows(_) => {}
         Lines::Polylines(polylines) => {
             for line in polylines {
                 line.vertices.windows(2).for_each(|pair| visit([pair[0], pair[1]]));

@@ -8,7 +8,7 @@ use std::io::Write as _;
 use super::colors::Scale;
 use super::obj::one_line;
 use super::{Choices, Error, Origin};
-use crate::archive::{Archive, Lines, SegmentValues};
+use crate::archive::{Archive, Attribute, LOWER_BOUND_SLACK, Lines, MEAN_CURVATURE};
 
 /// Writes the vertices and triangles in archive order.
 ///
@@ -17,11 +17,11 @@ use crate::archive::{Archive, Lines, SegmentValues};
 pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-    let curvature = contents.mean_curvature.as_ref().map(|curvature| curvature.values.as_slice());
-    let slack = contents.certificate.as_ref().map(|certificate| certificate.slack.as_slice());
+    let named = |name: &str| contents.at_vertices(name).map(|attribute| attribute.values.as_slice());
+    let (curvature, slack) = (named(MEAN_CURVATURE), named(LOWER_BOUND_SLACK));
     // Only vertices have colours.
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, &[])).transpose()?;
-    let colored = scale.as_ref().and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?)));
+    let colored = scale.as_ref().and_then(|scale| Some((scale, &scale.quantity.at_vertices(contents)?.values)));
     let shift = choices.shift(contents);
     let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
     let mut header = format!(
@@ -117,22 +117,22 @@ struct Edges<'a> {
     values: Vec<f64>,
 }
 
-fn name(values: Option<&SegmentValues>) -> Option<&str> {
-    values.map(|values| values.name.as_str())
+fn name(attribute: Option<&Attribute>) -> Option<&str> {
+    attribute.map(|attribute| attribute.name.as_str())
 }
 
 fn edges(archive: &Archive, choices: Choices) -> Edges<'_> {
     let segments = || {
         choices.line_sets(archive.contents()).iter().filter_map(|set| match &set.lines {
-            Lines::Segments { pairs, values } => Some((pairs, values.as_ref())),
-            Lines::Polylines(_) | Lines::Arrows { .. } => None,
+            Lines::Segments(pairs) => Some((pairs, set.attributes.first())),
+            Lines::Polylines(_) | Lines::Arrows(_) => None,
         })
     };
-    let first = segments().next().and_then(|(_, values)| name(values));
-    let common = first.filter(|first| segments().all(|(_, values)| name(values) == Some(*first)));
+    let first = segments().next().and_then(|(_, attribute)| name(attribute));
+    let common = first.filter(|first| segments().all(|(_, attribute)| name(attribute) == Some(*first)));
     Edges {
         pairs: segments().flat_map(|(pairs, _)| pairs.iter().copied()).collect(),
         name: common,
-        values: segments().filter_map(|(_, values)| values).flat_map(|values| values.values.iter().copied()).collect(),
+        values: segments().filter_map(|(_, known)| known).flat_map(|known| known.values.iter().copied()).collect(),
     }
 }

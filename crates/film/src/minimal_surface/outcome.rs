@@ -70,7 +70,7 @@ fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
             "the film is near its limit (lowest eigenvalue {lowest:.3} in units of 1/R²; a flat disc has 5.78): with a \
              slightly different boundary or a finer mesh it may collapse"
         );
-        Warning::new("near_critical", detail)
+        Warning::new("near_critical", detail).with("lowest_eigenvalue_times_radius_squared", lowest)
     })
 }
 
@@ -87,7 +87,7 @@ fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) ->
              a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
             stop_reason.name()
         );
-        Warning::new("not_minimal", detail)
+        Warning::new("not_minimal", detail).with("residual", residual).with("tolerance", tolerance)
     })
 }
 
@@ -106,7 +106,7 @@ fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warn
         let detail = format!(
             "the mean edge is {mean:.4e} long, not {length:.4e}: {why}; ask for a number of triangles to be sure of it"
         );
-        Warning::new("edge_length_missed", detail)
+        Warning::new("edge_length_missed", detail).with("mean_edge_length", mean).with("edge_length", length)
     })
 }
 
@@ -175,14 +175,14 @@ pub(super) fn finish(
             "the film came apart at {} places; its topology is not the initial mesh's",
             statistics.pinches.len()
         );
-        warnings.push(Warning::new("topology_changed", detail));
+        warnings.push(Warning::new("topology_changed", detail).with_count("pinches", statistics.pinches.len()));
     }
     if let Some(spanning) = &statistics.spanning {
         warnings.extend(spanning.warnings());
     }
     warnings.extend(missed_edge_length(&statistics, options));
     if !statistics.converged {
-        warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
+        warnings.push(statistics.not_converged(options.tolerance));
     }
     warnings.extend(not_minimal(&statistics, &measured, options.tolerance));
     if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
@@ -190,7 +190,7 @@ pub(super) fn finish(
             "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
             stability.morse_index
         );
-        warnings.push(Warning::new("unstable", detail));
+        warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics, film.radius()));
     let boundaries = film.boundaries.clone();

@@ -86,9 +86,10 @@ impl Input {
     /// Warnings about the boundaries themselves.
     pub fn warnings(&self) -> Vec<Warning> {
         let merged = (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None));
-        let shared = self
-            .shared()
-            .map(|([k, i], detail)| Warning::new("shared_points", format!("point {i} of boundary {k} {detail}")));
+        let shared = self.shared().map(|([k, i], detail)| {
+            let detail = format!("point {i} of boundary {k} {detail}");
+            Warning::new("shared_points", detail).with_count("boundary", k).with_count("point", i)
+        });
         merged.into_iter().chain(shared).collect()
     }
 

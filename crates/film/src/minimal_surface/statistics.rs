@@ -5,6 +5,7 @@ use super::initial_mesh::InitialMeshKind;
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Objective, Options, Solver};
 use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
+use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::{self, Spread};
 use plateau_mesh::remesh::thin_triangles::Pinch;
@@ -96,9 +97,8 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Why the surface does not count as converged, as a text.
-    #[must_use]
-    pub fn shortfall(&self, tolerance: f64) -> String {
+    /// The warning that the surface does not count as converged, and why.
+    pub(super) fn not_converged(&self, tolerance: f64) -> Warning {
         let mut reasons = Vec::new();
         if !self.stop_reason.meets_the_rule_of(self.solver, self.residual, tolerance) {
             let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
@@ -115,7 +115,12 @@ impl Statistics {
         if self.degenerate_triangles > 0 {
             reasons.push(format!("{} triangles are degenerate", self.degenerate_triangles));
         }
-        format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name())
+        let detail = format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name());
+        Warning::new("not_converged", detail)
+            .with("residual", self.residual)
+            .with("tolerance", tolerance)
+            .with_count("flipped_triangles", self.flipped_triangles)
+            .with_count("degenerate_triangles", self.degenerate_triangles)
     }
 }
 

@@ -89,7 +89,7 @@ pub(super) fn solve(
     let statistics = collect(&film, &balance, junctions, solver, stop_reason, initial_area, given.len(), options);
     let mut warnings = Vec::new();
     if !statistics.converged {
-        warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
+        warnings.push(statistics.not_converged(options.tolerance));
     }
     if let Some(&(_, meeting)) = split.first() {
         let detail = format!(
@@ -97,7 +97,8 @@ pub(super) fn solve(
              film is stationary under motions of its vertices, but splitting the point may lower its area",
             split.len()
         );
-        warnings.push(Warning::new("junction_point", detail));
+        let warning = Warning::new("junction_point", detail);
+        warnings.push(warning.with_count("junctions", meeting).with_count("points", split.len()));
     }
     let mut mesh = Mesh::new(film.vertices, film.complex.triangles);
     mesh.vertices.iter_mut().for_each(|vertex| *vertex += centre);

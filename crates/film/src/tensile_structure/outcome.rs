@@ -713,10 +713,10 @@ fn warn(
     cables: &[CableResult],
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    for (cable, result) in structure.cables.iter().zip(cables) {
+    for (k, (cable, result)) in structure.cables.iter().zip(cables).enumerate() {
         if result.slack {
             let detail = format!("cable {} carries no force: it is longer than the shape needs", cable.name);
-            warnings.push(Warning::new("slack_cable", detail));
+            warnings.push(Warning::new("slack_cable", detail).with_count("cable", k));
         }
     }
     if !statistics.converged {
@@ -725,7 +725,7 @@ fn warn(
             statistics.residual,
             statistics.stop_reason.name()
         );
-        warnings.push(Warning::new("not_converged", detail));
+        warnings.push(Warning::new("not_converged", detail).with("residual", statistics.residual));
     } else if statistics.balance.is_none() {
         let detail =
             "the forces within the film could not be balanced, so there are no reactions; try another resolution";
@@ -735,14 +735,15 @@ fn warn(
     if let Some(weave) = statistics.stress.and_then(|stress| stress.weave)
         && weave.deviation_rms > DEVIATES
     {
-        warnings.push(Warning::new("stress_deviates", deviating_stress(&weave, structure)));
+        let warning = Warning::new("stress_deviates", deviating_stress(&weave, structure));
+        warnings.push(warning.with("deviation_rms", weave.deviation_rms));
     }
     if let Some(Ponding { depth, place: DVec3 { x, y, z }, .. }) = statistics.ponding {
         let detail = format!(
             "water would stand up to {depth:.4} deep on the film, deepest at ({x:.4}, {y:.4}, {z:.4}), because it cannot \
              run off over an edge; its weight would deepen the hollow (ponding)"
         );
-        warnings.push(Warning::new("ponding", detail));
+        warnings.push(Warning::new("ponding", detail).with("depth", depth).with_place([x, y, z]));
     }
     for (chamber, ChamberResult { volume, .. }) in structure.chambers.iter().zip(&statistics.chambers) {
         let next = chamber.below + 1;
@@ -752,7 +753,7 @@ fn warn(
                  each other here as they would in fact; change the pressures",
                 chamber.below
             );
-            warnings.push(Warning::new("layers_cross", detail));
+            warnings.push(Warning::new("layers_cross", detail).with_count("layer", next).with("volume", *volume));
         }
     }
     if let Some(stability) = statistics.stability {
@@ -764,7 +765,7 @@ fn warn(
                 "the shape is in equilibrium but no minimum of the energy (Morse index {}): it would leave it",
                 stability.morse_index
             );
-            warnings.push(Warning::new("unstable", detail));
+            warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
         }
     }
     warnings
@@ -782,7 +783,7 @@ fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
                 "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on flat \
                  there; make the mesh larger"
             );
-            Warning::new("beyond_support", detail)
+            Warning::new("beyond_support", detail).with_count("support", number).with("distance", farthest)
         })
     };
     model.supports.iter().enumerate().filter_map(beyond).collect()

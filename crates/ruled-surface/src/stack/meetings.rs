@@ -26,7 +26,7 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
         if is_same(p, q, tolerance) {
             let detail =
                 format!("directrices {k} and {next} are the same polyline, so the strip between them has no area");
-            warnings.push(Warning::new("identical_directrices", detail));
+            warnings.push(Warning::new("identical_directrices", detail).with_count("directrix", k));
         } else if let Some(contact) = meeting(p, q, prepared.closed, tolerance, execution)? {
             let [from, to] = [contact.first, contact.first + 1].map(|k| k % p.len());
             let [from, to] = [from, to].map(|index| prepared.directrices[k].input_point(index));
@@ -34,7 +34,8 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
                 "directrices {k} and {next} cross or touch between the points {from} and {to} of directrix {k}: the strip \
                  is pinched there"
             );
-            warnings.push(Warning::new("crossing_directrices", detail));
+            let warning = Warning::new("crossing_directrices", detail).with_count("directrix", k);
+            warnings.push(warning.with_count("from", from).with_count("to", to));
         }
     }
     Ok(warnings)
@@ -59,7 +60,7 @@ fn unclosed(prepared: &Prepared) -> Option<Warning> {
     };
     let detail =
         format!("{which}, but the strips are open: set closed for loops, so that each strip is joined to itself");
-    Some(Warning::new("unclosed_directrices", detail))
+    Some(Warning::new("unclosed_directrices", detail).with_count("count", loops.len()))
 }
 
 /// Whether two polylines have the same points in the same or the opposite order.

@@ -100,7 +100,9 @@ pub(crate) fn prepare(
             match caps::project(&points, Place::field("directrices").at(k)) {
                 Ok(None) => {}
                 Ok(Some((projected, distance))) => {
-                    prepared.warnings.push(Warning::projected(&format!("directrix {k}"), distance));
+                    prepared
+                        .warnings
+                        .push(Warning::projected(&format!("directrix {k}"), distance).with_count("directrix", k));
                     points = Cow::Owned(projected);
                 }
                 Err(error) => errors.push(error),
@@ -127,10 +129,8 @@ pub(crate) fn prepare(
             errors.push(InputError::new(Place::field("directrices").at(k), detail));
         }
         if count == 1 && k > 0 && k + 1 < directrices.len() {
-            prepared.warnings.push(Warning::new(
-                "apex_inside",
-                format!("directrix {k} is a single point between two strips: the surface is pinched there"),
-            ));
+            let detail = format!("directrix {k} is a single point between two strips: the surface is pinched there");
+            prepared.warnings.push(Warning::new("apex_inside", detail).with_count("directrix", k));
         }
         offset += count;
         prepared.directrices.push(directrix);

@@ -38,10 +38,8 @@ pub(crate) fn of_strip(
     let mut warnings = Vec::new();
     if statistics.folds_back() {
         let degrees = statistics.largest_fold.to_degrees();
-        warnings.push(Warning::new(
-            "folds",
-            format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°"),
-        ));
+        let detail = format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°");
+        warnings.push(Warning::new("folds", detail).with_count("strip", k).with("largest_fold_deg", degrees));
     }
     let triangles = strip.triangles_along(path);
     let empty = triangles.iter().filter(|&&triangle| is_degenerate(strip.corners(triangle))).count();
@@ -52,11 +50,11 @@ pub(crate) fn of_strip(
             triangles.len(),
             k + 1
         );
-        warnings.push(Warning::new("empty_triangles", detail));
+        warnings.push(Warning::new("empty_triangles", detail).with_count("strip", k).with_count("count", empty));
     }
     if strip.closed && repeats_a_bridge(path) {
         let detail = format!("strip {k}: the path runs all the way round one directrix at one point of the other");
-        warnings.push(Warning::new("repeated_bridge", detail));
+        warnings.push(Warning::new("repeated_bridge", detail).with_count("strip", k));
     }
     if strip.has_apex() {
         return Ok(warnings);
@@ -70,13 +68,13 @@ pub(crate) fn of_strip(
             }
         };
         let detail = format!("directrices {k} and {} run in opposite directions: {reason}", k + 1);
-        warnings.push(Warning::new("opposite_directions", detail));
+        warnings.push(Warning::new("opposite_directions", detail).with_count("directrix", k));
     }
     if goal.objective != Objective::MinimalArea {
         let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, pulse)?;
         if factor > LARGE {
             let detail = format!("strip {k}: {factor:.2} times the area of the strip of minimal area");
-            warnings.push(Warning::new("large_area", detail));
+            warnings.push(Warning::new("large_area", detail).with_count("strip", k).with("factor", factor));
         }
     }
     let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
@@ -88,13 +86,14 @@ pub(crate) fn of_strip(
     {
         let bound = statistics.bending_energy / BENT;
         if let Some(least) = least_bending_within(strip, bound, lanes, pulse)? {
-            let detail = if least > rounding {
+            let warning = if least > rounding {
                 let factor = statistics.bending_energy / least;
-                format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
+                let detail = format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least");
+                Warning::new("strongly_bent", detail).with("factor", factor)
             } else {
-                format!("strip {k}: it bends, although it could be laid without bending")
+                Warning::new("strongly_bent", format!("strip {k}: it bends, although it could be laid without bending"))
             };
-            warnings.push(Warning::new("strongly_bent", detail));
+            warnings.push(warning.with_count("strip", k));
         }
     }
     Ok(warnings)

@@ -77,7 +77,8 @@ impl Polygon {
         }
         let dropped: usize = merged.iter().map(|m| m.dropped()).sum();
         if dropped > 0 {
-            warnings.push(Warning::new("merged_points", format!("{dropped} repeated points were merged")));
+            let warning = Warning::new("merged_points", format!("{dropped} repeated points were merged"));
+            warnings.push(warning.with_count("count", dropped));
         }
 
         let mut polygon = Self {

@@ -211,7 +211,7 @@ impl Auxiliary {
         }
         let said = |w: Warning| match w.code {
             "merged_points" => w,
-            code => Warning::new("film", format!("{code}: {}", w.detail)),
+            code => Warning { values: w.values, ..Warning::new("film", format!("{code}: {}", w.detail)) },
         };
         let warnings = film.warnings.into_iter().map(said).collect();
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })

@@ -40,11 +40,12 @@ impl SpanningComparison {
     pub(crate) fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.connected_film_exists {
-            let mut detail = String::from("no film that connects all boundaries was found");
+            let mut warning = Warning::new("no_connected_film", "no film that connects all boundaries was found");
             if let Some(fraction) = self.largest_gap_fraction {
-                detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
+                warning.detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
+                warning = warning.with("largest_gap_fraction", fraction);
             }
-            warnings.push(Warning::new("no_connected_film", detail));
+            warnings.push(warning);
         }
         if self.topologies.first().is_some_and(|least| least.films_cross) {
             let detail =

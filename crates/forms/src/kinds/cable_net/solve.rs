@@ -1,10 +1,10 @@
 //! From a checked request for a cable net to its stored result.
 
 use super::{CableNetStatistics, Group};
-use crate::solved::{self, Frame, Solved, archive, generator, line_set, reactions, to_json, warnings};
+use crate::solved::{self, Frame, Solved, archive, generator, reactions, to_json, warnings};
 use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
-use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::cable_net;
 use plateau_mesh::error::Warning;
 use plateau_mesh::{Error, Execution, Mesh};
@@ -27,16 +27,16 @@ impl solved::SolverInput for SolverInput {
         let found = cable_net::solve(net, options, exec)?;
         let statistics =
             to_json(&CableNetStatistics::of(&found, net, groups, force, middle(&found.vertices).to_array()))?;
-        let forces =
-            |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
-        let lines = |group: &Group| Lines::Segments {
-            pairs: group.edges.iter().map(|&k| net.edges[k].ends).collect(),
-            values: forces(group.edges.iter().map(|&k| found.forces[k]).collect()),
+        let forces = |values: Vec<f64>| Attribute::new("force", force.symbol(), values);
+        let set = |group: &Group| LineSet {
+            name: CABLES.into(),
+            group: group.name.clone(),
+            lines: Lines::Segments(group.edges.iter().map(|&k| net.edges[k].ends).collect()),
+            attributes: vec![forces(group.edges.iter().map(|&k| found.forces[k]).collect())],
         };
-        let set = |group: &Group| LineSet { name: CABLES.into(), group: group.name.clone(), lines: lines(group) };
         let mut line_sets: Vec<LineSet> = groups.iter().map(set).collect();
         let feet = net.supports.iter().map(|&v| found.vertices[v as usize]).zip(found.reactions.iter().copied());
-        line_sets.push(line_set("reactions", reactions(feet.collect(), &found.vertices, forces)));
+        line_sets.push(reactions(feet.collect(), &found.vertices, forces));
         let warnings = warnings(net_warnings(&found));
         let archive = archive(Contents {
             generator: generator(),
@@ -45,11 +45,9 @@ impl solved::SolverInput for SolverInput {
             up: frame.up,
             input_vertices: vec![(0..found.vertices.len() as u32).collect()],
             mesh: Mesh::new(found.vertices, Vec::new()),
-            mean_curvature: None,
             line_sets,
             statistics: statistics.clone(),
-            unrolls: false,
-            certificate: None,
+            ..Contents::default()
         })?;
         let reproducible = found.stop_reason != cable_net::StopReason::Deadline;
         Ok(Solved { statistics, warnings, archive, reproducible })
@@ -74,7 +72,7 @@ fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
             "the targets leave these edges no force; least_force_density keeps them in tension: {}{more}",
             names.join(", ")
         );
-        warnings.push(Warning::new("slack_cable", detail));
+        warnings.push(Warning::new("slack_cable", detail).with_count("count", slack.len()));
     }
     warnings
 }

@@ -2,8 +2,8 @@
 
 use super::{CertificateDocument, MinimalStatistics};
 use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
-use plateau_archive::MeanCurvature;
-use plateau_archive::archive::{Certificate, Contents};
+use plateau_archive::Attribute;
+use plateau_archive::archive::{Contents, LOWER_BOUND_SLACK, MEAN_CURVATURE};
 use plateau_film::minimal_surface::{self, StopReason};
 use plateau_lower_bound as lower_bound;
 use plateau_mesh::error::Warning;
@@ -20,6 +20,9 @@ pub(super) struct SolverInput {
 /// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
 /// vertices of a converged film of usual resolution are below it, so that its discretisation is no rainbow.
 const LEAST_RANGE: f64 = 0.01;
+/// Share of the vertices that are within the default colour scale of the mean curvature, so that the few largest values, at
+/// the corners of the boundary, do not decide about the colours of all others.
+const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
@@ -28,7 +31,7 @@ impl solved::SolverInput for SolverInput {
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
         let mut statistics = MinimalStatistics::of(&surface.statistics, origin(&surface.mesh));
         let mut reproducible = surface.statistics.stop_reason != StopReason::Deadline;
-        let mut certificate = None;
+        let (mut slack, mut proof) = (None, None);
         if let Some(certify) = certify {
             let bound = |exec: &Execution| lower_bound::certify(boundaries, &surface.mesh, certify, exec);
             let bound = if surface.statistics.junctions.is_some() {
@@ -41,8 +44,8 @@ impl solved::SolverInput for SolverInput {
                 Ok(bound) => {
                     statistics = statistics.certified(&bound);
                     reproducible &= !bound.interrupted;
-                    let proof = to_json(&CertificateDocument::of(&bound))?;
-                    certificate = Some(Certificate { slack: bound.slack, proof });
+                    proof = Some(to_json(&CertificateDocument::of(&bound))?);
+                    slack = Some(Attribute { range: [0.0, 1.0], ..Attribute::new(LOWER_BOUND_SLACK, "", bound.slack) });
                 }
                 Err(reason) => surface
                     .warnings
@@ -57,21 +60,21 @@ impl solved::SolverInput for SolverInput {
         if let Some(junctions) = &surface.statistics.junctions {
             line_sets.push(line_set("junctions", polylines(&junctions.curves, false)));
         }
+        let least_range = if radius > 0.0 { LEAST_RANGE / radius } else { 0.0 };
+        let curvature = Attribute::new(MEAN_CURVATURE, format!("1/{}", frame.unit.symbol()), surface.mean_curvature)
+            .ending_at_percentile(WITHIN_SCALE, least_range);
         let archive = archive(Contents {
             generator: generator(),
             title: "minimal surface".into(),
             unit: frame.unit,
             up: frame.up,
             mesh: surface.mesh,
-            mean_curvature: Some(MeanCurvature {
-                values: surface.mean_curvature,
-                least_range: if radius > 0.0 { LEAST_RANGE / radius } else { 0.0 },
-            }),
+            vertex_attributes: std::iter::once(curvature).chain(slack).collect(),
             line_sets,
             input_vertices: surface.input_vertices,
             statistics: statistics.clone(),
-            unrolls: false,
-            certificate,
+            proof,
+            ..Contents::default()
         })?;
         Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
     }

@@ -26,15 +26,14 @@ impl solved::SolverInput for SolverInput {
             unit: frame.unit,
             up: frame.up,
             mesh: surface.mesh,
-            mean_curvature: None,
             line_sets: vec![
                 line_set("directrices", polylines(&surface.directrices, options.closed)),
-                line_set(BRIDGES, Lines::Segments { pairs: surface.bridges, values: None }),
+                line_set(BRIDGES, Lines::Segments(surface.bridges)),
             ],
             input_vertices: surface.input_vertices,
             statistics: statistics.clone(),
             unrolls,
-            certificate: None,
+            ..Contents::default()
         })?;
         Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
     }

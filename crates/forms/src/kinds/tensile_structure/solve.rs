@@ -6,7 +6,7 @@ use crate::solved::{
 };
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::ForceUnit;
-use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::minimal_surface::StopReason;
 use plateau_film::tensile_structure;
 use plateau_mesh::{Error, Execution};
@@ -24,18 +24,18 @@ impl solved::SolverInput for SolverInput {
         let force = *force;
         let found = tensile_structure::solve(structure, options, exec)?;
         let statistics = to_json(&TensileStatistics::of(&found, structure, force, origin(&found.mesh)))?;
-        let forces =
-            |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
+        let forces = |values: Vec<f64>| Attribute::new("force", force.symbol(), values);
         let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
         for (cable, result) in structure.cables.iter().zip(&found.cables) {
             let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            let lines = Lines::Segments { pairs, values: forces(result.segment_forces.clone()) };
             let name = if cable.course.is_mast() { "masts" } else { CABLES };
-            line_sets.push(LineSet { name: name.into(), group: cable.name.clone(), lines });
+            let attributes = vec![forces(result.segment_forces.clone())];
+            let (group, lines) = (cable.name.clone(), Lines::Segments(pairs));
+            line_sets.push(LineSet { name: name.into(), group, lines, attributes });
         }
         let feet =
             found.reactions.iter().map(|reaction| (found.mesh.vertices[reaction.vertex as usize], reaction.force));
-        line_sets.push(line_set("reactions", reactions(feet.collect(), &found.mesh.vertices, forces)));
+        line_sets.push(reactions(feet.collect(), &found.mesh.vertices, forces));
         let archive = archive(Contents {
             generator: generator(),
             title: "tensile structure".into(),
@@ -43,11 +43,9 @@ impl solved::SolverInput for SolverInput {
             up: frame.up,
             input_vertices: found.input_vertices,
             mesh: found.mesh,
-            mean_curvature: None,
             line_sets,
             statistics: statistics.clone(),
-            unrolls: false,
-            certificate: None,
+            ..Contents::default()
         })?;
         let reproducible = found.statistics.stop_reason != StopReason::Deadline;
         Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })

@@ -3,7 +3,7 @@
 use super::UniformStatistics;
 use crate::solved::{self, Frame, Solved, archive, generator, origin, to_json, warnings};
 use plateau_archive::archive::Contents;
-use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_mesh::{Error, Execution};
 use plateau_uniform_mesh as uniform_mesh;
 
@@ -21,11 +21,10 @@ impl solved::SolverInput for SolverInput {
         // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
         let group = |name: &str, lattice: bool| {
             let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
-            let unit = frame.unit.symbol().into();
-            let values = of().map(|member| solved.lengths[member]).collect();
-            let pairs = of().map(|member| solved.members[member]).collect();
-            let values = Some(SegmentValues { name: "length".into(), unit, values });
-            LineSet { name: "members".into(), group: name.into(), lines: Lines::Segments { pairs, values } }
+            let lengths = of().map(|member| solved.lengths[member]).collect();
+            let attributes = vec![Attribute::new("length", frame.unit.symbol(), lengths)];
+            let lines = Lines::Segments(of().map(|member| solved.members[member]).collect());
+            LineSet { name: "members".into(), group: name.into(), lines, attributes }
         };
         let line_sets = vec![group("lattice", true), group("rim", false)];
         let archive = archive(Contents {
@@ -35,11 +34,9 @@ impl solved::SolverInput for SolverInput {
             up: frame.up,
             input_vertices: input_vertices(domain, &solved),
             mesh: solved.mesh,
-            mean_curvature: None,
             line_sets,
             statistics: statistics.clone(),
-            unrolls: false,
-            certificate: None,
+            ..Contents::default()
         })?;
         Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
     }
