@@ -1,0 +1,71 @@
+// The solvers of Plateau as a WebAssembly module, without a server.
+
+/** Endings of a request, in the order of the module's numbers. */
+const ENDINGS = ['solved', 'refused', 'failed', 'cancelled'];
+
+/**
+ * Loads the module.
+ * @param {BufferSource | Response | PromiseLike<Response>} source its bytes, or the answer of a fetch
+ */
+export async function load(source) {
+  // The module calls these while it solves.
+  const asked = { signal: () => 0, progress: () => {} };
+  const text = (address, bytes) => new TextDecoder().decode(new Uint8Array(exports.memory.buffer, address, bytes));
+  const imports = {
+    plateau: {
+      signal: () => asked.signal(),
+      progress: (fraction, phase, bytes, iteration, objective, residual) =>
+        asked.progress({
+          fraction,
+          phase: text(phase, bytes),
+          iteration,
+          objective_value: Number.isNaN(objective) ? null : objective,
+          residual: Number.isNaN(residual) ? null : residual,
+        }),
+    },
+  };
+  const waited = await source;
+  const { instance } = await (ArrayBuffer.isView(waited) || waited instanceof ArrayBuffer
+    ? WebAssembly.instantiate(waited, imports)
+    : WebAssembly.instantiateStreaming(waited, imports));
+  const exports = instance.exports;
+
+  const put = (words) => {
+    const bytes = new TextEncoder().encode(words);
+    new Uint8Array(exports.memory.buffer, exports.plateau_input(bytes.length), bytes.length).set(bytes);
+  };
+
+  return {
+    /**
+     * Solves a request (an object, or JSON text) that names its kind. Blocks until it ends, so that pages call it in a
+     * worker.
+     *
+     * `onProgress` gets the members of a job's progress. `signal` is asked at least every 50 ms: 0 goes on, 1 cancels,
+     * 2 ends with the best result so far.
+     */
+    solve(request, { onProgress = () => {}, signal = () => 0 } = {}) {
+      asked.progress = onProgress;
+      asked.signal = signal;
+      put(typeof request === 'string' ? request : JSON.stringify(request));
+      const ending = ENDINGS[exports.plateau_solve()];
+      const answer = text(exports.plateau_answer(), exports.plateau_answer_bytes());
+      return { ending, ...(answer === '' ? {} : JSON.parse(answer)) };
+    },
+
+    /** The last result's vertices, three numbers each, and its triangles, three vertices each, as copies. */
+    mesh() {
+      const { buffer } = exports.memory;
+      return {
+        vertices: new Float64Array(buffer, exports.plateau_vertices(), 3 * exports.plateau_vertices_count()).slice(),
+        triangles: new Uint32Array(buffer, exports.plateau_triangles(), 3 * exports.plateau_triangles_count()).slice(),
+      };
+    },
+
+    /** The last result as a file: glb, gltf, obj, ply, stl or json. Null if the last request has no result. */
+    file(format) {
+      put(format);
+      const bytes = exports.plateau_file();
+      return bytes === 0 ? null : new Uint8Array(exports.memory.buffer, exports.plateau_file_address(), bytes).slice();
+    },
+  };
+}
