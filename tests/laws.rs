@@ -42,12 +42,37 @@ fn code(path: &Path) -> Vec<String> {
 /// The crates of the geometry in their order, with the libraries that each may use. A crate may use only crates that
 /// stand before it.
 const GEOMETRY: [(&str, &[&str]); 5] = [
-    ("mesh", &["faer", "glam", "robust", "spade"]),
-    ("ruled-surface", &["plateau_mesh", "robust"]),
-    ("film", &["plateau_mesh", "faer", "glam"]),
-    ("uniform-mesh", &["plateau_mesh", "plateau_film"]),
-    ("lower-bound", &["plateau_mesh", "glam"]),
+    ("mesh", &["faer", "glam", "libm", "robust", "spade"]),
+    ("ruled-surface", &["plateau_mesh", "libm", "robust"]),
+    ("film", &["plateau_mesh", "faer", "glam", "libm"]),
+    ("uniform-mesh", &["plateau_mesh", "plateau_film", "libm"]),
+    ("lower-bound", &["plateau_mesh", "glam", "libm"]),
 ];
+
+/// Returns the first function of `f64` or of a vector in `code` whose last bit depends on the machine, because the system's
+/// mathematical library computes it.
+fn depends_on_the_machine(code: &str) -> Option<&'static str> {
+    const FUNCTIONS: [&str; 27] = [
+        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp",
+        "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "hypot", "cbrt", "angle_between", "to_angle",
+    ];
+    let calls = |name: &&str| code.contains(&format!(".{name}(")) || code.contains(&format!("f64::{name}"));
+    let rest = ["from_angle(", "mul_add("].into_iter();
+    FUNCTIONS.into_iter().find(calls).or_else(|| rest.into_iter().find(|name| code.contains(name)))
+}
+
+#[test]
+fn results_have_the_same_bits_on_every_machine() {
+    assert_eq!(depends_on_the_machine("let x = y.sin();"), Some("sin"));
+    assert_eq!(depends_on_the_machine("angles.map(f64::cos)"), Some("cos"));
+    assert_eq!(depends_on_the_machine("DVec2::from_angle(angle)"), Some("from_angle("));
+    assert_eq!(depends_on_the_machine("libm::sin(y) + y.sqrt() + values.exponent"), None);
+    for path in geometry().into_iter().chain(sources(&root().join("crates/forms/src"))) {
+        for line in code(&path) {
+            assert_eq!(depends_on_the_machine(&line), None, "{}: take it from libm: {line}", path.display());
+        }
+    }
+}
 
 /// Whether code names a crate of the geometry.
 fn names_geometry(code: &str) -> bool {

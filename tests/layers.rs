@@ -79,6 +79,7 @@ const CRATES: [(&str, &[&str]); 6] = [
     ("ruled-surface", &["graph", "strip", "pattern", "stack", "lib"]),
     ("uniform-mesh", &[]),
     ("lower-bound", &[]),
+    ("page", &[]),
     (
         "forms",
         &[

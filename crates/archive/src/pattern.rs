@@ -3,7 +3,7 @@
 //! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in its own plane. The files show all
 //! pieces on one sheet ([`Pattern::sheet`]), one below the other.
 
-use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::{DVec2, DVec3, Execution, Mesh};
 use plateau_ruled_surface::FlatPattern;
 
@@ -108,7 +108,7 @@ fn unrolled(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
 /// Returns the angle between the normals of two neighbouring triangles. It is positive at a ridge, seen from the side
 /// that the normals point to.
 fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) -> f64 {
-    let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
+    let angle = measure::angle(normals[0], normals[1]);
     let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
     let height = normals[0].dot(mesh.vertices[beyond as usize] - mesh.vertices[left[0] as usize]);
     if height > 0.0 { -angle } else { angle }

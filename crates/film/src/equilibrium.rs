@@ -25,6 +25,7 @@
 mod body;
 mod constraint;
 mod contact;
+mod dense;
 mod freedom;
 mod mesh_surface;
 pub(crate) mod newton;

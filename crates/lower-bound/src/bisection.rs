@@ -547,5 +547,5 @@ fn child_coordinates(at: [f64; 4], k: usize, second: bool) -> [f64; 4] {
 
 /// The power of two at or below a positive number.
 fn exponent(x: f64) -> i32 {
-    x.log2().floor() as i32
+    libm::log2(x).floor() as i32
 }

@@ -455,7 +455,7 @@ mod tests {
 
     #[test]
     fn centring_leaves_the_dual_surface_and_gives_every_pair_the_same_product_of_norms() {
-        let v = |k: f64| DVec3::new(0.9 * k.cos(), 0.9 * k.sin(), 0.43);
+        let v = |k: f64| DVec3::new(0.9 * libm::cos(k), 0.9 * libm::sin(k), 0.43);
         let curl = [[v(0.0), v(1.0), v(2.0), DVec3::ZERO]];
         // The first vector is at the boundary of its cone, and the last one is far inside.
         let at_the_boundary = Spin::new(0.5, DVec3::new(0.3, 0.4, 0.0));

@@ -45,7 +45,7 @@ impl Hull {
         let golden_angle = PI * (3.0 - 5f64.sqrt());
         let spread = (0..DIRECTIONS).map(|k| {
             let z = 1.0 - (2 * k + 1) as f64 / DIRECTIONS as f64;
-            let (sine, cosine) = (golden_angle * k as f64).sin_cos();
+            let (sine, cosine) = libm::sincos(golden_angle * k as f64);
             let radius = (1.0 - z * z).sqrt();
             DVec3::new(radius * cosine, radius * sine, z)
         });

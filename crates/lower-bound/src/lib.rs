@@ -214,7 +214,12 @@ impl Size {
     /// The size to be expected of a mesh with more leaves.
     fn grown(self, growth: f64) -> Self {
         let Self { entries, rows, leaves, fill_power } = self;
-        Self { entries: entries * growth.powf(fill_power), rows: rows * growth, leaves: leaves * growth, fill_power }
+        Self {
+            entries: entries * libm::pow(growth, fill_power),
+            rows: rows * growth,
+            leaves: leaves * growth,
+            fill_power,
+        }
     }
 
     /// Nominal seconds of a level of some steps.
@@ -457,14 +462,14 @@ impl Budget<'_> {
     fn next_leaves(&self, size: Size, bound: f64) -> Option<f64> {
         let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
         let steps = |leaves: f64| {
-            let more = (0.005 / missing).log2().ceil().max(0.0) + (leaves / FEW_LEAVES).log2().ceil().max(0.0);
+            let more = libm::log2(0.005 / missing).ceil().max(0.0) + libm::log2(leaves / FEW_LEAVES).ceil().max(0.0);
             (STEPS + more).min(MOST_STEPS_AHEAD) as u32
         };
         // The growth is shared out evenly among the fewest levels that do not grow more than they should.
-        let levels = |growth: f64| (growth.ln() / GROWTH.ln()).ceil().max(1.0);
+        let levels = |growth: f64| (libm::log(growth) / libm::log(GROWTH)).ceil().max(1.0);
         let affordable = |growth: f64| {
             let levels = levels(growth);
-            let between = |k: u32| size.grown(growth.powf(f64::from(k) / levels)).price(STEPS_BETWEEN);
+            let between = |k: u32| size.grown(libm::pow(growth, f64::from(k) / levels)).price(STEPS_BETWEEN);
             let finest = size.grown(growth);
             finest.leaves <= MOST_LEAVES
                 && finest.entries <= MOST_ENTRIES
@@ -473,7 +478,7 @@ impl Budget<'_> {
         let mut growth = MOST_GROWTH;
         while growth >= LEAST_GROWTH {
             if affordable(growth) {
-                return Some((size.leaves * growth.powf(1.0 / levels(growth))).floor());
+                return Some((size.leaves * libm::pow(growth, 1.0 / levels(growth))).floor());
             }
             growth *= 0.97;
         }

@@ -281,7 +281,10 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn circle(points: usize, at: impl Fn(f64, f64) -> DVec3) -> Vec<DVec3> {
-        (0..points).map(|k| (TAU * k as f64 / points as f64).sin_cos()).map(|(sine, cosine)| at(cosine, sine)).collect()
+        (0..points)
+            .map(|k| libm::sincos(TAU * k as f64 / points as f64))
+            .map(|(sine, cosine)| at(cosine, sine))
+            .collect()
     }
 
     #[test]

@@ -13,7 +13,10 @@ fn noise(seed: &mut u64) -> f64 {
 }
 
 fn ring() -> Vec<DVec3> {
-    (0..7).map(|k| f64::from(k) * 0.9).map(|t| DVec3::new(t.cos(), t.sin(), 0.4 * (2.0 * t).sin())).collect()
+    (0..7)
+        .map(|k| f64::from(k) * 0.9)
+        .map(|t| DVec3::new(libm::cos(t), libm::sin(t), 0.4 * libm::sin(2.0 * t)))
+        .collect()
 }
 
 /// A mesh of a ring with random leaves bisected, round after round.
@@ -162,7 +165,10 @@ fn a_traced_segment_is_covered_once() {
 fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, BisectionMesh) {
     let ellipse = |k: u32| TAU * f64::from(k) / 40.0;
     let ellipse = |z: f64| -> Vec<DVec3> {
-        (0..40).map(ellipse).map(|t| DVec3::new(1.3 * t.cos(), t.sin(), z + 0.2 * z * t.cos().powi(2))).collect()
+        (0..40)
+            .map(ellipse)
+            .map(|t| DVec3::new(1.3 * libm::cos(t), libm::sin(t), z + 0.2 * z * libm::cos(t).powi(2)))
+            .collect()
     };
     let loops = vec![ellipse(-0.3), ellipse(0.3)];
     let mirrors = Mirrors::of(&loops, DVec3::ZERO);
@@ -402,7 +408,7 @@ fn the_meshes_are_planned_for_the_whole_budget() {
             budget.spent += size.price(STEPS_BETWEEN);
         }
         // The finest mesh has more steps.
-        let steps = (STEPS + (size.leaves / FEW_LEAVES).log2().ceil().max(0.0)) as u32;
+        let steps = (STEPS + libm::log2(size.leaves / FEW_LEAVES).ceil().max(0.0)) as u32;
         budget.spent += size.price(steps) - size.price(STEPS_BETWEEN);
         let used = budget.spent / seconds;
         assert!((0.8..=1.001).contains(&used), "{used} of {seconds} s for {size:?}");

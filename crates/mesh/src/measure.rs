@@ -86,15 +86,19 @@ pub fn edge_lengths(mesh: &Mesh, topology: &Topology) -> Vec<f64> {
         .collect()
 }
 
+/// The angle between two vectors in radians, from 0 to π; 0 where a vector vanishes, never NaN. Unlike the arc cosine of the
+/// dot product, it is exact to rounding near 0 and near π.
+#[must_use]
+#[inline]
+pub fn angle(u: DVec3, v: DVec3) -> f64 {
+    libm::atan2(u.cross(v).length(), u.dot(v))
+}
+
 /// The three inner angles in radians; 0 where an edge vanishes, never NaN.
 #[must_use]
 #[inline]
 pub fn angles([a, b, c]: [DVec3; 3]) -> [f64; 3] {
-    let angle = |o: DVec3, u: DVec3, v: DVec3| {
-        let (u, v) = (u - o, v - o);
-        u.cross(v).length().atan2(u.dot(v))
-    };
-    [angle(a, b, c), angle(b, c, a), angle(c, a, b)]
+    [angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)]
 }
 
 /// Smallest and largest inner angle over all triangles, radians; `(0, 0)` for no triangles.

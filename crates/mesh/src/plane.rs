@@ -6,3 +6,13 @@ pub mod frame;
 pub mod location;
 pub mod polygon;
 pub mod triangulation;
+
+use crate::DVec2;
+
+/// The unit vector at an angle in radians from the first axis.
+#[must_use]
+#[inline]
+pub fn unit_vector(angle: f64) -> DVec2 {
+    let (sine, cosine) = libm::sincos(angle);
+    DVec2::new(cosine, sine)
+}

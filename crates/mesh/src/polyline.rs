@@ -118,7 +118,7 @@ mod tests {
     fn neighbours_apart_by_rounding_merge_and_others_do_not() {
         let circle = |k: usize| {
             let angle = std::f64::consts::TAU * k as f64 / 100.0;
-            1e3 * DVec3::new(angle.cos(), angle.sin(), 0.0)
+            1e3 * DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
         };
         // The end point of a full turn: 2.4e-13 from the first point.
         let with_its_end: Vec<DVec3> = (0..=100).map(circle).collect();

@@ -288,7 +288,7 @@ mod tests {
         for i in 0..m {
             for j in 0..n {
                 let (t, v) = (6.0 * f64::from(i) / f64::from(m), f64::from(j));
-                let sum = |which: usize| waves.iter().map(|w| w[which] * (w[0] * t + w[3]).sin()).sum::<f64>();
+                let sum = |which: usize| waves.iter().map(|w| w[which] * libm::sin(w[0] * t + w[3])).sum::<f64>();
                 let point = DVec3::new(sum(1) + twist * v, v + any(-noise, noise), sum(2) + any(-noise, noise));
                 vertices.push(if grid > 0.0 { (point / grid).round() * grid } else { point });
             }
@@ -352,9 +352,13 @@ mod tests {
             for i in 0..=120 {
                 for j in 0..=4 {
                     let angle = 9.4 * f64::from(i) / 120.0;
-                    let (y, x) = angle.sin_cos();
+                    let (y, x) = libm::sincos(angle);
                     let radius = 1.0 + f64::from(j) / 4.0;
-                    vertices.push(DVec3::new(radius * x, radius * y, slope * angle + 0.1 * (0.5 * angle - 0.5).sin()));
+                    vertices.push(DVec3::new(
+                        radius * x,
+                        radius * y,
+                        slope * angle + 0.1 * libm::sin(0.5 * angle - 0.5),
+                    ));
                 }
             }
             let (found, _) = found_among_suspects(&vertices, &grid(120, 4, |i, j| 5 * i + j), 8);
@@ -371,7 +375,7 @@ mod tests {
         let place = |i: u32, j: u32| {
             let angle = TAU * f64::from(i) / f64::from(turn);
             let radius = 1.0 + f64::from(j) / f64::from(rows) + 0.5 * angle / TAU;
-            DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+            DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0)
         };
         // The start's side crosses the end's inner edge, and the start's outer edge the end's side.
         let shared = [[0, 2], [over, rows]];
@@ -406,7 +410,7 @@ mod tests {
             for i in k..=n {
                 for j in 0..=n {
                     let [x, y] = [i, j].map(|at| f64::from(at) / f64::from(n));
-                    vertices.push(DVec3::new(-x, y, height * (4.5 * x + 0.1 * y).sin()));
+                    vertices.push(DVec3::new(-x, y, height * libm::sin(4.5 * x + 0.1 * y)));
                 }
             }
         }
@@ -439,7 +443,7 @@ mod tests {
         let (m, n) = (128, 64);
         let place = |v: u32| {
             let (angle, height) = (TAU * f64::from(v % m) / f64::from(m), f64::from(v / m) / f64::from(n) - 0.5);
-            DVec3::new(height.cosh() * angle.cos(), height.cosh() * angle.sin(), height)
+            DVec3::new(libm::cosh(height) * libm::cos(angle), libm::cosh(height) * libm::sin(angle), height)
         };
         let vertices: Vec<DVec3> = (0..m * (n + 1)).map(place).collect();
         let rows = grid(m, n, |i, j| j * m + i % m);
@@ -491,7 +495,7 @@ mod tests {
         let vertices: Vec<DVec3> = (0..32 * n)
             .map(|v| {
                 let ([radius, z], angle) = (profile[(v % n) as usize], TAU * f64::from(v / n) / 32.0);
-                DVec3::new(radius * angle.cos(), radius * angle.sin(), z)
+                DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), z)
             })
             .collect();
         for size in [4, 16] {
@@ -505,8 +509,10 @@ mod tests {
     fn holes_that_touch_leave_a_chart() {
         let n = 24;
         let at = |v: u32| [v / (n + 1), v % (n + 1)].map(f64::from);
-        let vertices: Vec<DVec3> =
-            (0..(n + 1) * (n + 1)).map(at).map(|[x, y]| DVec3::new(x, y, (0.3 * x).sin() * (0.2 * y).cos())).collect();
+        let vertices: Vec<DVec3> = (0..(n + 1) * (n + 1))
+            .map(at)
+            .map(|[x, y]| DVec3::new(x, y, libm::sin(0.3 * x) * libm::cos(0.2 * y)))
+            .collect();
         let mut triangles = grid(n, n, |i, j| i * (n + 1) + j);
         let is_hole = |[i, j]: [u32; 2]| (5..15).contains(&i) && (i == j || i + j == 24);
         let mut cell = 0..;

@@ -32,7 +32,7 @@ pub fn cylinder(n: usize, rings: usize, gap: f64) -> Film {
         let z = gap * (i as f64 / rings as f64 - 0.5);
         vertices.extend((0..n).map(|j| {
             let angle = std::f64::consts::TAU * j as f64 / n as f64;
-            DVec3::new(angle.cos(), angle.sin(), z)
+            DVec3::new(libm::cos(angle), libm::sin(angle), z)
         }));
     }
     let mut triangles = Vec::new();
@@ -49,14 +49,14 @@ pub fn cylinder(n: usize, rings: usize, gap: f64) -> Film {
 /// x = u cos v, y = u sin v, z = v over u 2..10, v -1..10 (Chen, Cai, Zheng).
 pub fn helicoid(u: f64, v: f64) -> DVec3 {
     let (u, v) = (2.0 + 8.0 * u, -1.0 + 11.0 * v);
-    DVec3::new(u * v.cos(), u * v.sin(), v)
+    DVec3::new(u * libm::cos(v), u * libm::sin(v), v)
 }
 
 /// The catenoid x = cosh v cos u, … over |u| <= `sector` / 2, |v| <= `reach`.
 pub fn catenoid(sector: f64, reach: f64) -> impl Fn(f64, f64) -> DVec3 {
     move |u, v| {
         let (u, v) = (sector * (u - 0.5), reach * (2.0 * v - 1.0));
-        DVec3::new(v.cosh() * u.cos(), v.cosh() * u.sin(), v)
+        DVec3::new(libm::cosh(v) * libm::cos(u), libm::cosh(v) * libm::sin(u), v)
     }
 }
 

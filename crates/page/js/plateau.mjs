@@ -32,7 +32,9 @@ export async function load(source) {
 
   const put = (words) => {
     const bytes = new TextEncoder().encode(words);
-    new Uint8Array(exports.memory.buffer, exports.plateau_input(bytes.length), bytes.length).set(bytes);
+    // Memory is read after the call, because making room may move it.
+    const address = exports.plateau_input(bytes.length);
+    new Uint8Array(exports.memory.buffer, address, bytes.length).set(bytes);
   };
 
   return {

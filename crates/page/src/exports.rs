@@ -22,7 +22,14 @@ thread_local! {
 unsafe extern "C" {
     /// Returns 0 to go on, 1 to cancel, 2 to end with the best result so far.
     safe fn signal() -> u32;
-    safe fn progress(fraction: f64, phase: *const u8, phase_bytes: usize, iteration: f64, objective: f64, residual: f64);
+    safe fn progress(
+        fraction: f64,
+        phase: *const u8,
+        phase_bytes: usize,
+        iteration: f64,
+        objective: f64,
+        residual: f64,
+    );
 }
 
 /// Makes room for `bytes` bytes of input and returns their address.
@@ -66,7 +73,9 @@ extern "C" fn plateau_answer_bytes() -> usize {
 /// Returns the address of the vertices of the last result, three f64 each.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_vertices() -> *const u8 {
-    SESSION.with_borrow(|session| session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.vertices.as_ptr().cast()))
+    SESSION.with_borrow(|session| {
+        session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.vertices.as_ptr().cast())
+    })
 }
 
 #[unsafe(no_mangle)]
@@ -77,7 +86,9 @@ extern "C" fn plateau_vertices_count() -> usize {
 /// Returns the address of the triangles of the last result, three u32 each.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_triangles() -> *const u8 {
-    SESSION.with_borrow(|session| session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.triangles.as_ptr().cast()))
+    SESSION.with_borrow(|session| {
+        session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.triangles.as_ptr().cast())
+    })
 }
 
 #[unsafe(no_mangle)]

@@ -224,11 +224,11 @@ mod tests {
         let point = |k: usize| {
             let u = k as f64 / count as f64;
             let a = std::f64::consts::TAU * u;
-            let r = 2.0 + 0.4 * (3.0 * a + phase).sin();
+            let r = 2.0 + 0.4 * libm::sin(3.0 * a + phase);
             if closed {
-                DVec3::new(r * a.cos(), r * a.sin(), z + 0.2 * a.sin())
+                DVec3::new(r * libm::cos(a), r * libm::sin(a), z + 0.2 * libm::sin(a))
             } else {
-                DVec3::new(9.0 * u, r, z * (a + phase).cos())
+                DVec3::new(9.0 * u, r, z * libm::cos(a + phase))
             }
         };
         (0..count).map(point).collect()

@@ -83,9 +83,9 @@ mod tests {
         let rail = |count: usize, radius: f64, turns: f64, wave: f64| -> Vec<DVec3> {
             let point = |k: usize| {
                 let u = k as f64 / (count - 1) as f64;
-                let (sine, cosine) = (turns * std::f64::consts::TAU * u).sin_cos();
-                let radius = radius + wave * (9.0 * u).sin();
-                DVec3::new(radius * cosine, radius * sine, wave * (7.0 * u + radius).cos())
+                let (sine, cosine) = libm::sincos(turns * std::f64::consts::TAU * u);
+                let radius = radius + wave * libm::sin(9.0 * u);
+                DVec3::new(radius * cosine, radius * sine, wave * libm::cos(7.0 * u + radius))
             };
             (0..count).map(point).collect()
         };

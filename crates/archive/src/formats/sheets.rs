@@ -81,9 +81,9 @@ mod tests {
         let mut normals = Vec::new();
         for k in 0..3u32 {
             let angle = f64::from(k) * std::f64::consts::TAU / 3.0;
-            vertices.push(DVec3::new(angle.cos(), angle.sin(), 1.0));
+            vertices.push(DVec3::new(libm::cos(angle), libm::sin(angle), 1.0));
             triangles.extend([[0, 1, 3 + k], [1, 2, 3 + k]]);
-            normals.push(DVec3::new(-angle.sin(), angle.cos(), 0.0));
+            normals.push(DVec3::new(-libm::sin(angle), libm::cos(angle), 0.0));
         }
         let mesh = Mesh::new(vertices, triangles);
         let (split, source) = split_by_sheet(&mesh).unwrap();

@@ -440,7 +440,8 @@ fn descend(
                 other => other?,
             }
             let moved = step.take(loss, &fit.densities, &fit.at, damping).ok().and_then(|changes| {
-                let next = |q: f64, change: f64| (q * change.clamp(-LARGEST_STEP, LARGEST_STEP).exp()).max(loss.least);
+                let next =
+                    |q: f64, change: f64| (q * libm::exp(change.clamp(-LARGEST_STEP, LARGEST_STEP))).max(loss.least);
                 let of_edge = |((edge, q), change): ((&super::options::Edge, &f64), f64)| {
                     if edge.held { *q } else { next(*q, change) }
                 };
@@ -567,7 +568,7 @@ mod tests {
         for e in 0..densities.len() {
             let half = |by: f64| {
                 let mut moved = densities.clone();
-                moved[e] *= by.exp();
+                moved[e] *= libm::exp(by);
                 0.5 * loss.value(&moved, &shape.positions(&net, &moved).unwrap())
             };
             let slope = (half(1e-5) - half(-1e-5)) / 2e-5;
@@ -599,7 +600,7 @@ mod tests {
             .map(|e| {
                 let moved = |by: f64| {
                     let mut moved = densities.clone();
-                    moved[e] *= by.exp();
+                    moved[e] *= libm::exp(by);
                     residuals(&moved)
                 };
                 moved(1e-5).iter().zip(moved(-1e-5)).map(|(a, b)| (a - b) / 2e-5).collect()

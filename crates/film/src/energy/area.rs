@@ -203,7 +203,7 @@ pub(crate) mod tests {
         let mut triangles = Vec::new();
         for k in 0..n * n {
             let (x, y) = (f64::from(k % n), f64::from(k / n));
-            vertices.push(DVec3::new(x + 0.1 * (3.0 * y).sin(), y, 0.2 * x * y + 0.15 * f64::from(k * k % 7)));
+            vertices.push(DVec3::new(x + 0.1 * libm::sin(3.0 * y), y, 0.2 * x * y + 0.15 * f64::from(k * k % 7)));
             if k % n + 1 < n && k / n + 1 < n {
                 triangles.push([k, k + 1, k + n + 1]);
                 triangles.push([k, k + n + 1, k + n]);

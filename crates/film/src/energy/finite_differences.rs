@@ -53,7 +53,7 @@ pub(crate) fn patch() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for k in 0..n * n {
         let (x, y) = (f64::from(k % n), f64::from(k / n));
-        vertices.push(DVec3::new(x + 0.1 * (3.0 * y).sin(), y, 0.2 * x * y + 0.15 * f64::from(k * k % 7)));
+        vertices.push(DVec3::new(x + 0.1 * libm::sin(3.0 * y), y, 0.2 * x * y + 0.15 * f64::from(k * k % 7)));
         if k % n + 1 < n && k / n + 1 < n {
             triangles.extend([[k, k + 1, k + n + 1], [k, k + n + 1, k + n]]);
         }
@@ -76,7 +76,7 @@ fn the_shift_adds_a_semidefinite_part() {
         [&super::Area { triangles, tension: 1.0 }, &super::Length { segments: vec![[0, 1], [1, 2]], tension: 1.0 }];
     for term in terms {
         let direction: Vec<DVec3> =
-            (0..vertices.len()).map(|k| DVec3::new((k as f64).sin(), 0.3, (k as f64).cos())).collect();
+            (0..vertices.len()).map(|k| DVec3::new(libm::sin(k as f64), 0.3, libm::cos(k as f64))).collect();
         let along = |shift: f64| {
             let mut sum = 0.0;
             term.add_second_derivative(&vertices, shift, &mut |v, w, block| {

@@ -21,8 +21,8 @@
 //!   its row is ∂h x - h_λ μ = -h. The step then solves a system that is not symmetric. The index stays that of
 //!   the constrained quantity: of motions that keep the value which the equation leads to.
 
+use super::dense::Lu;
 use crate::energy::{Condition, Term};
-use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use plateau_mesh::sparse::{Factorisation, LinearError};
 
@@ -96,10 +96,8 @@ pub(crate) fn least_squares_multipliers(gradient: &[f64], constraints: &[Vec<f64
         a.iter().zip(b).zip(mass).map(|((a, b), m)| if *m > 0.0 { a * b / m } else { 0.0 }).sum::<f64>()
     };
     let n = constraints.len();
-    let matrix = Mat::from_fn(n, n, |i, j| inner(&constraints[i], &constraints[j]));
-    let right = Mat::from_fn(n, 1, |i, _| inner(&constraints[i], gradient));
-    let solution = matrix.full_piv_lu().solve(&right);
-    (0..n).map(|k| solution[(k, 0)]).collect()
+    let right: Vec<f64> = constraints.iter().map(|constraint| inner(constraint, gradient)).collect();
+    Lu::new(n, |i, j| inner(&constraints[i], &constraints[j])).solve(&right)
 }
 
 /// A factorised second variation with the constraints' border; without constraints the factorisation alone.
@@ -109,10 +107,10 @@ pub(crate) struct Bordered<'a> {
     /// Columns of Y, one after the other.
     y: Vec<f64>,
     /// S of the constrained quantities and rank-one parts.
-    schur: Mat<f64>,
+    schur: Lu,
     /// S with the rows of the conditions, if there are any.
-    conditioned: Option<Mat<f64>>,
-    /// Number of negative eigenvalues of `schur`.
+    conditioned: Option<Lu>,
+    /// Number of negative eigenvalues of S.
     negative: usize,
     /// Number of rank-one parts of negative stiffness, each of which lets the count of `negative` exceed its share by
     /// one.
@@ -148,9 +146,10 @@ impl<'a> Bordered<'a> {
                     (0..n).for_each(|j| rows[(i, j)] = dot(by_unknowns, column(j)));
                     rows[(i, i)] += by_multiplier;
                 }
-                conditioned = Some(rows);
+                conditioned = Some(Lu::new(n, |i, j| rows[(i, j)]));
             }
         }
+        let schur = Lu::new(n, |i, j| schur[(i, j)]);
         Ok(Self { factorisation, constraints, y, schur, conditioned, negative, softening })
     }
 
@@ -174,8 +173,8 @@ impl<'a> Bordered<'a> {
             Some((by_unknowns, _)) => dot(by_unknowns, &step),
             None => dot(&constraint.gradient, &step),
         };
-        let right = Mat::from_fn(rows.nrows(), 1, |k, _| along(&self.constraints[k]) + self.constraints[k].excess);
-        let multipliers = rows.full_piv_lu().solve(&right);
+        let right: Vec<f64> = self.constraints.iter().map(|row| along(row) + row.excess).collect();
+        let multipliers = rows.solve(&right);
         self.subtract(&mut step, &multipliers);
         if step.iter().all(|value| value.is_finite()) { Ok(step) } else { Err(LinearError::Singular) }
     }
@@ -188,18 +187,17 @@ impl<'a> Bordered<'a> {
 
     /// Subtracts Y μ so that C x becomes `wanted` for each constraint.
     pub fn correct(&self, x: &mut [f64], wanted: impl Fn(&ConstraintState) -> f64) {
-        let n = self.constraints.len();
-        if n == 0 {
+        if self.constraints.is_empty() {
             return;
         }
-        let right = Mat::from_fn(n, 1, |k, _| dot(&self.constraints[k].gradient, x) - wanted(&self.constraints[k]));
-        let multipliers = self.schur.full_piv_lu().solve(&right);
+        let right: Vec<f64> = self.constraints.iter().map(|row| dot(&row.gradient, x) - wanted(row)).collect();
+        let multipliers = self.schur.solve(&right);
         self.subtract(x, &multipliers);
     }
 
-    fn subtract(&self, x: &mut [f64], multipliers: &Mat<f64>) {
+    fn subtract(&self, x: &mut [f64], multipliers: &[f64]) {
         for (k, column) in self.y.chunks_exact(x.len()).enumerate() {
-            x.iter_mut().zip(column).for_each(|(x, y)| *x -= multipliers[(k, 0)] * y);
+            x.iter_mut().zip(column).for_each(|(x, y)| *x -= multipliers[k] * y);
         }
     }
 

@@ -111,7 +111,7 @@ impl Surface {
                 by_places(
                     x,
                     y,
-                    scale * n.atan2(d),
+                    scale * libm::atan2(n, d),
                     [(n_u * by_n + d_u * by_d) * scale, (n_v * by_n + d_v * by_d) * scale],
                     [second(n_u, d_u, n_u, d_u) * scale, mixed * scale, second(n_v, d_v, n_v, d_v) * scale],
                 )
@@ -126,7 +126,7 @@ impl Surface {
                     (across, axis.dot(x - point), by_place, bend)
                 };
                 let ((from, z_a, turn_a, bend_a), (to, z_b, turn_b, bend_b)) = (angle(a), angle(b));
-                let turned = axis.dot(from.cross(to)).atan2(from.dot(to));
+                let turned = libm::atan2(axis.dot(from.cross(to)), from.dot(to));
                 let (half, sum) = (-0.5 * radius, z_a + z_b);
                 Share {
                     area: half * turned * sum,
@@ -164,7 +164,7 @@ impl Contact {
             segments.push([last, first]);
         }
         // The cosine of a right angle is exactly 0.
-        let tension = tension * (0.5 * PI - angle).sin();
+        let tension = tension * libm::sin(0.5 * PI - angle);
         let mut contact = Self { segments, surface, tension, start: 0.0 };
         contact.start = contact.area(at);
         Some(contact)
@@ -239,7 +239,7 @@ mod tests {
     fn the_derivatives_agree_with_finite_differences() {
         let at = |k: usize| {
             let angle = 0.9 * k as f64;
-            DVec3::new(1.7 * angle.cos(), 1.4 * angle.sin(), 0.4 * (2.0 * angle).sin())
+            DVec3::new(1.7 * libm::cos(angle), 1.4 * libm::sin(angle), 0.4 * libm::sin(2.0 * angle))
         };
         let places: Vec<DVec3> = (0..7).map(at).collect();
         for support in supports() {
@@ -268,15 +268,15 @@ mod tests {
             let (u, v) = axis.any_orthonormal_pair();
             let circle = |r: f64, z: f64| -> Vec<DVec3> {
                 let angle = |k: usize| TAU * k as f64 / f64::from(count);
-                let at = |k: usize| centre + axis * z + r * (angle(k).cos() * u + angle(k).sin() * v);
+                let at = |k: usize| centre + axis * z + r * (libm::cos(angle(k)) * u + libm::sin(angle(k)) * v);
                 (0..count as usize).map(at).collect()
             };
             let (from, to, exact) = match support {
                 Support::Plane { .. } => (circle(1.0, 0.0), circle(1.6, 0.0), PI * (1.6 * 1.6 - 1.0)),
                 // The cap above the circle of the polar angle t has the area 2 π r² (1 - cos t).
                 Support::Sphere { .. } => {
-                    let at = |t: f64| circle(radius * t.sin(), radius * t.cos());
-                    (at(0.7), at(1.9), TAU * radius * radius * (0.7f64.cos() - 1.9f64.cos()))
+                    let at = |t: f64| circle(radius * libm::sin(t), radius * libm::cos(t));
+                    (at(0.7), at(1.9), TAU * radius * radius * (libm::cos(0.7f64) - libm::cos(1.9f64)))
                 }
                 // What lies above the circle is on its left.
                 _ => (circle(radius, 0.4), circle(radius, -0.3), TAU * radius * 0.7),

@@ -351,11 +351,11 @@ mod tests {
 
     #[test]
     fn the_derivatives_of_the_level_agree_with_finite_differences() {
-        let (vertices, triangles) = grid(6, |x, y| 0.3 * x * x - 0.2 * x * y + 0.1 * (3.0 * y).sin());
+        let (vertices, triangles) = grid(6, |x, y| 0.3 * x * x - 0.2 * x * y + 0.1 * libm::sin(3.0 * y));
         let (surface, origin) = MeshSurface::new(&vertices, &triangles, 0.7).unwrap();
         let h = 1e-5;
         for k in 0..20 {
-            let at = |k: f64| 0.8 * (1.7 * k + 0.3).sin();
+            let at = |k: f64| 0.8 * libm::sin(1.7 * k + 0.3);
             let x = DVec3::new(at(f64::from(k)), at(f64::from(k) + 40.0), 0.13) - origin;
             let level = surface.level(x).unwrap();
             for axis in 0..3 {
@@ -390,10 +390,10 @@ mod tests {
 
     #[test]
     fn the_tree_finds_the_nearest_point_and_all_triangles_near_it() {
-        let (vertices, triangles) = grid(9, |x, y| 0.4 * (2.0 * x).cos() * y);
+        let (vertices, triangles) = grid(9, |x, y| 0.4 * libm::cos(2.0 * x) * y);
         let (surface, _) = MeshSurface::new(&vertices, &triangles, 0.4).unwrap();
         for k in 0..40 {
-            let at = |k: f64| 1.4 * (2.3 * k + 0.1).sin();
+            let at = |k: f64| 1.4 * libm::sin(2.3 * k + 0.1);
             let x = DVec3::new(at(f64::from(k)), at(f64::from(k) + 50.0), at(f64::from(k) + 90.0));
             let all = surface.triangles.iter().map(|triangle| triangle.nearest(x).0.distance(x));
             let least = all.clone().fold(f64::INFINITY, f64::min);
@@ -412,7 +412,7 @@ mod tests {
             let (surface, origin) = MeshSurface::new(&vertices, &triangles, 5.0 / f64::from(n)).unwrap();
             let mut worst: [f64; 2] = [0.0, 0.0];
             for k in 0..50 {
-                let at = |k: f64| 0.4 * (2.3 * k + 0.1).sin();
+                let at = |k: f64| 0.4 * libm::sin(2.3 * k + 0.1);
                 let own = surface.nearest(DVec3::new(at(f64::from(k)), at(f64::from(k) + 50.0), 2.0) - origin);
                 let place = own + origin;
                 worst[0] = worst[0].max((place.length() - 2.0).abs());

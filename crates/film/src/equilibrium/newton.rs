@@ -409,7 +409,7 @@ mod tests {
         let holds = |n: usize, gap: f64| {
             let mut film = cylinder(n, n / 6, gap);
             for vertex in &mut film.vertices {
-                let profile = |z: f64| 0.55243 * (z / 0.55243).cosh();
+                let profile = |z: f64| 0.55243 * libm::cosh(z / 0.55243);
                 let narrowed = 1.0 + profile(vertex.z) - profile(0.5 * gap);
                 if vertex.z.abs() < 0.5 * gap {
                     (vertex.x, vertex.y) = (narrowed * vertex.x, narrowed * vertex.y);

@@ -288,7 +288,7 @@ fn sail(n: usize, sag: f64) -> (Body, Vec<[u32; 2]>) {
 fn edge_cables_of_a_plane_sail_are_arcs_of_radius_tension_over_surface_tension() {
     // Issue 19: side 10, σ 1, T 10: sag 10 - √75, cable 10 π / 3 an edge, area 100 less four segments.
     let (sag, cable) = (10.0 - 75f64.sqrt(), 10.0 * PI / 3.0);
-    let area = 100.0 - 4.0 * (50.0 * (PI / 3.0 - (PI / 3.0).sin()));
+    let area = 100.0 - 4.0 * (50.0 * (PI / 3.0 - libm::sin(PI / 3.0)));
     assert!((area - 63.765571).abs() < 1e-6 && (sag - 1.339746).abs() < 1e-6 && (cable - 10.471976).abs() < 1e-6);
     let (mut sags, mut cables, mut areas) = (Vec::new(), Vec::new(), Vec::new());
     for n in [8, 16, 32] {
@@ -365,12 +365,12 @@ fn force_densities_that_are_renewed_between_solves_reach_the_target_force() {
 
 /// A spherical cap over the unit circle: the sphere's radius and the angle from its pole to the rim.
 fn cap(rings: u32, angle: f64, bulge: f64) -> (Body, Vec<[u32; 3]>) {
-    let sphere = 1.0 / angle.sin();
+    let sphere = 1.0 / libm::sin(angle);
     let (body, _) = disc_body(rings, |radius, azimuth| {
         let polar = angle * radius;
-        let r = sphere * polar.sin();
-        let rise = sphere * (polar.cos() - angle.cos()) * (1.0 + bulge);
-        DVec3::new(r * azimuth.cos(), r * azimuth.sin(), rise)
+        let r = sphere * libm::sin(polar);
+        let rise = sphere * (libm::cos(polar) - libm::cos(angle)) * (1.0 + bulge);
+        DVec3::new(r * libm::cos(azimuth), r * libm::sin(azimuth), rise)
     });
     let triangles = body.triangles().to_vec();
     (body, triangles)
@@ -399,7 +399,7 @@ fn a_pressure_makes_a_cap_of_the_sphere_whose_radius_is_twice_the_tension_over_i
 #[test]
 fn beyond_the_hemisphere_a_cap_is_stable_at_constant_volume_and_not_at_constant_pressure() {
     for (angle, at_constant_pressure) in [(0.3 * PI, 0), (0.7 * PI, 1)] {
-        let pressure = 2.0 * f64::sin(angle);
+        let pressure = 2.0 * libm::sin(angle);
         let (mut body, triangles) = cap(16, angle, 0.0);
         let enclosed = Volume { triangles: triangles.clone(), pressure: -1.0 };
         let target = enclosed.value(&body.vertices);
@@ -443,9 +443,9 @@ fn a_half_catenoid_slides_on_a_plane() {
     // Between a ring of radius 1 at height 1/2 and the plane: c cosh(1 / 2c) = 1, area π c (h + c sinh(2h / c) / 2).
     let mut neck: f64 = 0.85;
     for _ in 0..50 {
-        neck = 1.0 / (0.5 / neck).cosh();
+        neck = 1.0 / libm::cosh(0.5 / neck);
     }
-    let area = PI * neck * (0.5 + 0.5 * neck * (1.0 / neck).sinh());
+    let area = PI * neck * (0.5 + 0.5 * neck * libm::sinh(1.0 / neck));
     let (mut necks, mut areas) = (Vec::new(), Vec::new());
     for n in [24, 48, 96] {
         let mut film = cylinder(n, n / 8, 0.5);
@@ -488,7 +488,7 @@ fn a_disc_inside_a_sphere_is_unstable_through_the_spheres_curvature() {
     let mut errors = Vec::new();
     for rings in [8, 16, 32] {
         let (mut body, edge) =
-            disc_body(rings, |radius, angle| DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.0));
+            disc_body(rings, |radius, angle| DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0));
         body.supports = vec![Support::Sphere { centre: DVec3::ZERO, radius: 1.0 }];
         for [before, v, after] in edge {
             body.freedoms[v as usize] = Freedom::AcrossOn { support: 0, beside: [before, after] };
@@ -564,7 +564,7 @@ fn junctions_of_a_complex_may_move_across_their_curve() {
     // Three half-planes' quarter discs of one triangle a side meet on a line from z = 0 to z = 2 whose middle is off
     // the axis.
     let ends = [DVec3::ZERO, DVec3::new(0.2, 0.1, 1.0), DVec3::new(0.0, 0.0, 2.0)];
-    let outer = |k: u32| DVec3::new((TAU * f64::from(k) / 3.0).cos(), (TAU * f64::from(k) / 3.0).sin(), 1.0);
+    let outer = |k: u32| DVec3::new(libm::cos(TAU * f64::from(k) / 3.0), libm::sin(TAU * f64::from(k) / 3.0), 1.0);
     let mut vertices = ends.to_vec();
     vertices.extend((0..3).map(outer));
     let triangles: Vec<[u32; 3]> = (3..6).flat_map(|rim| [[0, 1, rim], [1, 2, rim]]).collect();

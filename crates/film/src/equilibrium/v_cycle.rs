@@ -84,7 +84,7 @@ mod tests {
             let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
             (film, pattern) = (fine, finer);
             let matrix = second_variation(&film, &pattern);
-            let right: Vec<f64> = (0..matrix.order()).map(|row| (row as f64).sin()).collect();
+            let right: Vec<f64> = (0..matrix.order()).map(|row| libm::sin(row as f64)).collect();
             let looks = Cell::new(0);
             let signal = || {
                 looks.set(looks.get() + 1);

@@ -139,7 +139,7 @@ impl ExtrapolatedArea {
     /// length. The error of an area is taken to be of an order between `order` and 2; see
     /// [`extrapolation`](super::extrapolation).
     pub(crate) fn new(coarse: f64, fine: f64, order: f64) -> Self {
-        let correction = |order: f64| (coarse - fine) / (order.exp2() - 1.0);
+        let correction = |order: f64| (coarse - fine) / (libm::exp2(order) - 1.0);
         let correction = 0.5 * (correction(2.0) + correction(order));
         let corrections = if order < 2.0 { 2.0 } else { 1.0 };
         Self { area: fine - correction, error_estimate: corrections * correction.abs() }
@@ -260,6 +260,6 @@ impl<'a> Record<'a> {
 
 /// The progress, from 0 to 1, of a value that decreases geometrically from `start` to `goal`.
 pub(crate) fn geometric_part(start: f64, value: f64, goal: f64) -> f64 {
-    let part = (start / value).ln() / (start / goal.max(1e-16)).ln();
+    let part = libm::log(start / value) / libm::log(start / goal.max(1e-16));
     if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }
 }

@@ -547,7 +547,7 @@ impl Balance {
 /// up to a full turn.
 fn angles_around(axis: DVec3, directions: [DVec3; 3]) -> [f64; 3] {
     let (u, v) = axis.any_orthonormal_pair();
-    let mut at = directions.map(|direction| direction.dot(v).atan2(direction.dot(u)));
+    let mut at = directions.map(|direction| libm::atan2(direction.dot(v), direction.dot(u)));
     at.sort_by(f64::total_cmp);
     [at[1] - at[0], at[2] - at[1], at[0] - at[2] + std::f64::consts::TAU]
 }

@@ -57,7 +57,7 @@ impl Catenary {
             return Ok(None);
         }
         let at = |a: f64| {
-            let x0 = a * (rise / (2.0 * a * (0.5 * width / a).sinh())).asinh() - 0.5 * width;
+            let x0 = a * libm::asinh(rise / (2.0 * a * libm::sinh(0.5 * width / a))) - 0.5 * width;
             Self { first: ends[0], level: across / width, up, weight: cable.weight, a, x0, width, rise }
         };
         // Rises with a where the cable is taut.
@@ -99,39 +99,39 @@ impl Catenary {
     /// The force at a length of the cable from the first end.
     pub fn force(&self, from_first: f64) -> f64 {
         let x = self.place(from_first);
-        self.weight * self.a * (x / self.a).cosh()
+        self.weight * self.a * libm::cosh(x / self.a)
     }
 
     pub fn length(&self) -> f64 {
         let Self { a, x0, width, .. } = *self;
-        a * (((x0 + width) / a).sinh() - (x0 / a).sinh())
+        a * (libm::sinh((x0 + width) / a) - libm::sinh(x0 / a))
     }
 
     /// ∫ w y ds / L with ds = cosh(x / a) dx.
     fn mean_force(&self) -> f64 {
         let Self { a, x0, width, .. } = *self;
-        let integral = |x: f64| 0.5 * a * (x + 0.5 * a * (2.0 * x / a).sinh());
+        let integral = |x: f64| 0.5 * a * (x + 0.5 * a * libm::sinh(2.0 * x / a));
         self.weight * (integral(x0 + width) - integral(x0)) / self.length()
     }
 
     /// The largest distance from the chord: where the cable is parallel to it.
     fn sag(&self) -> f64 {
         let Self { a, x0, width, rise, .. } = *self;
-        let x = a * (rise / width).asinh();
-        let chord = a * (x0 / a).cosh() + rise * (x - x0) / width;
-        (chord - a * (x / a).cosh()) * width / width.hypot(rise)
+        let x = a * libm::asinh(rise / width);
+        let chord = a * libm::cosh(x0 / a) + rise * (x - x0) / width;
+        (chord - a * libm::cosh(x / a)) * width / libm::hypot(width, rise)
     }
 
     /// x at a length of the cable from the first end.
     fn place(&self, from_first: f64) -> f64 {
-        self.a * (from_first / self.a + (self.x0 / self.a).sinh()).asinh()
+        self.a * libm::asinh(from_first / self.a + libm::sinh(self.x0 / self.a))
     }
 
     /// The point at a length of the cable from the first end.
     pub fn point(&self, from_first: f64) -> DVec3 {
         let (x, a) = (self.place(from_first), self.a);
         // cosh(p) - cosh(q) = 2 sinh((p + q) / 2) sinh((p - q) / 2) keeps the digits of a shallow cable.
-        let rise = 2.0 * a * (0.5 * (x + self.x0) / a).sinh() * (0.5 * (x - self.x0) / a).sinh();
+        let rise = 2.0 * a * libm::sinh(0.5 * (x + self.x0) / a) * libm::sinh(0.5 * (x - self.x0) / a);
         self.first + (x - self.x0) * self.level + rise * self.up
     }
 }

@@ -797,7 +797,7 @@ fn arc_radius(chord: f64, length: f64) -> f64 {
     let (mut low, mut high) = (0.0, std::f64::consts::PI);
     for _ in 0..60 {
         let middle: f64 = 0.5 * (low + high);
-        *(if middle.sin() * length > chord * middle { &mut low } else { &mut high }) = middle;
+        *(if libm::sin(middle) * length > chord * middle { &mut low } else { &mut high }) = middle;
     }
     0.5 * length / low.max(1e-6)
 }
@@ -852,7 +852,7 @@ fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32; 2]], at: 
             let (mut low, mut high) = (0.5 * load * chord, 0.5 * load * chord + stiffness * (2.0 * chord / unstressed));
             for _ in 0..60 {
                 let force = 0.5 * (low + high);
-                let arc = 2.0 * force / load.max(f64::MIN_POSITIVE) * (0.5 * load * chord / force).min(1.0).asin();
+                let arc = 2.0 * force / load.max(f64::MIN_POSITIVE) * libm::asin((0.5 * load * chord / force).min(1.0));
                 *(if arc > unstressed * (1.0 + force / stiffness) { &mut low } else { &mut high }) = force;
             }
             low

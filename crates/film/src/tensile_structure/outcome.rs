@@ -541,7 +541,7 @@ fn flattest(triangles: &[[u32; 3]], at: &[DVec3], up: DVec3) -> (f64, DVec3) {
     let (mut least, mut place) = (f64::INFINITY, DVec3::ZERO);
     for corners in triangles.iter().map(|triangle| triangle.map(|v| at[v as usize])) {
         let normal = double_area_vector(corners).normalize_or_zero();
-        let slope = normal.cross(up).length().atan2(normal.dot(up).abs());
+        let slope = libm::atan2(normal.cross(up).length(), normal.dot(up).abs());
         if slope < least {
             (least, place) = (slope, corners.iter().sum::<DVec3>() / 3.0);
         }
@@ -638,7 +638,7 @@ fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]
             }
             _ => tangential.length(),
         };
-        let angle = (force - tangential).length().atan2(towards);
+        let angle = libm::atan2((force - tangential).length(), towards);
         let (least, most) = range.unwrap_or((angle, angle));
         range = Some((angle.min(least), angle.max(most)));
     }

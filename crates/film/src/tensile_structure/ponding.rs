@@ -12,7 +12,7 @@
 //! models*, 2014). On a surface of triangles the best path runs along edges of triangles, so the levels are exact for
 //! the mesh. Vertices below their level that are connected form a pond.
 
-use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -270,7 +270,7 @@ fn errors_of_edges<'a>(
         if roof.folds.binary_search(&[a, b]).is_ok() {
             return None;
         }
-        let angle = normal(first).angle_between(normal(second));
+        let angle = measure::angle(normal(first), normal(second));
         Some(([a, b], 0.5 * angle * roof.at[a as usize].distance(roof.at[b as usize])))
     })
 }
@@ -346,7 +346,7 @@ mod tests {
         }
         println!("{errors:?}");
         assert!(errors[0][2] < 1e-3 * exact[0], "{errors:?}");
-        assert!(errors[1..].iter().all(|errors| (errors[0] / errors[2]).log2() > 3.0), "{errors:?}");
+        assert!(errors[1..].iter().all(|errors| libm::log2(errors[0] / errors[2]) > 3.0), "{errors:?}");
         // A rim that is level all around.
         let level = on(&disc(32, |x, y| 0.3 * (x * x + y * y))).unwrap();
         assert!((level.depth - 0.3).abs() < 1e-12 && level.place.length() < 1e-12, "{level:?}");
@@ -358,7 +358,8 @@ mod tests {
     fn water_runs_off_a_saddle_and_a_crown_although_they_are_level_in_their_middle() {
         for turned in [0.0, 0.3, 0.7, 1.2f64] {
             let saddle = |x: f64, y: f64| {
-                let (x, y) = (x * turned.cos() + y * turned.sin(), y * turned.cos() - x * turned.sin());
+                let (x, y) =
+                    (x * libm::cos(turned) + y * libm::sin(turned), y * libm::cos(turned) - x * libm::sin(turned));
                 0.4 * (x * x - y * y) + 0.1
             };
             assert_eq!(on(&disc(24, saddle)), None, "{turned}");
@@ -371,7 +372,7 @@ mod tests {
     fn a_hollow_that_only_the_mesh_has_does_not_count() {
         // A valley that slopes in a direction oblique to the mesh. Its lowest line runs between the vertices, and some
         // vertices are lower than all their neighbours.
-        let (cos, sin) = (0.37f64.cos(), 0.37f64.sin());
+        let (cos, sin) = (libm::cos(0.37f64), libm::sin(0.37f64));
         let valley = disc(24, |x, y| 2.0 * (y * cos - x * sin).powi(2) - 0.02 * (x * cos + y * sin));
         let heights: Vec<f64> = valley.vertices.iter().map(|p| p.z).collect();
         let lowest = |v: u32| valley.topology.neighbours(v).all(|w| heights[w as usize] > heights[v as usize]);
@@ -426,14 +427,14 @@ mod tests {
     #[test]
     fn a_bag_holds_water_up_to_its_mouth() {
         // A sphere of radius 1 without the cap above the height 1/2, which leans over the water.
-        let bag = disc(48, |x, y| x.hypot(y));
+        let bag = disc(48, |x, y| libm::hypot(x, y));
         let vertices: Vec<DVec3> = bag
             .vertices
             .iter()
             .map(|p| {
                 let polar = (PI - PI / 3.0) * p.z;
-                let around = p.truncate().normalize_or_zero() * polar.sin();
-                around.extend(-polar.cos())
+                let around = p.truncate().normalize_or_zero() * libm::sin(polar);
+                around.extend(-libm::cos(polar))
             })
             .collect();
         let bag = Film { vertices, ..bag };

@@ -74,7 +74,7 @@ impl StressField {
 
     /// The stress that is required in a triangle.
     pub fn required(&self, triangle: &[u32; 3], at: &[DVec3]) -> PlaneStress {
-        let factor = (triangle.iter().map(|&v| self.factors[v as usize]).sum::<f64>() / 3.0).exp();
+        let factor = libm::exp(triangle.iter().map(|&v| self.factors[v as usize]).sum::<f64>() / 3.0);
         let centroid = triangle.iter().map(|&v| at[v as usize]).sum::<DVec3>() / 3.0;
         let direction = self.warp(centroid, Facet::of(at, triangle).normal);
         PlaneStress { direction, along: factor * self.weave.warp, across: factor * self.weave.weft }
@@ -138,9 +138,10 @@ impl StressField {
         let (mut total, mut weighted) = (0.0, 0.0);
         for (triangle, facet) in triangles.iter().zip(&facets) {
             total += facet.double_area;
-            weighted += facet.double_area * triangle.iter().map(|&v| self.factors[v as usize].exp()).sum::<f64>() / 3.0;
+            weighted +=
+                facet.double_area * triangle.iter().map(|&v| libm::exp(self.factors[v as usize])).sum::<f64>() / 3.0;
         }
-        let mean = (weighted / total).ln();
+        let mean = libm::log(weighted / total);
         let largest = |factors: &[f64]| factors.iter().zip(&before).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         self.factors.iter_mut().for_each(|factor| *factor -= mean);
         let found = largest(&self.factors);

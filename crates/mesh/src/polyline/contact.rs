@@ -157,7 +157,8 @@ mod tests {
 
     #[test]
     fn polylines_that_cross_are_found_where_they_cross() {
-        let wave: Vec<DVec3> = (0..1000).map(|k| DVec3::new(f64::from(k), (0.1 * f64::from(k)).sin(), 0.0)).collect();
+        let wave: Vec<DVec3> =
+            (0..1000).map(|k| DVec3::new(f64::from(k), libm::sin(0.1 * f64::from(k)), 0.0)).collect();
         let line = points(&[[-1.0, 2.0, 0.0], [700.3, 2.0, 0.0], [700.3, -2.0, 0.0]]);
         let (wave, line) = (Segments::new(&wave, false), Segments::new(&line, false));
         let found = first_contact(&wave, &line, 1e-9, all, &Execution::default()).unwrap().unwrap();

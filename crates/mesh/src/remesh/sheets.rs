@@ -86,7 +86,7 @@ mod tests {
             for i in 0..=6 {
                 vertices.extend((1..=2).map(|j| {
                     let r = 0.5 * f64::from(j);
-                    DVec3::new(r * angle.cos(), r * angle.sin(), height(i))
+                    DVec3::new(r * libm::cos(angle), r * libm::sin(angle), height(i))
                 }));
             }
             let at = |i: usize, j: usize| if j == 0 { i as u32 } else { (first + 2 * i + j - 1) as u32 };

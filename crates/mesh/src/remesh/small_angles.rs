@@ -65,7 +65,7 @@ enum Change {
 
 /// Smallest angle of a film, in radians.
 pub fn smallest_angle(film: &Film) -> f64 {
-    film.triangles().iter().map(|&t| least_tangent(film.corners(t))).fold(f64::INFINITY, f64::min).atan()
+    libm::atan(film.triangles().iter().map(|&t| least_tangent(film.corners(t))).fold(f64::INFINITY, f64::min))
 }
 
 /// Raises the angles below `goal` (radians) as far as single changes can. Fixed vertices and locked edges stay.
@@ -113,7 +113,7 @@ pub fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<
 
 /// The smallest angle of a triangle, which is never obtuse: the least tangent of its acute angles. 0 if it has no area.
 fn least([a, b, c]: [DVec3; 3]) -> f64 {
-    least_tangent([a, b, c]).atan()
+    libm::atan(least_tangent([a, b, c]))
 }
 
 fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
@@ -142,12 +142,12 @@ fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3, useful
         smallest = smallest.min(tangent);
     }
     // The arc tangent grows with the tangent, so that one is enough for all triangles.
-    Some(smallest.atan())
+    Some(libm::atan(smallest))
 }
 
 /// A bound for [`quality`]: angles with a smaller tangent are certainly below this angle.
 fn useful_tangent(angle: f64) -> f64 {
-    angle.tan() * (1.0 - ROUNDING)
+    libm::tan(angle) * (1.0 - ROUNDING)
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -178,7 +178,7 @@ impl Widening {
     fn new(film: Film, goal: f64) -> Self {
         let count = film.triangles().len();
         let unknown = State { area_vector: DVec3::ZERO, angle: 0.0, queued: f64::NAN, changes: 0 };
-        let direction = |k: usize| (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+        let direction = |k: usize| libm::sincos(std::f64::consts::TAU * k as f64 / DIRECTIONS as f64);
         let directions = std::array::from_fn(direction);
         let mut widening = Self { film, goal, directions, states: vec![unknown; count], thin: BinaryHeap::new() };
         widening.consider(0..count as u32);
@@ -400,7 +400,7 @@ mod tests {
     #[test]
     fn a_fan_that_is_too_dense_for_its_corner_loses_triangles() {
         let at = |degrees: f64, radius: f64| {
-            let (y, x) = degrees.to_radians().sin_cos();
+            let (y, x) = libm::sincos(degrees.to_radians());
             radius * DVec3::new(x, y, 0.0)
         };
         let mut vertices = vec![DVec3::ZERO];

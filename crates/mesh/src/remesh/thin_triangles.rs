@@ -443,7 +443,7 @@ mod tests {
             // The grid becomes irregular, and whole rows of vertices fall onto each other.
             let mut film = patch(6, 6, |u, v| DVec3::new(u, v, 0.0));
             for (vertex, height) in film.vertices.iter_mut().zip(&heights) {
-                vertex.x += squeeze * (height * 7.0).sin();
+                vertex.x += squeeze * libm::sin(height * 7.0);
                 vertex.y = if height.abs() < 0.3 { 0.5 } else { vertex.y };
                 vertex.z = squeeze * height;
             }

@@ -140,7 +140,7 @@ fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Int
 /// at least a margin inside. `None` if they differ too much.
 fn least_cosine(patch: &Patch, margin: f64) -> Option<f64> {
     let left = CHART - margin - patch.spread;
-    (left > 0.0).then(|| left.cos())
+    (left > 0.0).then(|| libm::cos(left))
 }
 
 /// The charts of a surface, one direction after another.
@@ -325,7 +325,7 @@ impl Boundary {
             let [before, corner] = points[e];
             let clockwise = |other: u32| {
                 let [u, v] = [before - corner, points[other as usize][1] - corner];
-                let angle = -u.perp_dot(v).atan2(u.dot(v));
+                let angle = -libm::atan2(u.perp_dot(v), u.dot(v));
                 if angle > 0.0 { angle } else { angle + TAU }
             };
             let mut leaving = leaving.map(|other| (other, clockwise(other)));

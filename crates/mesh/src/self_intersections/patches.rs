@@ -273,7 +273,7 @@ impl Block {
             let is_in_front = along > 0.0;
             least = least.min(if is_in_front { along * along / triangle.normal.length_squared() } else { -1.0 });
         }
-        let spread = if least > 0.0 { least.sqrt().acos() } else { f64::INFINITY };
+        let spread = if least > 0.0 { libm::acos(least.sqrt()) } else { f64::INFINITY };
         (Patch { extent, axis, spread, first: 0, first_edge: 0 }, count)
     }
 }

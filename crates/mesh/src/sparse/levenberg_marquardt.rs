@@ -258,7 +258,7 @@ mod tests {
         }
         fn advance(&self, x: &[[f64; 2]], step: &[[f64; 2]], to: &mut [[f64; 2]]) -> f64 {
             let [dx, dy] = step[0];
-            let share = f64::min(1.0, self.longest / dx.hypot(dy));
+            let share = f64::min(1.0, self.longest / libm::hypot(dx, dy));
             to[0] = [x[0][0] + share * dx, x[0][1] + share * dy];
             share
         }
@@ -286,7 +286,10 @@ mod tests {
             let (stop, energy) =
                 minimise(&mut Valley { longest }, &mut x, CRITERIA, &mut observe, &Execution::default());
             assert_ne!(stop, Stop::MaxIterations);
-            assert!(energy < 1e-24 && (x[0][0] - 1.0).hypot(x[0][1] - 1.0) < 1e-10 && steps < 100, "{x:?} {steps}");
+            assert!(
+                energy < 1e-24 && libm::hypot(x[0][0] - 1.0, x[0][1] - 1.0) < 1e-10 && steps < 100,
+                "{x:?} {steps}"
+            );
         }
     }
 

@@ -26,7 +26,7 @@ pub(crate) enum ConvexityTest {
 impl ConvexityTest {
     /// `tolerance` in radians.
     pub(crate) fn new(tolerance: f64) -> Self {
-        if tolerance == 0.0 { Self::Exact } else { Self::Within(tolerance.sin()) }
+        if tolerance == 0.0 { Self::Exact } else { Self::Within(libm::sin(tolerance)) }
     }
 }
 

@@ -305,7 +305,7 @@ mod tests {
         let rail = |count: usize, y: f64, phase: f64| -> Vec<DVec3> {
             let point = |k: usize| {
                 let u = k as f64 / (count - 1) as f64;
-                DVec3::new(8.0 * u, y + wave * (9.0 * u + phase).sin(), wave * (7.0 * u - phase).cos())
+                DVec3::new(8.0 * u, y + wave * libm::sin(9.0 * u + phase), wave * libm::cos(7.0 * u - phase))
             };
             (0..count).map(point).collect()
         };

@@ -115,7 +115,7 @@ impl Angle {
         if difference > 0.0 || opposite { other } else { self }
     }
     fn radians(self) -> f64 {
-        self.sine.atan2(self.cosine)
+        libm::atan2(self.sine, self.cosine)
     }
 }
 

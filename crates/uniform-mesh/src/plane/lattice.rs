@@ -21,6 +21,7 @@
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
 use plateau_mesh::plane::triangulation::{Border, Constraint};
+use plateau_mesh::plane::unit_vector;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_3;
 
@@ -46,7 +47,7 @@ pub(crate) struct Placement {
 impl Placement {
     /// Whether the point is a lattice point to 1e-7 ℓ.
     pub fn carries(&self, point: DVec2) -> bool {
-        let p = DVec2::from_angle(-self.angle).rotate(point) - self.origin;
+        let p = unit_vector(-self.angle).rotate(point) - self.origin;
         let j = p.y / ROW;
         let i = p.x - j.round() / 2.0;
         (j - j.round()).abs() < 1e-7 && (i - i.round()).abs() < 1e-7
@@ -260,7 +261,7 @@ impl Search<'_> {
     /// Counts the edges at every `x` for one angle and height.
     fn try_heights(&mut self, angle: f64, height: f64, xs: impl Iterator<Item = f64>) -> Option<(usize, Placement)> {
         if angle != self.angle || self.turned.is_empty() {
-            let turn = DVec2::from_angle(-angle);
+            let turn = unit_vector(-angle);
             self.turned.clear();
             self.turned.extend(self.boundary.nodes.iter().map(|&p| turn.rotate(p)));
             self.angle = angle;
@@ -304,7 +305,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .iter()
         .map(|&(a, b)| {
             let edge = boundary.nodes[b as usize] - boundary.nodes[a as usize];
-            let angle = edge.to_angle().rem_euclid(FRAC_PI_3);
+            let angle = libm::atan2(edge.y, edge.x).rem_euclid(FRAC_PI_3);
             // Angles within 1e-6 of 60° count as 0, because the lattice repeats every 60°.
             (if FRAC_PI_3 - angle < 1e-6 { angle - FRAC_PI_3 } else { angle }, edge.length(), a)
         })
@@ -362,7 +363,7 @@ pub(crate) fn search(
     // Aligned with the boundary and running through its nodes: where an exact fit exists, this is it.
     for (angle, nodes) in directions.iter().take(8) {
         for &node in nodes.iter().step_by((nodes.len() / 4).max(1)).take(4) {
-            let origin = DVec2::from_angle(-angle).rotate(boundary.nodes[node as usize]);
+            let origin = unit_vector(-angle).rotate(boundary.nodes[node as usize]);
             let xs = std::iter::once(origin.x).chain((0..steps).map(|k| origin.x + fraction(k)));
             let found = search.try_heights(*angle, origin.y, xs);
             search.keep(found);
@@ -437,7 +438,7 @@ fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
 
 /// Lays the lattice out. O(nodes + boundary log boundary).
 pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
-    let turn = DVec2::from_angle(-placement.angle);
+    let turn = unit_vector(-placement.angle);
     let turned: Vec<DVec2> = boundary.nodes.iter().map(|&p| turn.rotate(p)).collect();
     let mut rows = Rows::default();
     rows.build(boundary, &turned, placement.origin.y);
@@ -460,7 +461,7 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
         let k = row.partition_point(|&(from, ..)| from <= i).checked_sub(1)?;
         (i <= row[k].1).then(|| row[k].2 + (i - row[k].0) as u32)
     };
-    let back = DVec2::from_angle(placement.angle);
+    let back = unit_vector(placement.angle);
     let mut nodes = Vec::with_capacity(count as usize);
     let (mut triangles, mut borders) = (Vec::new(), Vec::new());
     let mut used = vec![false; count as usize];
@@ -541,7 +542,7 @@ mod tests {
         for j in -60..60i64 {
             for i in -80..80i64 {
                 let p = placement.origin + DVec2::new(i as f64 + j as f64 / 2.0, j as f64 * ROW);
-                let p = DVec2::from_angle(placement.angle).rotate(p);
+                let p = unit_vector(placement.angle).rotate(p);
                 let ends = |&(a, b): &(u32, u32)| (boundary.nodes[a as usize], boundary.nodes[b as usize]);
                 let crossed = boundary.pieces.iter().map(ends).filter(|(a, b)| {
                     (a.y <= p.y) != (b.y <= p.y) && a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) > p.x
@@ -574,7 +575,7 @@ mod tests {
                 assert!(expected.iter().any(|q| p.distance(*q) < 1e-9) && placement.carries(*p));
             }
             // Edges by three routes: pairs of nodes, the search's interval count, Euler's count from the triangles.
-            let turned: Vec<DVec2> = nodes.iter().map(|&p| DVec2::from_angle(-placement.angle).rotate(p)).collect();
+            let turned: Vec<DVec2> = nodes.iter().map(|&p| unit_vector(-placement.angle).rotate(p)).collect();
             let mut rows = Rows::default();
             rows.build(&boundary, &turned, placement.origin.y);
             assert_eq!(rows.edges(placement.origin.x), edges);

@@ -21,6 +21,7 @@ use crate::plane::sides::{Division, Sides, is_sharp, pieces};
 use plateau_film::minimal_surface;
 use plateau_mesh::error::{Error, InputError, Place, Step, Warning};
 use plateau_mesh::execution::Execution;
+use plateau_mesh::measure;
 use plateau_mesh::plane::location::Locator;
 use plateau_mesh::polyline::mean;
 use plateau_mesh::topology::Topology;
@@ -194,7 +195,7 @@ impl Auxiliary {
         for ring in topology.boundary_loops() {
             let n = ring.len();
             let at = |k: usize| mesh.vertices[ring[k % n] as usize];
-            let turns = |k: usize| (at(k + n) - at(k + n - 1)).angle_between(at(k + 1) - at(k)) > CORNER_TURN;
+            let turns = |k: usize| measure::angle(at(k + n) - at(k + n - 1), at(k + 1) - at(k)) > CORNER_TURN;
             let mut corners: Vec<usize> = (0..n).filter(|&k| given[ring[k] as usize] && turns(k)).collect();
             if corners.is_empty() {
                 // A smooth loop starts at its first input point.

@@ -3,7 +3,7 @@
 use super::move_nodes::{OnSurface, Sheet};
 use crate::options::{Optimise, Options, Transition};
 use crate::report::{Method, SurfaceFit, UniformMesh, Why};
-use plateau_mesh::measure::{angles, double_area_vector};
+use plateau_mesh::measure::{self, angles, double_area_vector};
 use std::collections::BTreeSet;
 
 /// What a mesh of a curved surface must keep to be called converged.
@@ -33,7 +33,7 @@ pub(crate) fn compare<S: Sheet>(nodes: &OnSurface<'_, S>, area: f64, unit: f64, 
         let (below, upward) = nodes.surface.below(triangle.map(|v| nodes.parameters[v as usize]), middle);
         distance = distance.max(below.distance(middle));
         if upward.length_squared() > 0.0 {
-            turn = turn.max(normal.angle_between(upward));
+            turn = turn.max(measure::angle(normal, upward));
         }
     }
     SurfaceFit {

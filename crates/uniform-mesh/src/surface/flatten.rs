@@ -15,6 +15,7 @@ use crate::edges::edges;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::plane::unit_vector;
 use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use plateau_mesh::sparse::{Symbolic, SymmetricMatrix};
 use plateau_mesh::topology::Topology;
@@ -136,7 +137,7 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let radius = lengths[outer] / TAU;
     let mut way = 0.0;
     for (&v, &next) in loops[outer].iter().zip(loops[outer].iter().cycle().skip(1)) {
-        fixed[v as usize] = Some(DVec2::from_angle(TAU * way / lengths[outer]) * radius);
+        fixed[v as usize] = Some(unit_vector(TAU * way / lengths[outer]) * radius);
         way += mesh.vertices[v as usize].distance(mesh.vertices[next as usize]);
     }
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.vertices.len()];

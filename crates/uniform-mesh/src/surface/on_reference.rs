@@ -21,7 +21,7 @@ use crate::edges::edges;
 use crate::options::Objective;
 use crate::report::Why;
 use plateau_mesh::execution::{Execution, Interruption};
-use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::topology::{next, previous};
 use plateau_mesh::{DVec2, DVec3};
 
@@ -332,7 +332,7 @@ fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
         let [a, b, apex] = corners;
         net.curve_of(net.topology.from(h), net.topology.to(h)).is_some()
             && a.distance(b) > SEEN_WIDE.0
-            && (a - apex).angle_between(b - apex) > SEEN_WIDE.1
+            && measure::angle(a - apex, b - apex) > SEEN_WIDE.1
     };
     let too_long = |&h: &u32| net.length(h) > longest || seen_wide(h);
     let mut long: Vec<u32> = (0..count(net)).filter(too_long).collect();

@@ -162,7 +162,7 @@ impl Reference {
                 .filter_map(|&[a, b]| topology.outgoing_half_edges(a).find(|&h| topology.to(h) == b))
                 .filter(|&h| topology.twin[h as usize] != NONE)
                 .collect();
-            let bend = |&h: &u32| normal(h / 3).angle_between(normal(topology.twin[h as usize] / 3));
+            let bend = |&h: &u32| measure::angle(normal(h / 3), normal(topology.twin[h as usize] / 3));
             if half_edges.iter().map(bend).fold(0.0, f64::max) > CREASE {
                 for h in half_edges {
                     stops[h as usize] = true;
@@ -269,7 +269,7 @@ impl Reference {
             let edges = around(v);
             k += edges.len();
             let sharp = match *edges {
-                [(_, g), (_, h)] => (at(v) - at(other(g, v))).angle_between(at(other(h, v)) - at(v)) > CORNER_TURN,
+                [(_, g), (_, h)] => measure::angle(at(v) - at(other(g, v)), at(other(h, v)) - at(v)) > CORNER_TURN,
                 _ => true,
             };
             // A film's corners are given; on a patch a crease or a boundary with a kink makes one.
@@ -390,7 +390,7 @@ impl Reference {
                 sectors.push(0.0);
             }
             let sides = [self.topology.to(h), self.topology.opposite(h)].map(|v| at(v) - at(vertex));
-            *sectors.last_mut().expect("starts with one sector") += sides[0].angle_between(sides[1]);
+            *sectors.last_mut().expect("starts with one sector") += measure::angle(sides[0], sides[1]);
         }
         // The sector in whose middle the turn began ends where the turn does.
         if !begins_on_curve && let [first, .., last] = &mut sectors[..] {
@@ -784,10 +784,11 @@ fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plateau_mesh::plane::unit_vector;
 
     /// A flat rhombus of side 10 with this angle at the origin, in degrees, and its two curves from there.
     fn rhombus(degrees: f64) -> (Reference, [u32; 2]) {
-        let (a, b) = (DVec3::X * 10.0, DVec2::from_angle(degrees.to_radians()).extend(0.0) * 10.0);
+        let (a, b) = (DVec3::X * 10.0, unit_vector(degrees.to_radians()).extend(0.0) * 10.0);
         let knots = vec![0.0, 0.0, 1.0, 1.0];
         let control_points = vec![vec![DVec3::ZERO, b], vec![a, a + b]];
         let patch = Nurbs { degrees: [1, 1], knots: [knots.clone(), knots], control_points, weights: None };

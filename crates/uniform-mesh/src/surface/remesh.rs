@@ -12,7 +12,7 @@ use super::reference::{Bond, Place, Reference};
 use plateau_mesh::DVec3;
 use plateau_mesh::edit::may_collapse;
 use plateau_mesh::execution::{Execution, Interruption};
-use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::topology::{NONE, Topology};
 
 /// The constants of the remeshing.
@@ -440,7 +440,7 @@ impl<'a> Net<'a> {
                 }
                 let Some(hinge) = self.topology.hinge(h) else { continue };
                 let [a, b, c, d] = hinge.map(|v| self.positions[v as usize]);
-                let angle = |at: DVec3| (a - at).angle_between(b - at);
+                let angle = |at: DVec3| measure::angle(a - at, b - at);
                 // On a crest an edge may be bent by so much that its flip would cut the crest: length decides there.
                 if angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && self.can_flip(h) {
                     self.topology.flip(h);

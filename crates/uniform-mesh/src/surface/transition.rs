@@ -17,6 +17,7 @@ use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::edges::{edges, topology};
 use crate::options::Transition as Freedom;
 use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::measure;
 use plateau_mesh::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
 use plateau_mesh::topology::NONE;
 use plateau_mesh::{DVec2, DVec3};
@@ -373,7 +374,7 @@ impl Rim<'_> {
 fn is_bent(flat: &Triangulation, positions: &[DVec3], half_edge: u32) -> bool {
     let corners = flat.around(half_edge);
     let [a, b, c, d] = corners.map(|v| positions[v as usize]);
-    let angle = |at: DVec3| (a - at).angle_between(b - at);
+    let angle = |at: DVec3| measure::angle(a - at, b - at);
     if angle(c) + angle(d) <= std::f64::consts::PI + FLAT {
         return false;
     }

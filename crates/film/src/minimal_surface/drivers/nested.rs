@@ -336,7 +336,7 @@ fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();
     let turn = |k: usize| {
         let (before, after) = (direction(k + n - 1), direction(k));
-        before.cross(after).length().atan2(before.dot(after))
+        measure::angle(before, after)
     };
     let mut corners: Vec<usize> = (0..n).filter(|&k| turn(k) > CORNER).collect();
     if corners.is_empty() {
@@ -544,7 +544,7 @@ mod tests {
         assert!(kept.windows(2).all(|pair| pair[1] - pair[0] <= 8) && kept.len() == 16);
         // A circle of few points turns too much between neighbours to skip many of them.
         let circle: Vec<DVec3> =
-            (0..24).map(|k| DVec3::new((k as f64 * 0.2618).cos(), (k as f64 * 0.2618).sin(), 0.0)).collect();
+            (0..24).map(|k| DVec3::new(libm::cos(k as f64 * 0.2618), libm::sin(k as f64 * 0.2618), 0.0)).collect();
         assert!(kept_points(&circle, 16).len() >= 10);
     }
 }

@@ -168,7 +168,7 @@ mod tests {
         (0..n)
             .map(|k| {
                 let t = k as f64 * std::f64::consts::TAU / n as f64;
-                DVec3::new(t.cos(), t.sin(), height(t))
+                DVec3::new(libm::cos(t), libm::sin(t), height(t))
             })
             .collect()
     }
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn counts_are_exact_and_the_boundary_comes_first() {
         for (m, n) in [(28, 20), (24, 25), (9, 4), (3, 0), (12, 300)] {
-            let boundary = ring(m, |t| 0.2 * (3.0 * t).cos());
+            let boundary = ring(m, |t| 0.2 * libm::cos(3.0 * t));
             let mesh = candidate_mesh(&boundary, n, 1, &Execution::default()).unwrap();
             assert_eq!((mesh.vertices.len(), mesh.triangles().len()), (m + n, m + 2 * n - 2));
             assert_eq!(mesh.vertices[..m], boundary);
@@ -197,7 +197,11 @@ mod tests {
         let boundary: Vec<DVec3> = (0..60)
             .map(|k| {
                 let t = f64::from(k) * std::f64::consts::TAU / 60.0;
-                DVec3::new(t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin())
+                DVec3::new(
+                    libm::sin(t) + 2.0 * libm::sin(2.0 * t),
+                    libm::cos(t) - 2.0 * libm::cos(2.0 * t),
+                    -libm::sin(3.0 * t),
+                )
             })
             .collect();
         let mesh = candidate_mesh(&boundary, 30, 1, &Execution::default()).unwrap();

@@ -5,6 +5,7 @@ use super::strip::Matching;
 use glam::{DMat3, DVec2};
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::polygon::doubled_area_vector;
+use plateau_mesh::plane::unit_vector;
 use plateau_mesh::{DVec3, polyline};
 use std::f64::consts::TAU;
 
@@ -127,7 +128,7 @@ impl Directions {
         // The outer circle starts at the angle 0 and runs counter-clockwise.
         let (start, turn) = circle_through(&boundaries[self.outer], &seen[self.outer], DVec2::ZERO);
         let upright = |p: DVec2| {
-            let turned = DVec2::from_angle(-start).rotate(p);
+            let turned = unit_vector(-start).rotate(p);
             DVec2::new(turned.x, turn * turned.y)
         };
         let places: Vec<Vec<DVec2>> = seen.iter().map(|points| points.iter().map(|&p| upright(p)).collect()).collect();
@@ -239,12 +240,12 @@ impl Shape {
                 let (centre, radius) = if others.len() == 1 {
                     // The ratio of the gap to the mean length of the two circles is that of the boundaries in space.
                     let gap = mean_gap(p, q, &matching);
-                    let radius = (-TAU * gap / (0.5 * (lengths[outer] + lengths[boundary]))).exp();
+                    let radius = libm::exp(-TAU * gap / (0.5 * (lengths[outer] + lengths[boundary])));
                     (DVec2::ZERO, radius.clamp(0.02, 0.9))
                 } else {
-                    let room = 0.5 * (std::f64::consts::PI / others.len() as f64).sin();
+                    let room = 0.5 * libm::sin(std::f64::consts::PI / others.len() as f64);
                     let radius = 0.6 * (room.min(0.4)) * (lengths[boundary] / lengths[outer]).sqrt();
-                    (0.5 * DVec2::from_angle(angle), radius.max(0.05))
+                    (0.5 * unit_vector(angle), radius.max(0.05))
                 };
                 let turn = if reversed(&matching) { -1.0 } else { 1.0 };
                 // The point of Q that is opposite to P's first point stands at the angle 0 of its circle.
@@ -284,13 +285,13 @@ impl Shape {
                 Box::new(move |p| {
                     let weight = |distance: f64| 1.0 / distance.max(1e-3);
                     let rim = weight(1.0 - p.length());
-                    let (mut sum, mut weights) = (rim * outside.ln(), rim);
+                    let (mut sum, mut weights) = (rim * libm::log(outside), rim);
                     for (hole, scale) in holes.iter().zip(&scales) {
                         let near = weight(p.distance(hole.centre) - hole.radius);
-                        sum += near * scale.ln();
+                        sum += near * libm::log(*scale);
                         weights += near;
                     }
-                    (sum / weights).exp()
+                    libm::exp(sum / weights)
                 })
             }
         }
@@ -305,7 +306,7 @@ impl Hole {
             .map(|k| {
                 let angle = self.start + self.turn * TAU * along / total;
                 along += points[k].distance(points[(k + 1) % points.len()]);
-                self.centre + self.radius * DVec2::from_angle(angle)
+                self.centre + self.radius * unit_vector(angle)
             })
             .collect()
     }
@@ -320,10 +321,10 @@ fn circle_through(boundary: &[DVec3], places: &[DVec2], centre: DVec2) -> (f64, 
     let total = polyline::length(boundary, true);
     let (mut along, mut sum) = (0.0, DVec2::ZERO);
     for (k, &place) in places.iter().enumerate() {
-        sum += DVec2::from_angle(-turn * TAU * along / total).rotate((place - centre).normalize_or_zero());
+        sum += unit_vector(-turn * TAU * along / total).rotate((place - centre).normalize_or_zero());
         along += boundary[k].distance(boundary[next(k)]);
     }
-    (sum.to_angle(), turn)
+    (libm::atan2(sum.y, sum.x), turn)
 }
 
 fn reversed(matching: &Matching) -> bool {

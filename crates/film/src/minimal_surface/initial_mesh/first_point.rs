@@ -92,7 +92,7 @@ mod tests {
             let point = |_| {
                 angle += any(0.2, 1.0) * std::f64::consts::TAU / n as f64;
                 let (radius, height) = if on_circle { (1.0, 0.0) } else { (any(0.5, 1.0), any(-1.0, 1.0)) };
-                DVec3::new(radius * angle.cos(), radius * angle.sin(), height)
+                DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), height)
             };
             let points: Vec<DVec3> = (0..n).map(point).collect();
             let expected = chosen(&points);

@@ -276,7 +276,7 @@ impl SizeField<'_> {
         let row = 0.75f64.sqrt();
         let extent = high - low;
         let needed = extent.x + 2.0 * extent.y + 2.0 * spacing;
-        let doublings = (needed / spacing).log2().ceil().max(0.0) as i32;
+        let doublings = libm::log2(needed / spacing).ceil().max(0.0) as i32;
         let side = spacing * 2f64.powi(doublings);
         let unit = side / 2f64.powi(DEPTH as i32);
         let centre = 0.5 * (low + high);
@@ -361,6 +361,7 @@ impl SizeField<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plateau_mesh::plane::unit_vector;
 
     fn square_sources(side: f64, pieces: usize) -> Vec<Source> {
         let corners = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)].map(|(x, y)| DVec2::new(x, y));
@@ -412,7 +413,7 @@ mod tests {
                 let known = field.size_and_clearance(centre, &tree, &Sources::All);
                 let near = field.narrowed(centre, reach, known, &tree, &Sources::All);
                 lists += usize::from(matches!(near, Sources::Few(_)));
-                let point = centre + DVec2::from_angle(any(0.0, 6.3)) * any(0.0, reach);
+                let point = centre + unit_vector(any(0.0, 6.3)) * any(0.0, reach);
                 let sizes = field.sources.iter().map(|source| source.size + grading * source.distance(point));
                 let size = sizes.fold(0.2, f64::min);
                 let clearance = field.sources.iter().map(|source| source.distance(point)).fold(f64::INFINITY, f64::min);
@@ -449,11 +450,11 @@ mod tests {
     #[test]
     fn few_of_the_sources_on_a_long_boundary_are_looked_at() {
         let count = 50_000;
-        let at = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count));
+        let at = |k: u32| unit_vector(std::f64::consts::TAU * f64::from(k) / f64::from(count));
         let sources: Vec<Source> = (0..count).map(|k| Source::new(at(k), at(k + 1), 1e-4)).collect();
         let tree = Tree::new(&sources);
         for radius in [0.2, 0.5, 0.9, 0.99, 0.9999] {
-            let point = DVec2::from_angle(1.0) * radius;
+            let point = unit_vector(1.0) * radius;
             let smallest = Smallest { point, grading: 0.3, size: 1.0, clearance: f64::INFINITY };
             let mut counted = Counted(smallest, 0);
             tree.walk(point, &mut counted);

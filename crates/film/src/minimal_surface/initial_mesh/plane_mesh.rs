@@ -278,7 +278,7 @@ mod tests {
         // A circle of radius 3 sampled ever coarser: from 0.001 to about 1.
         let (mut angle, mut step) = (0.0f64, 0.001f64);
         while angle < std::f64::consts::TAU - 0.5 * step {
-            boundary.push(3.0 * DVec2::new(angle.cos(), angle.sin()));
+            boundary.push(3.0 * DVec2::new(libm::cos(angle), libm::sin(angle)));
             step = if angle < 3.0 { (step * 1.15).min(1.0) } else { (step / 1.15).max(0.001) };
             angle += step / 3.0;
         }

@@ -39,7 +39,7 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
     let mut rim = Vec::with_capacity(m);
     for k in 0..m {
         let angle = walked / total * std::f64::consts::TAU;
-        rim.push(snapped(DVec2::new(angle.cos(), angle.sin())));
+        rim.push(snapped(DVec2::new(libm::cos(angle), libm::sin(angle))));
         walked += boundary[k].distance(boundary[(k + 1) % m]);
     }
     domains.push(PlaneLoop { rim });

@@ -68,9 +68,9 @@ fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     } else {
         (((size - from) / grading).max(0.0), length - ((size - to) / grading).max(0.0))
     };
-    let rise = (1.0 + grading * up / from).ln() / grading;
+    let rise = libm::log(1.0 + grading * up / from) / grading;
     let flat = (down - up) / size;
-    let fall = (1.0 + grading * (length - down) / to).ln() / grading;
+    let fall = libm::log(1.0 + grading * (length - down) / to) / grading;
     let pieces = rise + flat + fall;
     // If the spacing of the boundary makes the sizes vanish, the number of points is bounded.
     let count = if pieces.is_finite() { (pieces - 0.3).ceil().clamp(1.0, MOST_PIECES) as usize } else { 1 };
@@ -78,11 +78,11 @@ fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
         .map(|k| {
             let at = pieces * k as f64 / count as f64;
             let place = if at < rise {
-                from * ((grading * at).exp() - 1.0) / grading
+                from * (libm::exp(grading * at) - 1.0) / grading
             } else if at < rise + flat {
                 up + (at - rise) * size
             } else {
-                length - to * ((grading * (pieces - at)).exp() - 1.0) / grading
+                length - to * (libm::exp(grading * (pieces - at)) - 1.0) / grading
             };
             place / length
         })

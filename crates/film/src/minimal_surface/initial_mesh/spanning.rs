@@ -438,7 +438,7 @@ impl Spanning<'_> {
         let largest = self.largest_size();
         let mut size = first.min(0.9 * largest);
         // Logarithms of sizes and of the ratios there: too many triangles at the low end, too few at the high end.
-        let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (largest.ln(), at_largest.ln()));
+        let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (libm::log(largest), libm::log(at_largest)));
         let mut best: Option<(Layout, f64)> = None;
         for trial in 0..TRIALS {
             let layout = self.layout(size, grading, pinned)?;
@@ -456,7 +456,7 @@ impl Spanning<'_> {
             if (shortfall - 1.0).abs() <= if trial < PATIENCE { CLOSE_ENOUGH } else { 2.0 * CLOSE_ENOUGH } {
                 break;
             }
-            let here = (size.ln(), shortfall.ln());
+            let here = (libm::log(size), libm::log(shortfall));
             if shortfall < 1.0 {
                 low = Some(here);
             } else {
@@ -465,22 +465,21 @@ impl Spanning<'_> {
             // The number decreases with the square of the size, or more slowly where the spacing of the boundary
             // decides. Beyond some size it is constant, so the largest size is not used for the interpolation.
             let square = here.0 - 0.5 * here.1;
-            size = match low {
+            size = libm::exp(match low {
                 None => square,
-                Some(_) if high.0 == largest.ln() && self.is_dense(goal.resolution) => {
+                Some(_) if high.0 == libm::log(largest) && self.is_dense(goal.resolution) => {
                     // The triangles that the spacing of the boundary asks for do not depend on the size.
                     let inside = |shortfall: f64| 1.0 / shortfall - 1.0 / at_largest;
                     let ratio = inside(shortfall) / inside(AIM);
-                    (here.0 + 0.5 * ratio.ln()).max(here.0 + 0.05).min(0.5 * (here.0 + high.0))
+                    (here.0 + 0.5 * libm::log(ratio)).max(here.0 + 0.05).min(0.5 * (here.0 + high.0))
                 }
-                Some(_) if high.0 == largest.ln() => square.max(here.0 + 0.05).min(0.5 * (here.0 + high.0)),
+                Some(_) if high.0 == libm::log(largest) => square.max(here.0 + 0.05).min(0.5 * (here.0 + high.0)),
                 Some(low) => {
                     let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
                     let room = 0.15 * (high.0 - low.0);
                     secant.max(low.0 + room).min(high.0 - room)
                 }
-            }
-            .exp();
+            });
         }
         Ok(best.expect("at least one layout was tried"))
     }

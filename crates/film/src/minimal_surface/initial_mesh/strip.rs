@@ -120,7 +120,7 @@ mod tests {
         (0..n)
             .map(|k| {
                 let angle = turn + direction * std::f64::consts::TAU * k as f64 / n as f64;
-                DVec3::new(angle.cos(), angle.sin(), z)
+                DVec3::new(libm::cos(angle), libm::sin(angle), z)
             })
             .collect()
     }

@@ -133,7 +133,7 @@ impl Relaxation<'_> {
             let ended = change.is_nan() || change <= tolerance;
             let first_change = *first_change.get_or_insert(change);
             // The changes decrease geometrically, so the logarithm of the change measures the progress of the stage.
-            let part = (first_change / change).ln() / (first_change / tolerance.max(1e-16)).ln();
+            let part = libm::log(first_change / change) / libm::log(first_change / tolerance.max(1e-16));
             let part = if ended { 1.0 } else { part.clamp(0.0, 1.0) };
             self.remember(phase, area, span.0 + (span.1 - span.0) * part, ended || self.iterations >= last_iteration);
             if ended {

@@ -51,7 +51,7 @@ mod tests {
 
     #[test]
     fn the_dirichlet_energy_is_least_and_at_least_the_area() {
-        let mut film = patch(9, 7, |u, v| DVec3::new(u + 0.2 * v * v, v - 0.3 * u * v, (3.0 * u + v).sin() * 0.4));
+        let mut film = patch(9, 7, |u, v| DVec3::new(u + 0.2 * v * v, v - 0.3 * u * v, libm::sin(3.0 * u + v) * 0.4));
         let mut domain = film.clone();
         let run = run_once(&mut film, &Execution::default()).unwrap();
         flip_to_delaunay(&mut domain, &Execution::default()).unwrap();

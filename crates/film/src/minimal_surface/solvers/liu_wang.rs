@@ -198,7 +198,7 @@ fn rounds(
             change: epsilon,
             floor: 1.0,
             quiet_steps: 1,
-            gradient: epsilon.cbrt(),
+            gradient: libm::cbrt(epsilon),
             step: epsilon.sqrt(),
             max_iterations: u64::from(max_iterations.saturating_sub(run.iterations)),
         };

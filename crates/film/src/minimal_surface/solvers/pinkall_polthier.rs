@@ -179,12 +179,12 @@ mod tests {
     fn cut_cylinder(n: usize, strips: usize, height: f64, opening: f64) -> Film {
         plateau_mesh::structured::patch(n, strips, |u, v| {
             let angle = 0.5 * opening + u * (std::f64::consts::TAU - opening);
-            DVec3::new(10.0 * angle.cos(), 10.0 * angle.sin(), height * (v - 0.5))
+            DVec3::new(10.0 * libm::cos(angle), 10.0 * libm::sin(angle), height * (v - 0.5))
         })
     }
 
     fn disc_area(n: usize) -> f64 {
-        50.0 * n as f64 * (std::f64::consts::TAU / n as f64).sin()
+        50.0 * n as f64 * libm::sin(std::f64::consts::TAU / n as f64)
     }
 
     #[test]
@@ -193,10 +193,10 @@ mod tests {
         // 700.0...
         let waist: (f64, f64) = (0..60).fold((8.3, 12.0 / 2.4), |(high, low), _| {
             let middle: f64 = 0.5 * (high + low);
-            if middle * (6.0 / middle).cosh() > 10.0 { (middle, low) } else { (high, middle) }
+            if middle * libm::cosh(6.0 / middle) > 10.0 { (middle, low) } else { (high, middle) }
         });
         let c = waist.0;
-        let smooth = std::f64::consts::PI * c * c * ((12.0 / c).sinh() + 12.0 / c);
+        let smooth = std::f64::consts::PI * c * c * (libm::sinh(12.0 / c) + 12.0 / c);
         let mut errors = Vec::new();
         for n in [24, 48, 96] {
             let options = PinkallPolthier { area_tolerance: 1e-9, ..free() };

@@ -11,9 +11,16 @@ fn half_discs(azimuths_deg: &[f64], m: usize, n: usize, radius: f64, bend: DVec3
     let on_wire = |azimuth: f64, i: usize| match i {
         0 => pole(1.0),
         i if i == m => pole(-1.0),
-        i => radius * DVec3::new(angle(i).sin() * azimuth.cos(), angle(i).sin() * azimuth.sin(), angle(i).cos()),
+        i => {
+            radius
+                * DVec3::new(
+                    libm::sin(angle(i)) * libm::cos(azimuth),
+                    libm::sin(angle(i)) * libm::sin(azimuth),
+                    libm::cos(angle(i)),
+                )
+        }
     };
-    let axis = |i: usize| DVec3::new(0.0, 0.0, radius * angle(i).cos()) + bend * (radius * angle(i).sin());
+    let axis = |i: usize| DVec3::new(0.0, 0.0, radius * libm::cos(angle(i))) + bend * (radius * libm::sin(angle(i)));
     let mut vertices = vec![pole(1.0), pole(-1.0)];
     let first = vertices.len();
     vertices.extend((1..m).map(axis));
@@ -82,7 +89,7 @@ fn three_half_circles_120_degrees_apart_carry_three_half_discs() {
             assert_eq!((junctions.edges, junctions.curves[0].len()), (m, m + 1));
             // Three half-discs along a straight diameter, whatever the start.
             assert!((junctions.length - 2.0 * radius).abs() < 1e-9);
-            let polygons = 1.5 * radius * radius * m as f64 * (std::f64::consts::PI / m as f64).sin();
+            let polygons = 1.5 * radius * radius * m as f64 * libm::sin(std::f64::consts::PI / m as f64);
             assert!((statistics.area - polygons).abs() < 1e-12 * polygons);
             assert!(deviation_deg(&junctions.facet_angles) < 1e-4 && deviation_deg(&junctions.sheet_angles) < 1e-4);
             assert_eq!((junctions.morse_index, statistics.components), (Some(0), 1));

@@ -15,7 +15,7 @@ pub(super) fn dihedral_angle(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     let left = double_area_vector([p, q, r]);
     let right = double_area_vector([q, p, s]);
     let sine = left.cross(right).dot((q - p).normalize_or_zero());
-    sine.atan2(left.dot(right))
+    libm::atan2(sine, left.dot(right))
 }
 
 /// The gradient of [`dihedral_angle`] with respect to p, q, r and s.
@@ -280,7 +280,7 @@ mod tests {
         let at = |i, j| i * (k + 1) + j;
         let vertices = (0..=k)
             .flat_map(|i| (0..=k).map(move |j| (f64::from(i) / f64::from(k), f64::from(j) / f64::from(k))))
-            .map(|(x, y)| DVec3::new(x + 0.03 * (9.0 * y).sin(), y, 0.3 * (5.0 * x).sin() * (4.0 * y).cos()))
+            .map(|(x, y)| DVec3::new(x + 0.03 * libm::sin(9.0 * y), y, 0.3 * libm::sin(5.0 * x) * libm::cos(4.0 * y)))
             .collect();
         let triangles = (0..k)
             .flat_map(|i| (0..k).map(move |j| (i, j)))
@@ -329,12 +329,12 @@ mod tests {
         // which the sum of β|e|/2 over one vertex's ring, divided by a third of its area, approaches.
         let (n, radius) = (64u32, 2.0);
         let rings = 5u32;
-        let width = 2.0 * radius * (std::f64::consts::PI / f64::from(n)).sin();
+        let width = 2.0 * radius * libm::sin(std::f64::consts::PI / f64::from(n));
         let vertices = (0..rings)
             .flat_map(|i| (0..n).map(move |j| (i, j)))
             .map(|(i, j)| {
                 let angle = f64::from(j) * std::f64::consts::TAU / f64::from(n);
-                DVec3::new(radius * angle.cos(), radius * angle.sin(), f64::from(i) * width)
+                DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), f64::from(i) * width)
             })
             .collect();
         let triangles = (0..rings - 1)
