@@ -53,8 +53,33 @@ const GEOMETRY: [(&str, &[&str]); 5] = [
 /// mathematical library computes it.
 fn depends_on_the_machine(code: &str) -> Option<&'static str> {
     const FUNCTIONS: [&str; 27] = [
-        "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp",
-        "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "hypot", "cbrt", "angle_between", "to_angle",
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sin_cos",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+        "exp",
+        "exp2",
+        "exp_m1",
+        "ln",
+        "ln_1p",
+        "log",
+        "log2",
+        "log10",
+        "powf",
+        "hypot",
+        "cbrt",
+        "angle_between",
+        "to_angle",
     ];
     let calls = |name: &&str| code.contains(&format!(".{name}(")) || code.contains(&format!("f64::{name}"));
     let rest = ["from_angle(", "mul_add("].into_iter();

@@ -13,7 +13,7 @@ use std::path::Path;
 /// The crates of the geometry, and the files and folders of each, earliest layer first. A file belongs to the longest
 /// entry that its path starts with. In a crate without entries only circles are faults. The order of the crates
 /// themselves stands in their manifests, which `laws.rs` reads.
-const CRATES: [(&str, &[&str]); 6] = [
+const CRATES: [(&str, &[&str]); 7] = [
     (
         "mesh",
         &[

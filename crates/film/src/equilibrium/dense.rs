@@ -79,9 +79,9 @@ mod tests {
             let right: Vec<f64> = (0..n).map(|i| seed[143 - i]).collect();
             let x = Lu::new(n, entry).solve(&right);
             let size = x.iter().fold(1.0f64, |size, x| size.max(x.abs()));
-            for i in 0..n {
+            for (i, right) in right.iter().enumerate() {
                 let sum: f64 = (0..n).map(|j| entry(i, j) * x[j]).sum();
-                prop_assert!((sum - right[i]).abs() < 1e-13 * size, "{i} of {n}: {sum} {}", right[i]);
+                prop_assert!((sum - right).abs() < 1e-13 * size, "{i} of {n}: {sum} {right}");
             }
         }
     }

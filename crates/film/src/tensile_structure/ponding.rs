@@ -427,7 +427,7 @@ mod tests {
     #[test]
     fn a_bag_holds_water_up_to_its_mouth() {
         // A sphere of radius 1 without the cap above the height 1/2, which leans over the water.
-        let bag = disc(48, |x, y| libm::hypot(x, y));
+        let bag = disc(48, libm::hypot);
         let vertices: Vec<DVec3> = bag
             .vertices
             .iter()
