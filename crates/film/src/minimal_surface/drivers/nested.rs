@@ -290,7 +290,8 @@ impl Plan {
         };
         let suits =
             suits && !(options.boundary_sampling == BoundarySampling::Keep && has_long_edges(boundaries, target));
-        let most = if suits { (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32 } else { 0 };
+        let most =
+            if suits { (0.5 * libm::log2(target / LEAST_COARSE_TRIANGLES)).floor().clamp(0.0, 12.0) as u32 } else { 0 };
         (1..=most).rev().filter_map(move |levels| {
             let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
             let boundary_vertices: usize = kept.iter().map(Vec::len).sum();
