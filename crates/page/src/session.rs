@@ -60,7 +60,9 @@ impl Session {
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         self.archive = None;
         self.answer.clear();
-        let request = json::parse(request).and_then(|value| Request::read_with_kind(&value, &LIMITS));
+        let request = json::parse(request)
+            .and_then(|value| Request::read_with_kind(&value, &LIMITS))
+            .map(|accepted| accepted.request);
         let request = match request {
             Ok(request) => request,
             Err(Rejection::Malformed(detail)) => {

@@ -380,7 +380,7 @@ impl Spanning<'_> {
         }
         let mut subdivisions = match self.options.boundary_sampling {
             BoundarySampling::Keep => 0,
-            BoundarySampling::Refine => (wanted / COARSE_TRIANGLES).log(4.0).floor().max(0.0) as u32,
+            BoundarySampling::Refine => (0.5 * libm::log2(wanted / COARSE_TRIANGLES)).floor().max(0.0) as u32,
         };
         while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
             subdivisions -= 1;
@@ -492,7 +492,7 @@ impl Spanning<'_> {
             return 0;
         }
         let room = (count as f64 / self.points() - 1.0).max(0.0);
-        let steps = (GRADED_TRIANGLES / (room * GRADING)).log(GRADING_STEP).floor();
+        let steps = (libm::log(GRADED_TRIANGLES / (room * GRADING)) / libm::log(GRADING_STEP)).floor();
         steps.clamp(0.0, f64::from(STEEPEST_GRADING)) as u32
     }
 
