@@ -1,6 +1,7 @@
 //! Resolutions, the client's own initial mesh, fixed points and curves, and boundaries that cannot be spanned.
 
 use crate::app::{MINIMAL, TestApp, example, pointers, problem};
+use base64::Engine as _;
 use serde_json::{Value, json};
 
 fn square(height: f64) -> Value {
@@ -56,6 +57,66 @@ async fn the_clients_own_mesh_is_checked_and_used() {
     let mut wrong = request;
     wrong["initial_mesh"] = json!("sphere");
     assert_eq!(refused(&app, &wrong).await, ["/initial_mesh"]);
+}
+
+/// Returns a request with the mesh of a job as its initial mesh, in a GLB file.
+async fn with_the_mesh_of(app: &TestApp, job: &Value, request: &Value) -> Value {
+    let url = format!("{}?format=glb", job["links"]["mesh"].as_str().unwrap());
+    let file = app.get(&url).await.bytes().await.unwrap();
+    let mut with_file = request.clone();
+    with_file["initial_mesh"] = json!({ "glb": base64::engine::general_purpose::STANDARD.encode(file) });
+    with_file
+}
+
+#[tokio::test]
+async fn the_clients_own_mesh_can_be_a_glb_file() {
+    let app = TestApp::start().await;
+    let three = example("three-half-circles");
+    let far = [[1e6, -2e6, 5.0], [1e6 + 3.0, -2e6, 6.1], [1e6 + 3.0, -2e6 + 3.0, 5.0], [1e6, -2e6 + 3.0, 6.1]];
+    let far = json!({ "boundaries": [far], "units": "ft", "up": "y", "resolution": { "triangles": 500 } });
+    for request in [example("own-mesh"), three, far] {
+        let job = app.solve(MINIMAL, &request).await;
+        let again = app.solve(MINIMAL, &with_the_mesh_of(&app, &job, &request).await).await;
+        let (first, second) = (&job["statistics"], &again["statistics"]);
+        assert_eq!((&second["initial_mesh"], &second["converged"]), (&json!("given"), &json!(true)), "{again:#}");
+        assert_eq!((&first["vertices"], &first["triangles"]), (&second["vertices"], &second["triangles"]));
+        let area = |statistics: &Value| statistics["area"].as_f64().unwrap();
+        assert!((area(second) / area(first) - 1.0).abs() < 1e-7, "{} {}", area(first), area(second));
+    }
+}
+
+#[tokio::test]
+async fn a_wrong_file_is_refused_at_its_pointer() {
+    let app = TestApp::start().await;
+    let request = example("own-mesh");
+    let job = app.solve(MINIMAL, &request).await;
+    let right = with_the_mesh_of(&app, &job, &request).await;
+    let with = |mesh: Value| {
+        let mut wrong = request.clone();
+        wrong["initial_mesh"] = mesh;
+        wrong
+    };
+    let mut other_boundary = right.clone();
+    other_boundary["boundaries"][0][3][2] = json!(0.123);
+    let mut two_meshes = right.clone();
+    two_meshes["initial_mesh"]["vertices"] = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
+    for (body, pointer, detail) in [
+        (with(json!({ "glb": "%" })), "/initial_mesh/glb", "is not base64"),
+        (with(json!({ "glb": "" })), "/initial_mesh/glb", "is not binary glTF"),
+        (with(json!({ "glb": "Z2xURgIAAAAMAAAA" })), "/initial_mesh/glb", "is not binary glTF 2.0"),
+        (other_boundary, "/initial_mesh/glb", "none of its boundary loops"),
+        (two_meshes, "/initial_mesh/glb", "is only allowed without vertices and triangles"),
+        (with(json!({ "triangles": [[0, 1, 2]] })), "/initial_mesh/vertices", "is required"),
+        (with(json!({})), "/initial_mesh", "must have at least one of the members glb, triangles, vertices"),
+    ] {
+        let problem = problem(app.post(MINIMAL, &body).await, 422).await;
+        assert_eq!(pointers(&problem), [pointer], "{problem:#}");
+        let found = problem["errors"][0]["detail"].as_str().unwrap();
+        assert!(found.contains(detail), "{found} instead of {detail}");
+    }
+    let small = TestApp::start_with(&[("PLATEAU_LIMITS__TRIANGLES", "200")]).await;
+    let problem = problem(small.post(MINIMAL, &right).await, 413).await;
+    assert_eq!(pointers(&problem), ["/initial_mesh/glb"]);
 }
 
 #[tokio::test]

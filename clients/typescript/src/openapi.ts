@@ -1126,9 +1126,17 @@ export interface components {
          *     `resolution` has no effect in either case.
          */
         GivenMesh: {
+            /**
+             * @description The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
+             *     scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
+             *     lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
+             *     points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
+             *     no other file and no extension.
+             */
+            glb?: string;
             /** @description Vertex indices of each triangle, counted from 0. */
-            triangles: number[][];
-            vertices: components["schemas"]["Polygon"];
+            triangles?: number[][];
+            vertices?: components["schemas"]["Polygon"];
         };
         /** @description A named objective, or a weighted sum. */
         Goal: components["schemas"]["RuledSurfaceObjective"] | components["schemas"]["WeightedSum"];

@@ -9,6 +9,7 @@
 
 pub mod archive;
 pub mod formats;
+pub mod glb;
 pub mod pattern;
 pub mod units;
 

@@ -142,7 +142,7 @@ mod tests {
         };
         let meshes = "must be one of auto, planar, disk, rings, barycentres";
         assert_eq!(refused("initial_mesh", json!("plane")), meshes);
-        let or_given = format!("{meshes}, or an object with the members vertices, triangles");
+        let or_given = format!("{meshes}, or an object with at least one of the members glb, triangles, vertices");
         assert_eq!(refused("initial_mesh", json!(7)), or_given);
         let solvers = "must be one of auto, vertex_relaxation, pinkall_polthier, newton";
         assert_eq!(refused("solver", json!("newtonian")), solvers);

@@ -615,9 +615,15 @@ class GivenMesh(TypedDict):
     without further vertices on their segments, or a film whose sheets meet three by three along edges with three
     triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
     `resolution` has no effect in either case."""
-    triangles: Sequence[Sequence[int]]
+    glb: NotRequired[str]
+    """The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
+    scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
+    lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
+    points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
+    no other file and no extension."""
+    triangles: NotRequired[Sequence[Sequence[int]]]
     """Vertex indices of each triangle, counted from 0."""
-    vertices: Polygon
+    vertices: NotRequired[Polygon]
 
 
 class GroupLengths(TypedDict):

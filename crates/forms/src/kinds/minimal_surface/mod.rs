@@ -2,6 +2,7 @@
 //! result.
 
 mod certificate;
+mod file_mesh;
 mod solve;
 mod statistics;
 
@@ -9,7 +10,7 @@ pub use certificate::{Certificate, CertificateDocument};
 pub use statistics::MinimalStatistics;
 
 use crate::blocks::{self, Block, Input, Preset, Type};
-use crate::bounds::{Fraction, List, UpTo20, UpTo600, Whole, given_one, is_default, unwritten};
+use crate::bounds::{Fraction, List, UpTo20, UpTo600, Whole, given, given_one, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -20,6 +21,7 @@ use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound as lower_bound;
+use plateau_mesh::Mesh;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -284,11 +286,49 @@ pub enum MadeMesh {
 /// `resolution` has no effect in either case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 1))]
 pub struct GivenMesh {
-    pub vertices: List<Point, 3>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<Point, 3>")]
+    pub vertices: Option<List<Point, 3>>,
     /// Vertex indices of each triangle, counted from 0.
-    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
-    pub triangles: List<[u32; 3], 1>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<[u32; 3], 1>", inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: Option<List<[u32; 3], 1>>,
+    /// The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
+    /// scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
+    /// lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
+    /// points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
+    /// no other file and no extension.
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
+    pub glb: Option<String>,
+}
+
+impl GivenMesh {
+    /// Returns the mesh for a request with these boundaries, unit and axis.
+    ///
+    /// # Errors
+    /// Returns [`Rejection`] at the member that is missing, superfluous, too large or wrong.
+    fn read(&self, boundaries: &[List<Point, 3>], axes: (Unit, UpAxis), limits: &Limits) -> Result<Mesh, Rejection> {
+        let invalid = |member: &str, detail: &str| {
+            Err(Rejection::Invalid(vec![FieldError::new(format!("/initial_mesh{member}"), detail)]))
+        };
+        match (&self.vertices, &self.triangles, &self.glb) {
+            (None, None, Some(glb)) => file_mesh::read(glb, &common::polylines(boundaries), axes, limits),
+            (_, _, Some(_)) => invalid("/glb", "is only allowed without vertices and triangles"),
+            (None, None, None) => invalid("", "must have glb, or vertices and triangles"),
+            (None, _, None) => invalid("/vertices", "is required"),
+            (_, None, None) => invalid("/triangles", "is required"),
+            (Some(vertices), Some(triangles), None) => {
+                if triangles.len().max(vertices.len()) > limits.triangles {
+                    let detail = format!("is larger than is allowed ({} triangles)", limits.triangles);
+                    return Err(Rejection::TooLarge(vec![FieldError::new("/initial_mesh", detail)]));
+                }
+                Ok(Mesh::new(common::points(vertices), triangles.to_vec()))
+            }
+        }
+    }
 }
 
 /// Fixed points and curves inside the surface. They become vertices and edges of the mesh.
@@ -380,12 +420,7 @@ impl KindRequest for MinimalSurfaceRequest {
             "points",
         )?;
         limits::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
-        if let InitialMesh::Given(mesh) = &self.initial_mesh
-            && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
-        {
-            let detail = format!("is larger than is allowed ({} triangles)", limits.triangles);
-            return Err(Rejection::TooLarge(vec![FieldError::new("/initial_mesh", detail)]));
-        }
+        let initial_mesh = self.initial_mesh(limits)?;
         limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
         let errors = self.combinations();
         if !errors.is_empty() {
@@ -396,8 +431,11 @@ impl KindRequest for MinimalSurfaceRequest {
             let detail = "is only allowed with the objective minimal_area, because the bound is one of the area";
             return Err(Rejection::Invalid(vec![FieldError::new("/certify", detail)]));
         }
-        let (boundaries, options) = self.to_geometry();
-        geometry::check(&boundaries, &options)?;
+        let (boundaries, options) = self.to_geometry(initial_mesh);
+        geometry::check(&boundaries, &options).map_err(|error| match &self.initial_mesh {
+            InitialMesh::Given(GivenMesh { glb: Some(_), .. }) => file_mesh::at_the_file(error.into()),
+            _ => Rejection::from(error),
+        })?;
         let estimate = geometry::estimate(&boundaries, &options);
         if estimate.triangles > limits.triangles as f64 {
             let detail = format!(
@@ -427,8 +465,27 @@ impl MinimalSurfaceRequest {
         }
     }
 
+    /// Converts the initial mesh to the geometry's type.
+    ///
+    /// # Errors
+    /// Returns the errors of [`GivenMesh::read`].
+    fn initial_mesh(&self, limits: &Limits) -> Result<geometry::InitialMesh, Rejection> {
+        Ok(match &self.initial_mesh {
+            InitialMesh::Made(MadeMesh::Auto) => geometry::InitialMesh::Auto,
+            InitialMesh::Made(MadeMesh::Planar) => geometry::InitialMesh::Planar,
+            InitialMesh::Made(MadeMesh::Disk) => geometry::InitialMesh::Disk,
+            InitialMesh::Made(MadeMesh::Rings) => geometry::InitialMesh::Rings,
+            InitialMesh::Made(MadeMesh::Barycentres) => {
+                geometry::InitialMesh::Barycentres { seed: u64::from(self.seed) }
+            }
+            InitialMesh::Given(mesh) => {
+                geometry::InitialMesh::Given(mesh.read(&self.boundaries, (self.units, self.up), limits)?)
+            }
+        })
+    }
+
     /// Converts the request to the geometry's types.
-    fn to_geometry(&self) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
+    fn to_geometry(&self, initial_mesh: geometry::InitialMesh) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
         let resolution = Resolution::or_default(self.resolution, common::count(&self.boundaries));
         let options = geometry::Options {
             method: self.method(),
@@ -436,19 +493,7 @@ impl MinimalSurfaceRequest {
                 BoundarySampling::Refine => geometry::BoundarySampling::Refine,
                 BoundarySampling::Keep => geometry::BoundarySampling::Keep,
             },
-            initial_mesh: match &self.initial_mesh {
-                InitialMesh::Made(MadeMesh::Auto) => geometry::InitialMesh::Auto,
-                InitialMesh::Made(MadeMesh::Planar) => geometry::InitialMesh::Planar,
-                InitialMesh::Made(MadeMesh::Disk) => geometry::InitialMesh::Disk,
-                InitialMesh::Made(MadeMesh::Rings) => geometry::InitialMesh::Rings,
-                InitialMesh::Made(MadeMesh::Barycentres) => {
-                    geometry::InitialMesh::Barycentres { seed: u64::from(self.seed) }
-                }
-                InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_mesh::Mesh::new(
-                    common::points(&mesh.vertices),
-                    mesh.triangles.to_vec(),
-                )),
-            },
+            initial_mesh,
             constraints: geometry::Constraints {
                 points: common::points(&self.constraints.points),
                 polylines: common::polylines(&self.constraints.polylines),

@@ -1,0 +1,178 @@
+//! The client's own initial mesh as a binary glTF file: from base64 to a mesh whose boundary has the request's coordinates.
+//!
+//! The numbers of a file are f32, and a mesh has to run through the request's f64 points exactly. So each vertex on the
+//! mesh's boundary that is within the rounding of the file from a point of the request takes the place of that point, and
+//! vertices between two such places move onto the straight line between them.
+
+use crate::limits::Limits;
+use crate::rejection::{FieldError, Rejection};
+use base64::Engine as _;
+use plateau_archive::glb::{self, Refusal, Triangles};
+use plateau_archive::units::{Unit, UpAxis};
+use plateau_mesh::{DVec3, Mesh};
+use std::collections::HashMap;
+
+const POINTER: &str = "/initial_mesh/glb";
+
+/// Largest number of bytes of a file, for each triangle that a mesh may have, and for its document. A triangle of a closed
+/// mesh has 12 bytes of indices and half a vertex; a vertex has 12 bytes of position and rarely more than 100 of others.
+const BYTES_PER_TRIANGLE: usize = 128;
+const BYTES_OF_DOCUMENT: usize = 16 << 20;
+
+/// Largest distance from a boundary point at which a vertex takes its place, in roundings of the file's numbers. The
+/// program that wrote the file has rounded once, and maybe again when it moved the mesh.
+const ROUNDINGS: f64 = 4.0;
+
+/// Largest number of vertices that are compared with one boundary point. Meshes that are finer than the rounding of their
+/// numbers have more, and no solver could use them.
+const MOST_NEAR: usize = 64;
+
+/// Reads the mesh of a request with these boundaries, units and axis.
+///
+/// # Errors
+/// Returns [`Rejection`] at the file.
+pub(super) fn read(
+    glb: &str,
+    boundaries: &[Vec<DVec3>],
+    (unit, up): (Unit, UpAxis),
+    limits: &Limits,
+) -> Result<Mesh, Rejection> {
+    let invalid = |detail: String| Rejection::Invalid(vec![FieldError::new(POINTER, detail)]);
+    let too_large = |detail: String| Rejection::TooLarge(vec![FieldError::new(POINTER, detail)]);
+    let most = limits.triangles.saturating_mul(BYTES_PER_TRIANGLE).saturating_add(BYTES_OF_DOCUMENT);
+    if glb.len() / 4 * 3 > most {
+        return Err(too_large(format!("is a file of more bytes than are allowed ({most})")));
+    }
+    let file = base64::engine::general_purpose::STANDARD.decode(glb);
+    let file = file.map_err(|error| invalid(format!("is not base64: {error}")))?;
+    let Triangles { mut mesh, rounding } =
+        glb::read(&file, unit, up, limits.triangles).map_err(|refusal| match refusal {
+            Refusal::Invalid(detail) => invalid(detail),
+            Refusal::TooLarge => too_large(format!("is larger than is allowed ({} triangles)", limits.triangles)),
+        })?;
+    restore(&mut mesh, boundaries, ROUNDINGS * rounding).map_err(invalid)?;
+    Ok(mesh)
+}
+
+/// Leads errors about the vertices and triangles of the mesh, which a request with a file does not have, to the file.
+pub(super) fn at_the_file(rejection: Rejection) -> Rejection {
+    let led = |FieldError { pointer, detail }: FieldError| {
+        let place = pointer.strip_prefix("/initial_mesh").map(|inner| inner.trim_start_matches('/').replace('/', " "));
+        match place {
+            Some(place) if place.is_empty() => FieldError::new(POINTER, detail),
+            Some(place) => FieldError::new(POINTER, format!("{detail} ({place}, with equal vertices counted once)")),
+            None => FieldError { pointer, detail },
+        }
+    };
+    match rejection {
+        Rejection::Invalid(errors) => Rejection::Invalid(errors.into_iter().map(led).collect()),
+        Rejection::TooLarge(errors) => Rejection::TooLarge(errors.into_iter().map(led).collect()),
+        malformed @ Rejection::Malformed(_) => malformed,
+    }
+}
+
+/// Moves the vertices on the mesh's boundary to the points of the boundaries within the tolerance, and the vertices between
+/// them onto the straight lines. O(n log n) in the number of triangles.
+fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result<(), String> {
+    if tolerance <= 0.0 {
+        return Ok(());
+    }
+    let neighbours = boundary_neighbours(&mesh.triangles);
+    let cell = |p: DVec3| (p / tolerance).floor().to_array();
+    let key = |cell: [f64; 3]| cell.map(|x| (x + 0.0).to_bits());
+    let mut cells: HashMap<[u64; 3], Vec<u32>> = HashMap::new();
+    for &v in neighbours.keys() {
+        cells.entry(key(cell(mesh.vertices[v as usize]))).or_default().push(v);
+    }
+    let mut is_restored = vec![false; mesh.vertices.len()];
+    let around = [-1.0, 0.0, 1.0];
+    for &point in boundaries.iter().flatten() {
+        let [x, y, z] = cell(point);
+        let places =
+            around.iter().flat_map(|&i| around.iter().flat_map(move |&j| around.map(|k| [x + i, y + j, z + k])));
+        let near: Vec<u32> = places.filter_map(|place| cells.get(&key(place))).flatten().copied().collect();
+        if near.len() > MOST_NEAR {
+            return Err(format!(
+                "has more than {MOST_NEAR} vertices within the rounding of its numbers ({tolerance:.1e})"
+            ));
+        }
+        let distance = |v: u32| mesh.vertices[v as usize].distance(point);
+        let free = near.into_iter().filter(|&v| !is_restored[v as usize] && distance(v) <= tolerance);
+        // The smaller number among equally near vertices, whatever the order of the map.
+        if let Some(v) = free.min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b))) {
+            mesh.vertices[v as usize] = point;
+            is_restored[v as usize] = true;
+        }
+    }
+    straighten(mesh, &neighbours, &is_restored, tolerance);
+    Ok(())
+}
+
+/// Moves the boundary's vertices between two restored ones onto the straight line between those, within the tolerance.
+fn straighten(mesh: &mut Mesh, neighbours: &HashMap<u32, Vec<u32>>, is_restored: &[bool], tolerance: f64) {
+    let starts: Vec<u32> = (0..is_restored.len() as u32).filter(|&v| is_restored[v as usize]).collect();
+    for start in starts {
+        for &first in &neighbours[&start] {
+            let mut chain = Vec::new();
+            let (mut before, mut at) = (start, first);
+            while !is_restored[at as usize] && at != start {
+                chain.push(at);
+                // A vertex where more than two edges of the boundary meet ends the chain.
+                let [a, b] = neighbours[&at][..] else { break };
+                (before, at) = (at, if a == before { b } else { a });
+            }
+            // Each chain is found from both ends.
+            if !is_restored[at as usize] || at < start {
+                continue;
+            }
+            let (from, to) = (mesh.vertices[start as usize], mesh.vertices[at as usize]);
+            let along = (to - from).normalize_or_zero();
+            for v in chain {
+                let vertex = &mut mesh.vertices[v as usize];
+                let foot = from + along * (*vertex - from).dot(along);
+                if foot.distance(*vertex) <= tolerance {
+                    *vertex = foot;
+                }
+            }
+        }
+    }
+}
+
+/// Returns the vertices on the boundary, each with its neighbours along the edges that have one triangle.
+fn boundary_neighbours(triangles: &[[u32; 3]]) -> HashMap<u32, Vec<u32>> {
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
+    let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
+    edges.sort_unstable();
+    let mut neighbours: HashMap<u32, Vec<u32>> = HashMap::new();
+    for group in edges.chunk_by(|a, b| a == b) {
+        if let &[[a, b]] = group {
+            neighbours.entry(a).or_default().push(b);
+            neighbours.entry(b).or_default().push(a);
+        }
+    }
+    neighbours
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_boundary_takes_the_exact_places_and_straight_lines_of_the_request() {
+        // A square whose lower edge has two further vertices, off by a rounding.
+        let off = 1e-8;
+        let corners = [[0.0, off], [1.0, -off], [1.0, 1.0], [0.0, 1.0 - off], [0.3, off], [0.7, -off], [0.5, 0.5]];
+        let vertices = corners.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+        let triangles = vec![[0, 4, 6], [4, 5, 6], [5, 1, 6], [1, 2, 6], [2, 3, 6], [3, 0, 6]];
+        let mut mesh = Mesh::new(vertices.clone(), triangles);
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        restore(&mut mesh, &[square.to_vec()], 4.0 * off).unwrap();
+        assert_eq!(mesh.vertices[..4], square);
+        assert_eq!((mesh.vertices[4].y, mesh.vertices[5].y), (0.0, 0.0));
+        assert_eq!(mesh.vertices[6], vertices[6]);
+        // A point that is further away keeps its vertex where it is.
+        let mut mesh = Mesh::new(vertices.clone(), mesh.triangles);
+        restore(&mut mesh, &[square.to_vec()], 0.5 * off).unwrap();
+        assert_eq!(mesh.vertices[0], vertices[0]);
+    }
+}
