@@ -13,6 +13,7 @@ use plateau::config::LimitsConfig;
 use plateau::wire::incoming::Incoming;
 use plateau_forms::kinds::ruled_surface;
 use plateau_forms::solved::Signal;
+use plateau_forms::source::no_jobs;
 use std::error::Error;
 
 /// Answer to every request: a finished job in the form that the service returns.
@@ -25,7 +26,8 @@ async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
 
 async fn solved(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
     let limits = LimitsConfig::default();
-    let incoming = Incoming::read(ruled_surface::KIND, &body, &limits).expect("the benchmark posts good requests");
+    let incoming =
+        Incoming::read(ruled_surface::KIND, &body, &no_jobs, &limits).expect("the benchmark posts good requests");
     let solving = tokio::task::spawn_blocking(move || incoming.request.solve(&|| Signal::Continue, &|_| {}));
     let solved = solving.await.expect("no panic").expect("a result");
     assert!(solved.archive.to_bytes().is_ok_and(|bytes| !bytes.is_empty()));

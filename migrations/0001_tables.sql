@@ -94,8 +94,11 @@ CREATE INDEX jobs_to_call_back ON jobs (callback_at) WHERE callback_url IS NOT N
 -- Apart from the job, so that a change of status does not rewrite a large body; dropped when the job ends.
 CREATE TABLE requests (
     job_id TEXT PRIMARY KEY NOT NULL,
-    body BYTEA NOT NULL
+    body BYTEA NOT NULL,
+    -- Name of the result from which the request begins. The result is kept as long as this row.
+    source BYTEA
 );
+CREATE INDEX requests_by_source ON requests (source) WHERE source IS NOT NULL;
 
 -- Results by the hash of their bytes, shared by every job that has the same.
 CREATE TABLE artefacts (

@@ -13,6 +13,7 @@ pub(crate) mod files;
 mod memory;
 pub mod progress;
 pub(crate) mod service;
+mod sources;
 pub(crate) mod submission;
 mod turns;
 mod view;
@@ -26,7 +27,7 @@ use crate::store::StoreError;
 use plateau_archive::archive::VERSION;
 use plateau_archive::formats::Error as ExportError;
 use plateau_forms::kind::Kind;
-use plateau_forms::rejection::Rejection;
+use plateau_forms::rejection::{FieldError, Rejection};
 
 /// Revision of everything that makes a result of a request: the solvers, the defaults of requests, the statistics and
 /// the warnings. Raise it by one with every change after which some request has another result, even if
@@ -54,6 +55,12 @@ pub struct Filter {
 pub enum JobsError {
     /// The body is not a valid request.
     Rejected(Rejection),
+    /// The request begins with the result of a job, and there is no such result for the reason `cause`. The errors name the
+    /// place of the job's identifier.
+    NoSource {
+        cause: Box<Self>,
+        errors: Vec<FieldError>,
+    },
     /// The queue, or the owner's share of it, is full.
     QueueFull {
         own: bool,
@@ -82,6 +89,21 @@ pub enum JobsError {
     Unavailable(String),
     /// A defect of this server.
     Internal(String),
+}
+
+impl JobsError {
+    /// Prefixes each pointer, for a request that lies at `pointer` of a larger message.
+    #[must_use]
+    pub fn within(self, pointer: &str) -> Self {
+        match self {
+            Self::Rejected(rejection) => Self::Rejected(rejection.within(pointer)),
+            Self::NoSource { cause, mut errors } => {
+                errors.iter_mut().for_each(|error| error.pointer.insert_str(0, pointer));
+                Self::NoSource { cause, errors }
+            }
+            other => other,
+        }
+    }
 }
 
 impl From<StoreError> for JobsError {

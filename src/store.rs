@@ -54,7 +54,7 @@ use files::Files;
 pub use jobs::{EventId, Filter, JobRow, Lookup, NewJob, Outcome, Solved, StatusEvent, Submitted};
 pub use postgres::redacted;
 pub use results::Artefact;
-use results::Prepared;
+use results::{Prepared, ResultRow};
 pub use retention::Swept;
 use tx::{AfterCommit, Tx};
 use watch::Changes;
@@ -466,12 +466,23 @@ impl Store {
 impl Store {
     /// Returns the result of a succeeded job. Returns `None` for any other identifier and for a discarded result.
     pub async fn artefact(&self, id: &str, owner: Option<&str>) -> Result<Option<Artefact>> {
-        let (key, mut missing) = (owned(id, owner), None);
+        let (id, owner) = owned(id, owner);
+        self.result(move |tx| results::find(tx, &id, owner.as_deref())).await
+    }
+
+    /// Returns the result of a name. Returns `None` for a result that was removed or discarded.
+    pub async fn artefact_named(&self, name: &[u8]) -> Result<Option<Artefact>> {
+        let name = name.to_vec();
+        self.result(move |tx| results::named(tx, &name)).await
+    }
+
+    async fn result(
+        &self,
+        find: impl Fn(&mut Tx<'_>) -> Result<Option<ResultRow>> + Clone + Send + 'static,
+    ) -> Result<Option<Artefact>> {
+        let mut missing = None;
         loop {
-            let (id, owner) = key.clone();
-            let Some(row) = self.read(move |tx| results::find(tx, &id, owner.as_deref())).await? else {
-                return Ok(None);
-            };
+            let Some(row) = self.read(find.clone()).await? else { return Ok(None) };
             let bytes = match (row.bytes, &row.file, &self.inner.files) {
                 (Some(bytes), _, _) => Some(bytes),
                 (None, Some(file), Some(files)) => files.read(file).await?,

@@ -94,6 +94,7 @@ const CRATES: [(&str, &[&str]); 7] = [
             "report",
             "mesh",
             "solved",
+            "source",
             "checked",
             "blocks",
             "kind",

@@ -14,6 +14,7 @@ use plateau_forms::rejection::Rejection;
 use plateau_forms::request::Request;
 use plateau_forms::schema;
 use plateau_forms::solved::{Signal, Unsolved};
+use plateau_forms::source::no_jobs;
 use plateau_mesh::random::SplitMix64;
 use serde_json::{Map, Value};
 use std::cell::Cell;
@@ -165,13 +166,13 @@ const CHECKS_UNTIL_HANGING: u64 = 10 * CHECKS_BEFORE_DEADLINE;
 fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
     let value = json::parse(body).map_err(|rejection| format!("{rejection:?}"))?;
     let Some(kind) = value["kind"].as_str().and_then(Kind::from_name) else { return Ok(()) };
-    match (Incoming::read(kind, body, limits), Incoming::from_value(value.clone(), limits)) {
+    match (Incoming::read(kind, body, &no_jobs, limits), Incoming::from_value(value.clone(), &no_jobs, limits)) {
         (Ok(one), Ok(other)) => {
             let same = format!("{:?}", one.request) == format!("{:?}", other.request) && one.text == other.text;
             let rest = value.as_object().into_iter().flatten().filter(|(name, _)| !MEMBERS.contains(&name.as_str()));
             let rest: Value = rest.map(|(name, value)| (name.clone(), value.clone())).collect::<Map<_, _>>().into();
             schema::validate(kind, &rest).map_err(|error| format!("accepted against the schema: {error:?}"))?;
-            let stored = Request::read_stored(kind, &one.text, &limits.requests());
+            let stored = Request::read_stored(kind, &one.text, &no_jobs, &limits.requests());
             let stored = stored.map_err(|error| format!("stored: {error:?}"))?;
             let same = same && format!("{stored:?}") == format!("{:?}", one.request);
             if same { Ok(()) } else { Err("two ways of reading differ".into()) }

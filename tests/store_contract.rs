@@ -121,6 +121,7 @@ cases! {
     finished_jobs_beyond_max_jobs_expire,
     an_owner_with_many_jobs_or_bytes_expires_no_result_of_another,
     a_shared_result_outlives_the_job_that_made_it,
+    a_result_outlives_its_job_while_a_request_that_begins_with_it_waits,
     a_large_result_is_a_file_and_goes_with_its_job,
     a_file_without_a_job_is_swept,
     results_stay_within_max_bytes,
@@ -156,6 +157,7 @@ fn job(number: usize) -> NewJob {
         kind: "ruled_surface".into(),
         owner: None,
         request: format!("{{\"number\":{number}}}").into_bytes(),
+        source: None,
         request_hash: std::array::from_fn(|byte| number.to_le_bytes()[byte % 8]),
         idempotency_key: None,
         body_hash: [number as u8; 32],
@@ -817,6 +819,25 @@ async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {
     assert_eq!(store.artefact(&second, None).await.unwrap().unwrap().bytes, b"mesh");
     assert!(store.delete(&second, None).await.unwrap());
     assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+}
+
+async fn a_result_outlives_its_job_while_a_request_that_begins_with_it_waits(database: Database) {
+    let store = database.open(StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() }).await;
+    create(&store, job(1)).await;
+    let source = work_one(&store, b"mesh").await;
+    let name = store.artefact(&source, None).await.unwrap().unwrap().hash;
+    let from_it = |number| NewJob { source: Some(name.clone()), ..job(number) };
+    create(&store, from_it(2)).await;
+    assert!(store.delete(&source, None).await.unwrap());
+    assert_eq!(store.sweep().await.unwrap().artefacts, 0);
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    assert_eq!(claimed.source.as_ref(), Some(&name));
+    assert_eq!(store.artefact_named(&name).await.unwrap().unwrap().bytes, b"mesh");
+    // Once its job has ended, the request needs the result no longer.
+    assert!(store.finish(&claimed.id, claimed.attempt, success(b"other")).await.unwrap());
+    assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+    assert_eq!(store.artefact_named(&name).await.unwrap(), None);
+    assert!(matches!(store.submit(from_it(3)).await, Err(StoreError::Contended(_))));
 }
 
 /// Returns options that put results of more than eight bytes into `folder`.

@@ -50,6 +50,7 @@ fn job(number: usize) -> NewJob {
         kind: "ruled_surface".into(),
         owner: None,
         request: b"{}".to_vec(),
+        source: None,
         request_hash: [number as u8; 32],
         idempotency_key: Some(number.to_string()),
         body_hash: [number as u8; 32],

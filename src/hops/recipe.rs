@@ -415,7 +415,11 @@ impl Maker<'_> {
 
     /// Sets the unit of length to that of the document, unless Options name one.
     fn add_document_unit(&mut self) {
-        let has_forces = self.draft.kind.units() == Units::LengthAndForce;
+        let has_forces = match self.draft.kind.units() {
+            Units::Length => false,
+            Units::LengthAndForce => true,
+            Units::OfSource => return,
+        };
         let units = self.draft.request.get("units");
         if units.is_some_and(|units| !has_forces || !units.is_object() || units.get("length").is_some()) {
             return;

@@ -215,8 +215,7 @@ impl Tools {
             Ok(accepted) => match accepted.submitted {
                 Submitted::Created(job) | Submitted::Existing(job) => Ok(job),
             },
-            Err(JobsError::Rejected(rejection)) => Err(rejection.within(POINTER).into()),
-            Err(error) => Err(error.into()),
+            Err(error) => Err(error.within(POINTER).into()),
         }
     }
 

@@ -171,6 +171,7 @@ impl From<JobsError> for Failure {
             JobsError::Rejected(rejection) => rejection.into(),
             JobsError::QueueFull { own: false } => Self::queue_full("too many jobs wait; try again later"),
             JobsError::QueueFull { own: true } => Self::queue_full("too many of your jobs wait; try again later"),
+            JobsError::NoSource { cause, errors } => Self::from(*cause).with_errors(errors),
             JobsError::KeyConflict => Self::key_conflict("this idempotency key was already used with another body"),
             JobsError::NotFound => Self::not_found("no such job"),
             JobsError::NoBatch => Self::not_found("no such batch"),

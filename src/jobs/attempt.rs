@@ -3,7 +3,7 @@
 
 use super::memory::Share;
 use super::progress::Line;
-use super::{Jobs, view};
+use super::{Jobs, sources, view};
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
@@ -271,7 +271,8 @@ fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line, share: &mut Share
         let detail = "this version does not know this kind of job";
         return Ended::Unsolved(Unsolved::Failed(failure("unknown-kind", detail, Vec::new())));
     };
-    let request = match Request::read_stored(kind, &claimed.request, &jobs.config().limits.requests()) {
+    let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), line);
+    let request = match Request::read_stored(kind, &claimed.request, &find, &jobs.config().limits.requests()) {
         Ok(request) => request,
         Err(rejection) => return Ended::Rejected(rejection),
     };

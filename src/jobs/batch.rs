@@ -229,6 +229,7 @@ mod tests {
             kind: "ruled_surface".into(),
             owner: None,
             request: b"{}".to_vec(),
+            source: None,
             request_hash: [0; 32],
             idempotency_key: None,
             body_hash: [0; 32],

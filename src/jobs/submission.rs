@@ -6,12 +6,13 @@
 //! the body.
 
 use super::attempt::{Attempt, End};
+use super::sources::Sources;
 use super::{Jobs, JobsError, view};
 use crate::store::{NewBatch, NewJob, Solved, StoreError, Submitted as Stored, SubmittedBatch as StoredBatch};
 use crate::telemetry::metric;
 use crate::wire::batch::{Batch, BatchRequest};
-use crate::wire::envelope::{Cache, Envelope};
-use crate::wire::incoming::Incoming;
+use crate::wire::envelope::Cache;
+use crate::wire::incoming::{Incoming, Waiting};
 use crate::wire::job::Job;
 use bytes::Bytes;
 use plateau_forms::kind::Kind;
@@ -72,10 +73,14 @@ async fn read_and_store(
     let submitted_at = Instant::now();
     let limits = jobs.config().limits.clone();
     let inline = body.len() <= INLINE_BYTES;
+    // The source of a request is read from the store, for which a thread of the runtime must not wait.
+    let inline = inline && !kind.has_source();
+    let sources = Sources::new(jobs, from.owner.clone());
     let read = move || {
-        let Incoming { request, envelope, text } = Incoming::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+        let read = Incoming::read(kind, &body, &|id| sources.find(id), &limits);
+        let Incoming { request, envelope, text } = read.map_err(|rejection| sources.refused(rejection))?;
         let waits = envelope.cancel_on_disconnect;
-        Ok::<_, JobsError>((new_job(&request, envelope, text, from), request, waits))
+        Ok::<_, JobsError>((new_job(Waiting::of(&request, envelope, text), from), request, waits))
     };
     let (job, request, waits) = if inline { read()? } else { jobs.off_runtime(read).await?? };
     check_callback(jobs, "", job.callback_url.as_deref())?;
@@ -146,13 +151,18 @@ pub(super) async fn batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<S
 
 async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
     let limits = jobs.config().limits.clone();
-    let read = move || BatchRequest::read(&body, &limits).map_err(JobsError::Rejected);
+    let sources = Sources::new(jobs, from.owner.clone());
+    let read = move || {
+        let read = BatchRequest::read(&body, &|id| sources.find(id), &limits);
+        read.map_err(|rejection| sources.refused_batch(rejection))
+    };
     let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
     check_callback(jobs, "", callback_url.as_deref())?;
     let body_hash = hash(value.to_string().as_bytes(), &Map::new());
     let Submitter { owner, idempotency_key } = from;
     let mut new_jobs = Vec::with_capacity(requests.len());
-    for (index, Incoming { request, envelope, text }) in requests.into_iter().enumerate() {
+    for (index, request) in requests.into_iter().enumerate() {
+        let envelope = &request.envelope;
         check_callback(jobs, &format!("/requests/{index}"), envelope.callback_url.as_deref())?;
         for (name, given) in
             [("supersede", envelope.supersede.is_some()), ("cancel_on_disconnect", envelope.cancel_on_disconnect)]
@@ -162,7 +172,7 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
             }
         }
         let from = Submitter { owner: owner.clone(), idempotency_key: None };
-        new_jobs.push(new_job(&request, envelope, text, from));
+        new_jobs.push(new_job(request, from));
     }
     let id = ulid::Ulid::generate().to_string();
     let batch = NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs: new_jobs };
@@ -196,7 +206,7 @@ fn count<T>(kind: &'static str, submitted: &Result<Submitted<T>, JobsError>) {
         Ok(Submitted::Created(_)) => "created",
         Ok(Submitted::Existing(_)) => "repeated",
         Err(JobsError::QueueFull { .. }) => "queue_full",
-        Err(JobsError::Rejected(_) | JobsError::KeyConflict) => "rejected",
+        Err(JobsError::Rejected(_) | JobsError::NoSource { .. } | JobsError::KeyConflict) => "rejected",
         Err(_) => "failed",
     };
     metrics::counter!(metric::SUBMISSIONS, "kind" => kind, "outcome" => outcome).increment(1);
@@ -217,23 +227,25 @@ fn hash(text: &[u8], members: &Map<String, Value>) -> [u8; 32] {
 }
 
 /// Returns the job of a request that was read.
-fn new_job(request: &Request, envelope: Envelope, text: Vec<u8>, from: Submitter) -> NewJob {
+fn new_job(request: Waiting, from: Submitter) -> NewJob {
+    let Waiting { kind, memory_bytes, source, envelope, text } = request;
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
     let body_hash = if idempotency_key.is_some() { hash(&text, &envelope.members) } else { [0; 32] };
     NewJob {
         id: ulid::Ulid::generate().to_string(),
-        kind: request.kind().name().into(),
+        kind: kind.name().into(),
         owner,
         request_hash: hash(&text, &Map::new()),
         request: text,
+        source,
         body_hash,
         idempotency_key,
         callback_url: envelope.callback_url,
         label: envelope.label,
         metadata: envelope.metadata,
         supersede: envelope.supersede,
-        memory_bytes: request.memory_bytes,
+        memory_bytes,
         reuse: envelope.cache == Cache::Reuse,
     }
 }
@@ -242,12 +254,15 @@ fn new_job(request: &Request, envelope: Envelope, text: Vec<u8>, from: Submitter
 mod tests {
     use super::*;
     use plateau_forms::kinds::ruled_surface;
+    use plateau_forms::source::no_jobs;
 
     fn job(body: &str, key: Option<&str>) -> NewJob {
         let limits = crate::config::LimitsConfig::default();
-        let Incoming { request, envelope, text } = Incoming::read(ruled_surface::KIND, body.as_bytes(), &limits)
-            .unwrap_or_else(|error| panic!("{body}: {error:?}"));
-        new_job(&request, envelope, text, Submitter { owner: None, idempotency_key: key.map(Into::into) })
+        let Incoming { request, envelope, text } =
+            Incoming::read(ruled_surface::KIND, body.as_bytes(), &no_jobs, &limits)
+                .unwrap_or_else(|error| panic!("{body}: {error:?}"));
+        let from = Submitter { owner: None, idempotency_key: key.map(Into::into) };
+        new_job(Waiting::of(&request, envelope, text), from)
     }
 
     const RAILS: &str = r#""directrices": [[[0, 1, -0.0], [1.5, 2e3, 1e30]], [[0, 5, 0], [4, 5, 1]]]"#;

@@ -18,6 +18,8 @@ pub struct Claimed {
     pub id: String,
     pub kind: String,
     pub request: Vec<u8>,
+    /// Name of the result from which the request begins.
+    pub source: Option<Vec<u8>>,
     pub attempt: i64,
     /// Time since the job was submitted.
     pub waited_ms: i64,
@@ -127,13 +129,14 @@ pub(super) fn claimed_by(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Resu
 fn claimed(tx: &mut Tx<'_>, row: &Row) -> Result<Claimed> {
     let id: String = row.get("id")?;
     let request = tx
-        .row("SELECT body FROM requests WHERE job_id = $1", &[(&id).into()])?
+        .row("SELECT body, source FROM requests WHERE job_id = $1", &[(&id).into()])?
         .ok_or_else(|| StoreError::Internal(format!("job {id} has no request")))?;
     tx.changed(&id);
     Ok(Claimed {
         id,
         kind: row.get("kind")?,
         request: request.get("body")?,
+        source: request.get("source")?,
         attempt: row.get("attempt")?,
         waited_ms: row.get::<i64>("waited")?.max(0),
         memory_bytes: row.get::<i64>("memory_bytes")?.unsigned_abs(),

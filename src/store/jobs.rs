@@ -21,6 +21,8 @@ pub struct NewJob {
     pub owner: Option<String>,
     /// Body that a worker reads. It may be empty if the job was solved before it was stored.
     pub request: Vec<u8>,
+    /// Name of the result from which the request begins. The result is kept until the job has ended.
+    pub source: Option<Vec<u8>>,
     /// Hash of the request. Equal requests have equal hashes.
     pub request_hash: [u8; 32],
     /// Unique per owner and kind for as long as the job is kept.
@@ -377,7 +379,7 @@ pub(super) fn submit(
     }
     insert(tx, job, &row, turn, sharing, place, &content)?;
     if row.status == Status::Queued {
-        tx.insert("requests", &[("job_id", job.id.as_str().into()), ("body", job.request.as_slice().into())])?;
+        keep_request(tx, job)?;
         tx.work_available();
     }
     Ok(Submitted::Created(Box::new(row), superseded))
@@ -631,6 +633,21 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<b
     drop_request(tx, id)?;
     tx.changed(id);
     Ok(true)
+}
+
+fn keep_request(tx: &mut Tx<'_>, job: &NewJob) -> Result<()> {
+    // The sweep leaves recently touched results alone, so the result stays until this transaction is visible.
+    if let Some(source) = &job.source
+        && !results::touch(tx, source)?
+    {
+        return Err(StoreError::Contended("the result from which the request begins has just been removed".into()));
+    }
+    let columns = [
+        ("job_id", job.id.as_str().into()),
+        ("body", job.request.as_slice().into()),
+        ("source", job.source.as_deref().into()),
+    ];
+    tx.insert("requests", &columns)
 }
 
 /// Deletes the job's request, which is needed only until the job ends.

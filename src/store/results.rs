@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use super::jobs::limit;
-use super::tx::Tx;
+use super::tx::{Row, Tx};
 use super::{Result, StoreError, milliseconds};
 
 /// A stored result.
@@ -39,7 +39,17 @@ pub(super) struct ResultRow {
 pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<ResultRow>> {
     let text = "SELECT hash, touched_at, body, file FROM jobs JOIN artefacts ON hash = artefact \
                 WHERE id = $1 AND ($2 = '' OR owner = $2)";
-    let Some(row) = tx.row(text, &[id.into(), owner.unwrap_or_default().into()])? else { return Ok(None) };
+    let row = tx.row(text, &[id.into(), owner.unwrap_or_default().into()])?;
+    row.map(|row| read(&row)).transpose()
+}
+
+/// Returns the result of a name.
+pub(super) fn named(tx: &mut Tx<'_>, name: &[u8]) -> Result<Option<ResultRow>> {
+    let row = tx.row("SELECT hash, touched_at, body, file FROM artefacts WHERE hash = $1", &[name.into()])?;
+    row.map(|row| read(&row)).transpose()
+}
+
+fn read(row: &Row) -> Result<ResultRow> {
     let found = ResultRow {
         hash: row.get("hash")?,
         touched_at: row.get("touched_at")?,
@@ -47,9 +57,9 @@ pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Opt
         file: row.get("file")?,
     };
     if found.bytes.is_none() && found.file.is_none() {
-        return Err(StoreError::Internal(format!("the result of job {id} has no bytes")));
+        return Err(StoreError::Internal("a result has no bytes".into()));
     }
-    Ok(Some(found))
+    Ok(found)
 }
 
 /// Largest size in bytes of results whose names begin with the time. Their names are in order of time, because an index
@@ -115,30 +125,39 @@ pub(super) fn discard(tx: &mut Tx<'_>, hash: &[u8], touched_at: i64) -> Result<(
     stop_sharing(tx, hash)
 }
 
+/// Returns the SQL condition for a result that no job has and from which no waiting request begins. `name` is SQL for the
+/// result's name.
+fn orphaned(name: &str) -> String {
+    format!(
+        "NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = {name}) \
+         AND NOT EXISTS (SELECT 1 FROM requests WHERE source = {name})"
+    )
+}
+
 /// Removes a result without a job. A recently used result stays, because the job that uses it may not be visible yet.
 /// Returns false if the result stays.
 pub(super) fn remove(tx: &mut Tx<'_>, hash: &[u8], orphan_age: Duration) -> Result<bool> {
-    let text = "DELETE FROM artefacts WHERE hash = $1 AND touched_at <= now_ms() - $2 \
-                AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1) RETURNING file";
-    let Some(row) = tx.row(text, &[hash.into(), milliseconds(orphan_age).into()])? else { return Ok(false) };
+    let text = format!(
+        "DELETE FROM artefacts WHERE hash = $1 AND touched_at <= now_ms() - $2 AND {} RETURNING file",
+        orphaned("$1")
+    );
+    let Some(row) = tx.row(&text, &[hash.into(), milliseconds(orphan_age).into()])? else { return Ok(false) };
     tx.drop_file(row.get("file")?);
     Ok(true)
 }
 
 /// Returns the size of a result without a job and whether its bytes are in the database, or `None` if a job has the result.
 pub(super) fn orphan_size(tx: &mut Tx<'_>, hash: &[u8]) -> Result<Option<(i64, bool)>> {
-    let text =
-        "SELECT size, file FROM artefacts WHERE hash = $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1)";
-    let Some(row) = tx.row(text, &[hash.into()])? else { return Ok(None) };
+    let text = format!("SELECT size, file FROM artefacts WHERE hash = $1 AND {}", orphaned("$1"));
+    let Some(row) = tx.row(&text, &[hash.into()])? else { return Ok(None) };
     Ok(Some((row.get("size")?, row.get::<Option<String>>("file")?.is_none())))
 }
 
 /// Returns the names of results without a job, in order, after `last`. The query reads only indexes, because the rows
 /// of results are long.
 pub(super) fn orphans(tx: &mut Tx<'_>, last: &[u8], max_count: i64) -> Result<Vec<Vec<u8>>> {
-    let text = "SELECT hash FROM artefacts WHERE hash > $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = hash) \
-                ORDER BY hash LIMIT $2";
-    tx.rows(text, &[last.into(), max_count.into()])?.iter().map(|row| row.get("hash")).collect()
+    let text = format!("SELECT hash FROM artefacts WHERE hash > $1 AND {} ORDER BY hash LIMIT $2", orphaned("hash"));
+    tx.rows(&text, &[last.into(), max_count.into()])?.iter().map(|row| row.get("hash")).collect()
 }
 
 /// Returns the total size of the results that jobs have.

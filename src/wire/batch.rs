@@ -1,7 +1,7 @@
 //! `POST /v1/batches`: many requests at once, each with its `kind`.
 
 use super::envelope::URL_BYTES;
-use super::incoming::Incoming;
+use super::incoming::{Incoming, Waiting};
 use super::job::Links;
 use crate::config::LimitsConfig;
 use crate::status::Status;
@@ -11,6 +11,7 @@ use plateau_forms::json;
 use plateau_forms::kind::Kind;
 use plateau_forms::limits::{check_count, refuse_too_many_values};
 use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_forms::source::Find;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -22,7 +23,7 @@ pub const BATCH: &str = "BatchRequest";
 /// A batch's body that passed every check before solving.
 #[derive(Debug)]
 pub struct BatchRequest {
-    pub requests: Vec<Incoming>,
+    pub requests: Vec<Waiting>,
     pub callback_url: Option<String>,
     /// The whole body.
     pub value: Value,
@@ -53,7 +54,7 @@ impl BatchRequest {
     ///
     /// # Errors
     /// Returns the errors of [`Incoming::from_value`] for all requests, with pointers from the body's root.
-    pub fn read(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
+    pub fn read(body: &[u8], find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
         refuse_too_many_values(body, &limits.requests())?;
         let value = json::parse(body)?;
         let count = value["requests"].as_array().map_or(0, Vec::len);
@@ -62,8 +63,8 @@ impl BatchRequest {
         let items = value["requests"].as_array().map(Vec::as_slice).unwrap_or_default();
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
         for (index, item) in items.iter().enumerate() {
-            match Incoming::from_value(item.clone(), limits) {
-                Ok(incoming) => requests.push(incoming),
+            match Incoming::from_value(item.clone(), find, limits) {
+                Ok(Incoming { request, envelope, text }) => requests.push(Waiting::of(&request, envelope, text)),
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }
@@ -199,6 +200,7 @@ impl BatchCounts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plateau_forms::source::no_jobs;
 
     #[test]
     fn the_status_of_a_batch_follows_from_its_jobs() {
@@ -217,7 +219,11 @@ mod tests {
     }
 
     fn read(body: &Value) -> Result<BatchRequest, Rejection> {
-        BatchRequest::read(body.to_string().as_bytes(), &LimitsConfig { batch_requests: 3, ..LimitsConfig::default() })
+        BatchRequest::read(
+            body.to_string().as_bytes(),
+            &no_jobs,
+            &LimitsConfig { batch_requests: 3, ..LimitsConfig::default() },
+        )
     }
 
     fn strip() -> Value {
@@ -245,7 +251,9 @@ mod tests {
         let mut invalid = strip();
         invalid["sampling"] = json!({ "by": "chord_height" });
         let body = json!({ "requests": [large, invalid] }).to_string();
-        let Err(Rejection::Invalid(errors)) = BatchRequest::read(body.as_bytes(), &limits) else { panic!("invalid") };
+        let Err(Rejection::Invalid(errors)) = BatchRequest::read(body.as_bytes(), &no_jobs, &limits) else {
+            panic!("invalid")
+        };
         let named = |request: &str| errors.iter().any(|error| error.pointer.starts_with(request));
         assert!(named("/requests/0/") && named("/requests/1/"), "{errors:?}");
     }

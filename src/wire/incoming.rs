@@ -7,6 +7,7 @@ use plateau_forms::kind::Kind;
 use plateau_forms::limits::refuse_too_many_values;
 use plateau_forms::rejection::{MAX_ERRORS, Rejection};
 use plateau_forms::request::{Accepted, Request};
+use plateau_forms::source::{Find, no_jobs};
 use serde_json::Value;
 
 /// A request that was read, with what it says of its job.
@@ -18,38 +19,58 @@ pub struct Incoming {
     pub text: Vec<u8>,
 }
 
+/// A request that was read and is to be stored. Its solver reads it again, so what the solver needs, such as a whole mesh,
+/// is not kept.
+#[derive(Debug)]
+pub struct Waiting {
+    pub kind: Kind,
+    pub memory_bytes: u64,
+    /// Key of the result from which the request begins.
+    pub source: Option<Vec<u8>>,
+    pub envelope: Envelope,
+    pub text: Vec<u8>,
+}
+
+impl Waiting {
+    #[must_use]
+    pub fn of(request: &Request, envelope: Envelope, text: Vec<u8>) -> Self {
+        let Request { memory_bytes, source, .. } = request;
+        Self { kind: request.kind(), memory_bytes: *memory_bytes, source: source.clone(), envelope, text }
+    }
+}
+
 impl Incoming {
     /// Reads a body of a known kind.
     ///
     /// # Errors
     /// Returns [`Rejection::TooLarge`] for a body with very many values, and the errors of [`json::parse`],
     /// [`Envelope::of`] and [`Request::from_value`].
-    pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
+    pub fn read(kind: Kind, body: &[u8], find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
         let limits = limits.requests();
         refuse_too_many_values(body, &limits)?;
-        if let Some((Accepted { request, text }, members)) = Request::read(kind, body, &MEMBERS, &limits)
+        if let Some((Accepted { request, text }, members)) = Request::read(kind, body, &MEMBERS, find, &limits)
             && let Ok(envelope) = Envelope::of(members)
         {
             return Ok(Self { request, envelope, text });
         }
-        Self::of(json::parse(body)?, |value| Request::from_value(kind, value, &limits))
+        Self::of(json::parse(body)?, |value| Request::from_value(kind, value, find, &limits))
     }
 
-    /// Reads a body that names its own kind, as `plateau solve` accepts it.
+    /// Reads a body that names its own kind, as `plateau solve` accepts it. It cannot begin with the result of a job.
     ///
     /// # Errors
     /// Returns the errors of [`Incoming::read`]. A missing or unknown `kind` is an error at `/kind`.
     pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
-        Self::from_value(json::parse(body)?, limits)
+        Self::from_value(json::parse(body)?, &no_jobs, limits)
     }
 
     /// Reads a JSON value that names its own kind.
     ///
     /// # Errors
     /// Returns the errors of [`Incoming::read_with_kind`].
-    pub fn from_value(value: Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
+    pub fn from_value(value: Value, find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
         let limits = limits.requests();
-        Self::of(value, |value| Request::read_with_kind(value, &limits))
+        Self::of(value, |value| Request::read_with_kind(value, find, &limits))
     }
 
     fn of(mut value: Value, read: impl FnOnce(&Value) -> Result<Accepted, Rejection>) -> Result<Self, Rejection> {

@@ -14,6 +14,7 @@ use plateau_forms::kind::Kind;
 use plateau_forms::rejection::{FieldError, Rejection};
 use plateau_forms::request::Request;
 use plateau_forms::schema;
+use plateau_forms::source::no_jobs;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
@@ -465,7 +466,7 @@ fn a_key_that_any_object_repeats_is_refused() {
     for example in objectives::examples() {
         let mut body = example.request.clone();
         body["metadata"] = json!({ "a": { "b": [] } });
-        let read = |text: &str| Incoming::read(example.kind, text.as_bytes(), &limits);
+        let read = |text: &str| Incoming::read(example.kind, text.as_bytes(), &no_jobs, &limits);
         read(&body.to_string()).unwrap_or_else(|error| panic!("{}: {error:?}", example.name));
         let mut objects = vec![String::new()];
         walk(&components()[&*request_component(example.kind)], &body, "", &mut |pointer, _, value| {

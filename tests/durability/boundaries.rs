@@ -228,6 +228,7 @@ async fn succeeded_job(store: &Store, number: usize) {
         kind: "ruled_surface".into(),
         owner: None,
         request: b"{}".to_vec(),
+        source: None,
         request_hash: [0; 32],
         idempotency_key: None,
         body_hash: [0; 32],

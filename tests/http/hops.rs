@@ -170,15 +170,32 @@ async fn components_are_described_as_hops_reads_them() {
         "tensile-structure",
         "pneumatic-film",
         "cable-net",
+        // Only builds for tests have this kind.
+        "enlargement",
     ];
     let starting = solving.map(|name| format!("{name}-start"));
-    let polling = ["ruled-strip", "minimal-surface", "uniform-mesh", "tensile-structure", "cable-net"]
+    let polling = ["ruled-strip", "minimal-surface", "uniform-mesh", "tensile-structure", "cable-net", "enlargement"]
         .map(|name| format!("{name}-poll"));
     let expected: Vec<String> = solving.map(str::to_owned).into_iter().chain(starting).chain(polling).collect();
     assert_eq!(names, expected);
     assert_eq!(app.get("/hops/nothing").await.status(), StatusCode::NOT_FOUND);
     // Hops takes an address for a server of components only if it answers with JSON, and `solve` is none.
     assert_eq!(app.get("/hops/solve").await.status(), StatusCode::METHOD_NOT_ALLOWED);
+}
+
+/// The inputs of the kind are fields of its request, so that nothing here knows it.
+#[tokio::test]
+async fn a_kind_that_only_the_table_names_has_a_component() {
+    let app = TestApp::start().await;
+    let film = app.solve(MINIMAL, &small_film(0.3)).await;
+    let id = film["id"].as_str().unwrap();
+    let answer = app.run("enlargement", &[text("Source", id), number("Factor", 3.0)]).await;
+    let area = film["statistics"]["area"].as_f64().unwrap();
+    assert_eq!(output(&answer, "Area"), [json!(9.0 * area)]);
+    assert_eq!(output(&answer, "Triangles"), [film["statistics"]["triangles"].clone()]);
+    let missing = app.hops("enlargement", &[text("Source", "01J00000000000000000000000")]).await;
+    let lines = app.refused("enlargement", missing, 404).await;
+    assert_eq!(lines, ["Source: is not the identifier of a job"]);
 }
 
 #[tokio::test]

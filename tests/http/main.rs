@@ -42,6 +42,7 @@ mod ruled_surfaces;
 mod series;
 mod shutdown;
 mod slow_uploads;
+mod sources;
 mod studio;
 mod tensile_structures;
 mod uniform_meshes;

@@ -3,6 +3,7 @@
 use crate::access::new_key;
 use crate::app::{TestApp, binary, example, problem, small_film};
 use crate::hold::{self, Hold, until};
+use crate::sources::enlargement;
 use base64::Engine as _;
 use reqwest::{Method, Response, StatusCode};
 use serde_json::{Value, json};
@@ -73,7 +74,8 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
         }
     }
     let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
-    assert_eq!(described["kinds"].as_array().unwrap().len(), 5);
+    // Five, and one that only builds for tests have.
+    assert_eq!(described["kinds"].as_array().unwrap().len(), 6);
     assert_eq!(described["limits"], app.get_json("/v1/limits").await);
     assert_eq!(described["objectives"], app.get_json("/v1/objectives").await["objectives"]);
     for kind in ["ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure", "cable_net"] {
@@ -91,6 +93,22 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
     }
     let helicoid = &succeed(&app, "describe", &json!({ "example": "helicoid" })).await["structuredContent"];
     assert_eq!(helicoid["example"]["request"], example("helicoid"));
+}
+
+#[tokio::test]
+async fn a_kind_that_only_the_table_names_is_described_and_solved() {
+    let app = TestApp::start_with(&[ON]).await;
+    let described = &succeed(&app, "describe", &json!({ "kind": "enlargement" })).await["structuredContent"];
+    assert_eq!(described["kinds"][0]["summary"], "Enlarges the mesh of a finished job");
+    let film = app.solve("/v1/minimal-surfaces", &small_film(0.3)).await;
+    let request = enlargement(&film, 2.0);
+    assert!(jsonschema::validator_for(&described["request_schema"]).unwrap().is_valid(&request));
+    let solved = &succeed(&app, "solve", &json!({ "request": request })).await["structuredContent"];
+    assert_eq!(solved["status"], "succeeded");
+    assert!(jsonschema::validator_for(&described["statistics_schema"]).unwrap().is_valid(&solved["statistics"]));
+    let missing = enlargement(&json!({ "id": "01J00000000000000000000000" }), 2.0);
+    let text = fail(&app, None, "solve", &json!({ "request": missing })).await;
+    assert!(text.contains("/request/source/job"), "{text}");
 }
 
 #[tokio::test]

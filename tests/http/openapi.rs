@@ -9,12 +9,40 @@ async fn the_committed_document_equals_the_served_and_the_printed_one() {
     let committed = std::fs::read_to_string(root().join("api/openapi.json")).unwrap_or_default();
     let printed = String::from_utf8(binary().arg("openapi").output().await.unwrap().stdout).unwrap();
     assert!(
-        committed == printed,
+        committed == without_test_kind(&printed),
         "api/openapi.json is out of date; refresh it: cargo run -- openapi > api/openapi.json"
     );
     let app = TestApp::start().await;
     let served = app.get("/openapi.json").await.text().await.unwrap();
     assert!(served == printed);
+}
+
+/// Returns a document as builds without the feature `test-hooks` print it, in which there is no kind `enlargement`.
+fn without_test_kind(document: &str) -> String {
+    fn names(value: &Value) -> bool {
+        let of_kind = |text: &str| {
+            let text = text.rsplit('/').next().unwrap_or_default();
+            text == "enlargement" || text == "enlargements" || text == "JobSource" || text.starts_with("Enlargement")
+        };
+        let reference = value.as_object().filter(|map| map.len() == 1).and_then(|map| map.get("$ref")?.as_str());
+        value.as_str().or(reference).is_some_and(of_kind)
+    }
+    fn remove(value: &mut Value) {
+        match value {
+            Value::Object(map) => {
+                map.retain(|key, value| !names(&key.as_str().into()) && !names(value));
+                map.values_mut().for_each(remove);
+            }
+            Value::Array(list) => {
+                list.retain(|item| !names(item));
+                list.iter_mut().for_each(remove);
+            }
+            _ => {}
+        }
+    }
+    let mut document: Value = serde_json::from_str(document).expect("JSON");
+    remove(&mut document);
+    serde_json::to_string_pretty(&document).expect("JSON") + "\n"
 }
 
 #[tokio::test]

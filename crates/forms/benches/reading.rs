@@ -9,6 +9,7 @@ use plateau_forms::kinds::minimal_surface::KIND;
 use plateau_forms::limits::Limits;
 use plateau_forms::rejection::Rejection;
 use plateau_forms::request::{Accepted, Request};
+use plateau_forms::source::no_jobs;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::hint::black_box;
@@ -34,9 +35,9 @@ fn body(points: usize, right: bool) -> String {
 }
 
 fn read(body: &[u8]) -> Result<Accepted, Rejection> {
-    match Request::read(KIND, body, &[], &LIMITS) {
+    match Request::read(KIND, body, &[], &no_jobs, &LIMITS) {
         Some((accepted, _)) => Ok(accepted),
-        None => Request::from_value(KIND, &json::parse(body)?, &LIMITS),
+        None => Request::from_value(KIND, &json::parse(body)?, &no_jobs, &LIMITS),
     }
 }
 

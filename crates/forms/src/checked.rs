@@ -1,8 +1,9 @@
 //! What a kind's request must be able to do, and the functions through which the table of kinds reaches it.
 
 use crate::limits::Limits;
-use crate::rejection::Rejection;
+use crate::rejection::{FieldError, Rejection};
 use crate::solved::{Frame, SolverInput};
+use crate::source::{self, Find, JobSource, Source};
 use crate::strict::{self, Strict};
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -33,8 +34,26 @@ pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection>;
 }
 
+/// A request of one kind that begins with the result of a finished job.
+pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema {
+    type Statistics: JsonSchema;
+
+    fn source(&self) -> &JobSource;
+
+    /// Makes the checks that the types do not make on reading, and converts request and source to the geometry's types.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    fn check(&self, source: &Source, limits: &Limits) -> Result<Checked, Rejection>;
+}
+
 /// A request that passed every check of its kind.
-pub(crate) type Passed = (Frame, Checked);
+pub(crate) struct Passed {
+    pub frame: Frame,
+    pub checked: Checked,
+    /// Key of the result from which the request begins, if its kind has a source.
+    pub source: Option<Vec<u8>>,
+}
 /// A request that was read, and how its type writes it.
 pub(crate) type Read = (Passed, Vec<u8>);
 /// A request that was read, and the members that were kept apart from it.
@@ -44,14 +63,15 @@ pub(crate) type ReadApart = (Read, Map<String, Value>);
 pub(crate) struct Types {
     pub request: TypeSchema,
     pub statistics: TypeSchema,
+    pub has_source: bool,
     /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is refused.
-    pub read: fn(&[u8], &[&str], &Limits) -> Option<ReadApart>,
+    pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
     /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
-    pub read_value: fn(&Value, &Limits) -> Result<Read, Option<Rejection>>,
+    pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the place at which the type refuses a value, for a value that its schema accepts.
     pub refusal: fn(&Value) -> Rejection,
     /// Reads a request as its type has written it.
-    pub read_stored: fn(&[u8], &Limits) -> Result<Passed, Rejection>,
+    pub read_stored: fn(&[u8], Find<'_>, &Limits) -> Result<Passed, Rejection>,
 }
 
 impl Types {
@@ -59,10 +79,25 @@ impl Types {
         Self {
             request: TypeSchema::of::<R>(),
             statistics: TypeSchema::of::<R::Statistics>(),
-            read: read::<R>,
-            read_value: read_value::<R>,
+            has_source: false,
+            read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
+            read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
             refusal: strict::refusal::<R>,
-            read_stored: read_stored::<R>,
+            read_stored: |text, _, limits| read_stored::<R>(text, |request| checked(request, limits)),
+        }
+    }
+
+    /// Types of a kind whose requests begin with the result of a finished job.
+    #[cfg_attr(not(feature = "test-hooks"), expect(dead_code, reason = "only a kind for tests has a source"))]
+    pub const fn sourced<R: SourcedRequest>() -> Self {
+        Self {
+            request: TypeSchema::of::<R>(),
+            statistics: TypeSchema::of::<R::Statistics>(),
+            has_source: true,
+            read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
+            read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
+            refusal: strict::refusal::<R>,
+            read_stored: |text, find, limits| read_stored::<R>(text, |request| checked_from(request, find, limits)),
         }
     }
 }
@@ -86,30 +121,53 @@ impl TypeSchema {
     }
 }
 
-fn read<R: KindRequest>(body: &[u8], aside: &[&str], limits: &Limits) -> Option<ReadApart> {
+/// The checks of a request.
+type Checks<'a, R> = &'a dyn Fn(&R) -> Result<Passed, Rejection>;
+
+fn read<R: DeserializeOwned + Serialize>(
+    body: &[u8],
+    aside: &[&str],
+    checks: impl Fn(&R) -> Result<Passed, Rejection>,
+) -> Option<ReadApart> {
     let (request, aside) = strict::read::<R>(body, aside).ok()?;
-    Some((written(&request, limits).ok()?, aside))
+    Some((written(&request, &checks).ok()?, aside))
 }
 
-fn read_value<R: KindRequest>(value: &Value, limits: &Limits) -> Result<Read, Option<Rejection>> {
+fn read_value<R: DeserializeOwned + Serialize>(
+    value: &Value,
+    checks: impl Fn(&R) -> Result<Passed, Rejection>,
+) -> Result<Read, Option<Rejection>> {
     let request = R::deserialize(Strict(value)).map_err(|_| None)?;
-    written(&request, limits).map_err(Some)
+    written(&request, &checks).map_err(Some)
 }
 
-fn read_stored<R: KindRequest>(text: &[u8], limits: &Limits) -> Result<Passed, Rejection> {
+fn read_stored<R: DeserializeOwned>(
+    text: &[u8],
+    checks: impl Fn(&R) -> Result<Passed, Rejection>,
+) -> Result<Passed, Rejection> {
     let read = strict::read::<R>(text, &[]).map_err(|error| Rejection::Malformed(error.to_string()));
-    checked(&read?.0, limits)
+    checks(&read?.0)
 }
 
-fn written(request: &impl KindRequest, limits: &Limits) -> Result<Read, Rejection> {
-    let checked = checked(request, limits)?;
+fn written<R: Serialize>(request: &R, checks: Checks<'_, R>) -> Result<Read, Rejection> {
+    let passed = checks(request)?;
     // Numbers that were read from JSON are finite, so they can be written.
     let text = serde_json::to_vec(request).map_err(|error| Rejection::Malformed(error.to_string()))?;
-    Ok((checked, text))
+    Ok((passed, text))
 }
 
 fn checked(request: &impl KindRequest, limits: &Limits) -> Result<Passed, Rejection> {
     let checked = request.check(limits)?;
     let (unit, up) = request.axes();
-    Ok((Frame { unit, up }, checked))
+    Ok(Passed { frame: Frame { unit, up }, checked, source: None })
+}
+
+fn checked_from(request: &impl SourcedRequest, find: Find<'_>, limits: &Limits) -> Result<Passed, Rejection> {
+    let missing = |reason| Rejection::Invalid(vec![FieldError::new(source::POINTER, reason)]);
+    let source = find(&request.source().job).map_err(missing)?;
+    let mut checked = request.check(&source, limits)?;
+    checked.memory_bytes = checked.memory_bytes.saturating_add(source.memory_bytes());
+    let contents = source.archive().contents();
+    let frame = Frame { unit: contents.unit, up: contents.up };
+    Ok(Passed { frame, checked, source: Some(source.key().to_vec()) })
 }

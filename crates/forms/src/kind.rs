@@ -38,6 +38,8 @@ pub enum Units {
     Length,
     /// An object with `length` and `force`.
     LengthAndForce,
+    /// There is no such field: the source has its own units.
+    OfSource,
 }
 
 /// One objective of one kind of request.
@@ -88,6 +90,12 @@ impl Kind {
     #[must_use]
     pub fn path(self) -> &'static str {
         self.0.path
+    }
+
+    /// Returns whether requests of this kind begin with the result of a finished job.
+    #[must_use]
+    pub fn has_source(self) -> bool {
+        self.0.types.has_source
     }
 
     #[must_use]

@@ -2,6 +2,8 @@
 //! words, and a line of the table. The service and the command line offer every kind of the table.
 
 pub mod cable_net;
+#[cfg(feature = "test-hooks")]
+pub mod enlargement;
 pub mod minimal_surface;
 pub mod ruled_surface;
 pub mod tensile_structure;
@@ -15,8 +17,15 @@ use std::borrow::Cow;
 
 impl Kind {
     /// Every kind, in the order of the API document.
-    pub const ALL: &[Self] =
-        &[ruled_surface::KIND, minimal_surface::KIND, uniform_mesh::KIND, tensile_structure::KIND, cable_net::KIND];
+    pub const ALL: &[Self] = &[
+        ruled_surface::KIND,
+        minimal_surface::KIND,
+        uniform_mesh::KIND,
+        tensile_structure::KIND,
+        cable_net::KIND,
+        #[cfg(feature = "test-hooks")]
+        enlargement::KIND,
+    ];
 
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {

@@ -29,6 +29,7 @@ pub mod request;
 pub mod resolution;
 pub mod schema;
 pub mod solved;
+pub mod source;
 pub mod strict;
 
 #[cfg(doctest)]

@@ -7,6 +7,7 @@ use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 use crate::schema;
 use crate::solved::{self, Frame, Signal, Solved, SolverInput, Unsolved};
+use crate::source::{Find, no_jobs};
 use plateau_mesh::Execution;
 use serde_json::{Map, Value};
 
@@ -18,6 +19,8 @@ pub struct Request {
     pub memory_bytes: u64,
     /// True if solving takes at most about a millisecond.
     pub quick: bool,
+    /// Key of the result from which the request begins, if its kind has a source.
+    pub source: Option<Vec<u8>>,
     kind: Kind,
     input: Box<dyn SolverInput>,
 }
@@ -38,8 +41,14 @@ impl Request {
     /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](crate::json::parse) and
     /// [`Request::from_value`] then find every error.
     #[must_use]
-    pub fn read(kind: Kind, body: &[u8], aside: &[&str], limits: &Limits) -> Option<(Accepted, Map<String, Value>)> {
-        let (read, aside) = (kind.types().read)(body, aside, limits)?;
+    pub fn read(
+        kind: Kind,
+        body: &[u8],
+        aside: &[&str],
+        find: Find<'_>,
+        limits: &Limits,
+    ) -> Option<(Accepted, Map<String, Value>)> {
+        let (read, aside) = (kind.types().read)(body, aside, find, limits)?;
         Some((Self::accepted(kind, read, limits).ok()?, aside))
     }
 
@@ -49,8 +58,8 @@ impl Request {
     /// Returns every value that the schema refuses. If there are none, returns all errors of the first check that fails:
     /// limits, combinations of members, or geometry. There are at most
     /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
-    pub fn from_value(kind: Kind, value: &Value, limits: &Limits) -> Result<Accepted, Rejection> {
-        let read = (kind.types().read_value)(value, limits).map_err(|rejection| {
+    pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
+        let read = (kind.types().read_value)(value, find, limits).map_err(|rejection| {
             schema::validate(kind, value).err().unwrap_or_else(|| match rejection {
                 Some(rejection) => rejection.placed_in(value),
                 None => (kind.types().refusal)(value),
@@ -63,9 +72,9 @@ impl Request {
     ///
     /// # Errors
     /// Returns the errors of [`Request::from_value`]. A missing or unknown `kind` is an error at `/kind`.
-    pub fn read_with_kind(value: &Value, limits: &Limits) -> Result<Accepted, Rejection> {
+    pub fn read_with_kind(value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
         match value["kind"].as_str().and_then(Kind::from_name) {
-            Some(kind) => Self::from_value(kind, value, limits),
+            Some(kind) => Self::from_value(kind, value, find, limits),
             None => {
                 schema::validate_with_kind(value)?;
                 Err(FieldError::new("/kind", "is required").into())
@@ -78,8 +87,8 @@ impl Request {
     ///
     /// # Errors
     /// Fails if this version does not know the request, or if it exceeds the limits.
-    pub fn read_stored(kind: Kind, text: &[u8], limits: &Limits) -> Result<Self, Rejection> {
-        Self::new(kind, (kind.types().read_stored)(text, limits)?).within(limits)
+    pub fn read_stored(kind: Kind, text: &[u8], find: Find<'_>, limits: &Limits) -> Result<Self, Rejection> {
+        Self::new(kind, (kind.types().read_stored)(text, find, limits)?).within(limits)
     }
 
     /// Reads a value as [`Request::from_value`] does, but explains nothing by the schema.
@@ -88,16 +97,17 @@ impl Request {
     /// Returns the rejection of the checks, or `None` if the type refuses the value.
     #[doc(hidden)]
     pub fn without_schema(kind: Kind, value: &Value, limits: &Limits) -> Result<(), Option<Rejection>> {
-        (kind.types().read_value)(value, limits).map(drop)
+        (kind.types().read_value)(value, &no_jobs, limits).map(drop)
     }
 
     fn accepted(kind: Kind, (passed, text): Read, limits: &Limits) -> Result<Accepted, Rejection> {
         Ok(Accepted { request: Self::new(kind, passed).within(limits)?, text })
     }
 
-    fn new(kind: Kind, (frame, checked): Passed) -> Self {
+    fn new(kind: Kind, passed: Passed) -> Self {
+        let Passed { frame, checked, source } = passed;
         let Checked { memory_bytes, quick, input } = checked;
-        Self { frame, memory_bytes, quick, kind, input }
+        Self { frame, memory_bytes, quick, source, kind, input }
     }
 
     /// Refuses a request that needs more memory than the limit of one job.

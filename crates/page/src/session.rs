@@ -8,6 +8,7 @@ use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_forms::report::{Progress, Warning};
 use plateau_forms::request::Request;
 use plateau_forms::solved::{Signal, Unsolved};
+use plateau_forms::source::no_jobs;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
@@ -61,7 +62,7 @@ impl Session {
         self.archive = None;
         self.answer.clear();
         let request = json::parse(request)
-            .and_then(|value| Request::read_with_kind(&value, &LIMITS))
+            .and_then(|value| Request::read_with_kind(&value, &no_jobs, &LIMITS))
             .map(|accepted| accepted.request);
         let request = match request {
             Ok(request) => request,

@@ -127,6 +127,10 @@ fn entry(kind: Kind) -> Value {
         its job. A job without a mesh is then answered with 409."
         .into();
     post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
+    if kind.has_source() {
+        post["responses"]["404"] = json!({ "$ref": "#/components/responses/NotFound" });
+        post["responses"]["410"] = json!({ "$ref": "#/components/responses/Gone" });
+    }
     post["responses"]["202"]["links"] =
         json!({ "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } });
     post

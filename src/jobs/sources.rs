@@ -1,0 +1,138 @@
+//! The results from which requests begin.
+//!
+//! A request is checked with its source, so the source is read while the request is read. A request that waits keeps the
+//! result from which it begins (`requests.source`), so that its job can be solved after the source's job has expired or was
+//! deleted.
+
+use super::JobsError;
+use super::progress::Line;
+use super::service::Jobs;
+use crate::status::Status;
+use crate::store::{Artefact, Lookup};
+use plateau_archive::Archive;
+use plateau_forms::rejection::Rejection;
+use plateau_forms::solved::Signal;
+use plateau_forms::source::Source;
+use std::cell::RefCell;
+use std::time::Duration;
+use tokio::runtime::Handle;
+
+/// Pause before a worker reads a source again from a store that cannot be reached.
+const PAUSE: Duration = Duration::from_millis(200);
+
+/// The finished jobs of an owner, for a thread that reads requests. The thread must not be one of the async runtime,
+/// because it waits for the store.
+pub(super) struct Sources {
+    jobs: Jobs,
+    owner: Option<String>,
+    runtime: Handle,
+    /// The last source. The requests of a batch often begin with the same one.
+    last: RefCell<Option<(String, Source)>>,
+    /// Reason for which the last source was not found.
+    missing: RefCell<Option<JobsError>>,
+}
+
+impl Sources {
+    /// Must be called on the async runtime.
+    pub(super) fn new(jobs: &Jobs, owner: Option<String>) -> Self {
+        Self {
+            jobs: jobs.clone(),
+            owner,
+            runtime: Handle::current(),
+            last: RefCell::default(),
+            missing: RefCell::default(),
+        }
+    }
+
+    /// Returns the result of a job of the owner.
+    ///
+    /// # Errors
+    /// Returns the reason as a phrase for which there is no result.
+    pub(super) fn find(&self, id: &str) -> Result<Source, String> {
+        if let Some((last, source)) = &*self.last.borrow()
+            && last == id
+        {
+            return Ok(source.clone());
+        }
+        match self.runtime.block_on(self.read(id)) {
+            Ok(source) => {
+                *self.last.borrow_mut() = Some((id.to_owned(), source.clone()));
+                Ok(source)
+            }
+            Err(error) => {
+                let reason = reason(&error);
+                *self.missing.borrow_mut() = Some(error);
+                Err(reason)
+            }
+        }
+    }
+
+    async fn read(&self, id: &str) -> Result<Source, JobsError> {
+        let store = self.jobs.store();
+        let owner = self.owner.as_deref();
+        let row = match store.get(id, owner).await? {
+            Lookup::Found(row) => row,
+            Lookup::Expired => return Err(JobsError::Expired),
+            Lookup::Missing => return Err(JobsError::NotFound),
+        };
+        if row.status != Status::Succeeded {
+            return Err(JobsError::NoMesh(row.status));
+        }
+        source(&self.jobs, store.artefact(id, owner).await?).await
+    }
+
+    /// Returns the error for a request that was refused.
+    pub(super) fn refused(&self, rejection: Rejection) -> JobsError {
+        match (rejection, self.missing.take()) {
+            (Rejection::Invalid(errors), Some(cause)) => JobsError::NoSource { cause: Box::new(cause), errors },
+            (rejection, _) => JobsError::Rejected(rejection),
+        }
+    }
+
+    /// Returns the error for a batch with a request that was refused. Several requests may be wrong for different reasons,
+    /// so only a defect of this server counts as the cause.
+    pub(super) fn refused_batch(&self, rejection: Rejection) -> JobsError {
+        match &*self.missing.borrow() {
+            Some(JobsError::Unavailable(_) | JobsError::Internal(_)) => {}
+            _ => return JobsError::Rejected(rejection),
+        }
+        self.refused(rejection)
+    }
+}
+
+/// Returns the result of a name for a job that was claimed. While the store cannot be reached, it is asked again until the
+/// solver is told to end. Must be called on a blocking thread of the runtime.
+///
+/// # Errors
+/// Returns the reason as a phrase for which the result cannot be read.
+pub(super) fn claimed(jobs: &Jobs, name: Option<&[u8]>, line: &Line) -> Result<Source, String> {
+    let name = name.ok_or("names a job, and its result was not kept")?;
+    loop {
+        let read = async { source(jobs, jobs.store().artefact_named(name).await?).await };
+        match Handle::current().block_on(read) {
+            Err(JobsError::Unavailable(_)) if line.signal() == Signal::Continue => std::thread::sleep(PAUSE),
+            read => return read.map_err(|error| reason(&error)),
+        }
+    }
+}
+
+async fn source(jobs: &Jobs, artefact: Option<Artefact>) -> Result<Source, JobsError> {
+    let artefact = artefact.ok_or(JobsError::Lost)?;
+    match Archive::from_bytes(&artefact.bytes) {
+        Ok(archive) => Ok(Source::new(archive, artefact.hash)),
+        Err(defect) => Err(jobs.unreadable(&defect, &artefact).await),
+    }
+}
+
+/// Says in the words of a field's error why a job has no result.
+fn reason(error: &JobsError) -> String {
+    match error {
+        JobsError::NotFound => "is not the identifier of a job".into(),
+        JobsError::Expired => "is the identifier of a job that was removed with its mesh".into(),
+        JobsError::NoMesh(status) => {
+            format!("is the identifier of a job that is {}, and must be of one that has succeeded", status.name())
+        }
+        JobsError::Lost => "is the identifier of a job whose mesh was damaged and has been removed".into(),
+        _ => "cannot be looked up now".into(),
+    }
+}
