@@ -111,6 +111,15 @@ mod tests {
         errors(ruled_surface::KIND, body).into_iter().map(|(pointer, _)| pointer).collect()
     }
 
+    /// A schema is compiled when a value is first compared with it, which must not be the first time at all.
+    #[test]
+    fn every_schema_can_be_explained() {
+        for name in components().keys() {
+            // No schema that has a name is one for null.
+            assert!(validate_component(name, &Value::Null).is_err(), "{name}");
+        }
+    }
+
     #[test]
     fn the_first_of_very_many_wrong_values_are_named() {
         let many = vec![json!(["x", null, {}]); 50_000];
