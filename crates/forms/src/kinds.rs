@@ -1,12 +1,17 @@
 //! The table of the kinds of requests. Each kind is a folder with its types, its checks, its way to the solver and its
 //! words, and a line of the table. The service and the command line offer every kind of the table.
 
+#[cfg(feature = "cable-net")]
 pub mod cable_net;
 #[cfg(feature = "test-hooks")]
 pub mod enlargement;
+#[cfg(feature = "minimal-surface")]
 pub mod minimal_surface;
+#[cfg(feature = "ruled-surface")]
 pub mod ruled_surface;
+#[cfg(feature = "tensile-structure")]
 pub mod tensile_structure;
+#[cfg(feature = "uniform-mesh")]
 pub mod uniform_mesh;
 
 use crate::kind::{Kind, Objective};
@@ -18,10 +23,15 @@ use std::borrow::Cow;
 impl Kind {
     /// Every kind, in the order of the API document.
     pub const ALL: &[Self] = &[
+        #[cfg(feature = "ruled-surface")]
         ruled_surface::KIND,
+        #[cfg(feature = "minimal-surface")]
         minimal_surface::KIND,
+        #[cfg(feature = "uniform-mesh")]
         uniform_mesh::KIND,
+        #[cfg(feature = "tensile-structure")]
         tensile_structure::KIND,
+        #[cfg(feature = "cable-net")]
         cable_net::KIND,
         #[cfg(feature = "test-hooks")]
         enlargement::KIND,

@@ -11,6 +11,17 @@
 //! its hosts.
 
 #![forbid(unsafe_code)]
+// What several kinds share is unused in a build with a few of them.
+#![cfg_attr(
+    not(all(
+        feature = "cable-net",
+        feature = "minimal-surface",
+        feature = "ruled-surface",
+        feature = "tensile-structure",
+        feature = "uniform-mesh"
+    )),
+    allow(dead_code, unused_imports, unused_macros)
+)]
 
 pub mod blocks;
 pub mod bounds;
@@ -26,6 +37,7 @@ pub mod mesh;
 pub mod rejection;
 pub mod report;
 pub mod request;
+#[cfg(any(feature = "minimal-surface", feature = "tensile-structure"))]
 pub mod resolution;
 pub mod schema;
 pub mod solved;
