@@ -2,7 +2,8 @@
 //!
 //! A job goes through `queued` -> `running` -> `succeeded` | `failed` | `cancelled`. A queued or running job may be
 //! cancelled at once, and a running job whose worker died goes back to `queued`. This module decides on each
-//! transition; the store makes it in one transaction. [`service`] lists every operation.
+//! transition; the store makes it in one transaction. [`submission`], [`reading`], [`service`] and [`events`] have the
+//! operations.
 
 mod attempt;
 pub(crate) mod batch;
@@ -10,8 +11,10 @@ pub(crate) mod callbacks;
 pub(crate) mod converters;
 pub(crate) mod events;
 pub(crate) mod files;
+mod handle;
 mod memory;
 pub mod progress;
+mod reading;
 pub(crate) mod service;
 mod sources;
 pub(crate) mod submission;
@@ -20,7 +23,7 @@ mod view;
 pub(crate) mod worker;
 mod zip;
 
-pub(crate) use service::Jobs;
+pub(crate) use handle::Jobs;
 
 use crate::status::Status;
 use crate::store::StoreError;
@@ -44,7 +47,7 @@ pub fn result_version() -> String {
 
 /// Selection of the jobs in a list. The default selects all jobs.
 #[derive(Clone, Debug, Default)]
-pub struct Filter {
+pub struct Selection {
     pub status: Option<Status>,
     pub kind: Option<Kind>,
     pub idempotency_key: Option<String>,

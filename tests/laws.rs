@@ -1,5 +1,7 @@
 //! Checks the laws of docs/ARCHITECTURE.md by reading the source and the dependency tree.
 
+mod source;
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -33,8 +35,8 @@ fn geometry() -> Vec<PathBuf> {
 /// Returns a file's lines without comments and without its unit tests.
 fn code(path: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(path).expect("a source file");
-    text.lines()
-        .take_while(|line| line.trim() != "#[cfg(test)]")
+    source::text_without_tests(&text)
+        .lines()
         .map(|line| line.split("//").next().unwrap_or_default().to_owned())
         .collect()
 }
@@ -274,94 +276,6 @@ fn the_service_knows_no_crate_of_the_geometry() {
     ]);
     assert_eq!(know_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);
     assert_eq!(know_geometry(&service()), [""; 0], "plateau_forms turns requests into results for the service");
-}
-
-/// Returns re-exports of items of another part. They hide an arrow from readers and from the check of the arrows.
-fn re_export_others(files: &[Source]) -> Vec<String> {
-    let mut offences = Vec::new();
-    for file in files {
-        for (at, _) in
-            file.code.match_indices("pub").filter(|(at, _)| *at == 0 || file.code[..*at].ends_with(['\n', ' ']))
-        {
-            let rest = &file.code[at + 3..];
-            let rest = rest.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or(rest, |(_, rest)| rest);
-            let Some(tree) = rest.trim_start().strip_prefix("use ") else { continue };
-            let other = match tree.trim_start().strip_prefix("crate::") {
-                Some(path) => !path.starts_with(&format!("{}::", file.part())),
-                None => GEOMETRY.iter().any(|(name, _)| tree.trim_start().starts_with(&library(name))),
-            };
-            if other {
-                let line = tree.split([';', '{']).next().unwrap_or_default();
-                offences.push(format!("{}: {line}", file.path));
-            }
-        }
-    }
-    offences
-}
-
-#[test]
-fn no_part_re_exports_what_belongs_to_another() {
-    let offences = made_up(&[
-        ("jobs.rs", "pub mod batch;\npub use crate::store::{EventId, Filter};\nuse crate::store::Store;"),
-        ("wire/common.rs", "    pub(crate) use plateau_mesh::DVec3;"),
-        ("store.rs", "pub use batch::BatchRow;\npub(super) use crate::store::sql::redacted;"),
-    ]);
-    assert_eq!(re_export_others(&offences), ["jobs.rs: crate::store::", "wire/common.rs: plateau_mesh::DVec3"]);
-    assert_eq!(re_export_others(&service()), [""; 0], "import the item from its own part where it is needed");
-}
-
-/// Returns a circle of files of the given parts, if there is one. Each file of it uses the next, and the last uses the
-/// first.
-fn circle(files: &[Source], parts: &[&str]) -> Option<Vec<String>> {
-    let files: Vec<&Source> = files.iter().filter(|file| parts.contains(&file.part().as_str())).collect();
-    let modules: Vec<Vec<String>> = files.iter().map(|file| file.module()).collect();
-    let knows: Vec<BTreeSet<usize>> = files
-        .iter()
-        .enumerate()
-        .map(|(number, file)| {
-            let target = |path: Vec<String>| {
-                let longest = modules.iter().enumerate().filter(|(_, module)| path.starts_with(module));
-                longest.max_by_key(|(_, module)| module.len()).map(|(target, _)| target)
-            };
-            file.named().into_iter().filter_map(target).filter(|target| *target != number).collect()
-        })
-        .collect();
-    fn visit(
-        file: usize,
-        knows: &[BTreeSet<usize>],
-        way: &mut Vec<usize>,
-        done: &mut BTreeSet<usize>,
-    ) -> Option<Vec<usize>> {
-        if let Some(at) = way.iter().position(|&earlier| earlier == file) {
-            return Some(way[at..].to_vec());
-        }
-        if done.contains(&file) {
-            return None;
-        }
-        way.push(file);
-        let found = knows[file].iter().find_map(|&next| visit(next, knows, way, done));
-        way.pop();
-        done.insert(file);
-        found
-    }
-    let mut done = BTreeSet::new();
-    let found = (0..files.len()).find_map(|file| visit(file, &knows, &mut Vec::new(), &mut done))?;
-    Some(found.into_iter().map(|file| files[file].path.clone()).collect())
-}
-
-#[test]
-fn the_files_of_http_and_those_that_wire_it_form_no_circle() {
-    let circular = made_up(&[
-        ("app.rs", "use crate::http::{body, router};\npub struct App;"),
-        ("http.rs", "pub mod router;\npub mod body;"),
-        ("http/router.rs", "use super::routes::{jobs::{get, list}, mesh};"),
-        ("http/routes/jobs.rs", "use crate::app::App;"),
-        ("http/body.rs", ""),
-    ]);
-    let parts = ["app", "auth", "cli", "config", "http", "telemetry"];
-    assert_eq!(circle(&circular, &parts).unwrap(), ["app.rs", "http/router.rs", "http/routes/jobs.rs"]);
-    assert_eq!(circle(&circular, &["http"]), None);
-    assert_eq!(circle(&service(), &parts), None, "each of these files uses the next");
 }
 
 /// Returns files that add a route without its entry in the API document.

@@ -1,4 +1,5 @@
-//! The layers of each crate of the geometry: no file uses a later layer, and no files form a circle.
+//! The arrows of the workspace: no crate uses a later crate, no file uses a later layer of its crate, no files form a
+//! circle, and no module re-exports what belongs to another.
 //!
 //! The test reads the source. It takes every `use` declaration (grouped and nested ones too) and every path in the code
 //! that starts with `crate::`, `super::`, `self::` or the name of a child module. Each names a file; that is an *arrow*
@@ -7,13 +8,15 @@
 //! A re-export of a module's own descendants is its table of contents and no arrow. Items under `#[cfg(test)]` are not
 //! read.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+mod source;
 
-/// The crates of the geometry, and the files and folders of each, earliest layer first. A file belongs to the longest
-/// entry that its path starts with. In a crate without entries only circles are faults. The order of the crates
-/// themselves stands in their manifests, which `laws.rs` reads.
-const CRATES: [(&str, &[&str]); 7] = [
+use source::{Token, tokens_without_tests, word};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// The crates in their order, and the files and folders of each, earliest layer first. A file belongs to the longest
+/// entry that its path starts with. In a crate without entries only circles are faults.
+const CRATES: [(&str, &[&str]); 10] = [
     (
         "mesh",
         &[
@@ -79,7 +82,8 @@ const CRATES: [(&str, &[&str]); 7] = [
     ("ruled-surface", &["graph", "strip", "pattern", "stack", "lib"]),
     ("uniform-mesh", &[]),
     ("lower-bound", &[]),
-    ("page", &[]),
+    ("opennurbs", &[]),
+    ("archive", &[]),
     (
         "forms",
         &[
@@ -105,7 +109,12 @@ const CRATES: [(&str, &[&str]); 7] = [
             "lib",
         ],
     ),
+    ("page", &[]),
+    (SERVICE, &[]),
 ];
+
+/// Name of the service in the list of crates. Its source is the folder `src` beside the crates.
+const SERVICE: &str = "plateau";
 
 /// One file of the crate: its path below `src` without `.rs`, and its text.
 struct Source {
@@ -115,112 +124,6 @@ struct Source {
 
 /// An arrow from one file to another that it uses.
 type Arrow = (String, String);
-
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Word(String),
-    PathSeparator,
-    Mark(char),
-}
-
-/// Words and punctuation of Rust source, without comments, strings and character literals.
-fn tokens(text: &str) -> Vec<Token> {
-    let chars: Vec<char> = text.chars().collect();
-    let starts_with = |at: usize, what: &str| what.chars().enumerate().all(|(k, c)| chars.get(at + k) == Some(&c));
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < chars.len() {
-        let c = chars[at];
-        if starts_with(at, "//") {
-            at += chars[at..].iter().take_while(|c| **c != '\n').count();
-        } else if starts_with(at, "/*") {
-            while at < chars.len() && !starts_with(at, "*/") {
-                at += 1;
-            }
-            at += 2;
-        } else if c == '"' {
-            at += 1;
-            while at < chars.len() && chars[at] != '"' {
-                at += if chars[at] == '\\' { 2 } else { 1 };
-            }
-            at += 1;
-        } else if c == 'r' && (starts_with(at, "r\"") || starts_with(at, "r#\"")) {
-            let hashes = chars[at + 1..].iter().take_while(|c| **c == '#').count();
-            let end = format!("\"{}", "#".repeat(hashes));
-            at += hashes + 2;
-            while at < chars.len() && !starts_with(at, &end) {
-                at += 1;
-            }
-            at += end.len();
-        } else if c == '\'' {
-            // A character literal, or a lifetime, which is a mark followed by a word.
-            let literal = chars.get(at + 1) == Some(&'\\') || chars.get(at + 2) == Some(&'\'');
-            at += if !literal { 1 } else { 2 + chars[at + 2..].iter().take_while(|c| **c != '\'').count() + 1 };
-        } else if c.is_alphabetic() || c == '_' {
-            let word: String = chars[at..].iter().take_while(|c| c.is_alphanumeric() || **c == '_').collect();
-            at += word.chars().count();
-            tokens.push(Token::Word(word));
-        } else if starts_with(at, "::") {
-            tokens.push(Token::PathSeparator);
-            at += 2;
-        } else {
-            if !c.is_whitespace() {
-                tokens.push(Token::Mark(c));
-            }
-            at += 1;
-        }
-    }
-    tokens
-}
-
-fn word(token: Option<&Token>) -> Option<&str> {
-    match token {
-        Some(Token::Word(word)) => Some(word),
-        _ => None,
-    }
-}
-
-/// The end of the item that starts at `at`: after its closing brace, or after its semicolon.
-fn item_end(tokens: &[Token], mut at: usize) -> usize {
-    let mut depth = 0;
-    while at < tokens.len() {
-        match tokens[at] {
-            Token::Mark('{' | '(' | '[') => depth += 1,
-            Token::Mark('}') if depth == 1 => return at + 1,
-            Token::Mark('}' | ')' | ']') => depth -= 1,
-            Token::Mark(';') if depth == 0 => return at + 1,
-            _ => {}
-        }
-        at += 1;
-    }
-    at
-}
-
-/// Tokens without the items under `#[cfg(test)]`, and the names of the modules among these.
-fn without_tests(tokens: Vec<Token>) -> (Vec<Token>, Vec<String>) {
-    let attribute = ["#", "[", "cfg", "(", "test", ")", "]"];
-    let is_attribute = |at: usize| {
-        attribute.iter().enumerate().all(|(k, text)| match tokens.get(at + k) {
-            Some(Token::Word(word)) => word == text,
-            Some(Token::Mark(mark)) => *text == mark.to_string(),
-            _ => false,
-        })
-    };
-    let (mut kept, mut modules) = (Vec::new(), Vec::new());
-    let mut at = 0;
-    while at < tokens.len() {
-        if is_attribute(at) {
-            let begin = at + attribute.len();
-            at = item_end(&tokens, begin);
-            let name = tokens[begin..at].iter().skip_while(|token| **token != Token::Word("mod".into())).nth(1);
-            modules.extend(word(name).map(str::to_owned));
-        } else {
-            kept.push(tokens[at].clone());
-            at += 1;
-        }
-    }
-    (kept, modules)
-}
 
 /// A path of a `use` declaration: its segments, the name that it is bound to, and whether the declaration re-exports
 /// it.
@@ -282,7 +185,7 @@ struct Contents {
 }
 
 fn read(text: &str) -> Contents {
-    let (tokens, test_children) = without_tests(tokens(text));
+    let (tokens, test_children) = tokens_without_tests(text);
     let mut contents = Contents { test_children, ..Contents::default() };
     let mut at = 0;
     while at < tokens.len() {
@@ -401,6 +304,43 @@ fn arrows(sources: &[Source]) -> BTreeSet<Arrow> {
     arrows
 }
 
+/// Re-exports of items that belong to another module of the crate or to another crate of the workspace. They hide an
+/// arrow from readers. A module may re-export its own descendants.
+fn foreign_re_exports(sources: &[Source]) -> Vec<String> {
+    let modules = Modules::read(sources);
+    let mut found = Vec::new();
+    for (from, contents) in &modules.files {
+        for exported in contents.uses.iter().filter(|u| u.exported) {
+            let foreign = match modules.resolve(from, &exported.path, 0) {
+                Some(to) => !to.starts_with(from),
+                None => exported.path[0].starts_with("plateau_"),
+            };
+            if foreign {
+                found.push(format!("{} re-exports {}", from.join("/"), exported.path.join("::")));
+            }
+        }
+    }
+    found
+}
+
+/// Imports of crates of the workspace that do not stand before `name` in `order`.
+fn against_the_order(name: &str, order: &[&str], sources: &[Source]) -> Vec<String> {
+    let earlier: BTreeSet<String> = order
+        .iter()
+        .take_while(|earlier| **earlier != name)
+        .map(|earlier| format!("plateau_{}", earlier.replace('-', "_")))
+        .collect();
+    let modules = Modules::read(sources);
+    let mut found = BTreeSet::new();
+    for (file, contents) in &modules.files {
+        let first = contents.uses.iter().map(|u| &u.path[0]).chain(contents.paths.iter().map(|path| &path[0]));
+        for library in first.filter(|first| first.starts_with("plateau_") && !earlier.contains(*first)) {
+            found.insert(format!("{} uses {library}, which does not stand before {name}", file.join("/")));
+        }
+    }
+    found.into_iter().collect()
+}
+
 /// Sets of files that reach each other: each is a circle, or several that touch.
 fn circles(arrows: &BTreeSet<Arrow>) -> Vec<Vec<String>> {
     let files: BTreeSet<&String> = arrows.iter().flat_map(|(from, to)| [from, to]).collect();
@@ -455,8 +395,13 @@ fn running_back(arrows: &BTreeSet<Arrow>, layers: &[&str]) -> Vec<String> {
     found
 }
 
+fn root_of(name: &str) -> PathBuf {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if name == SERVICE { workspace.join("src") } else { workspace.join("crates").join(name).join("src") }
+}
+
 fn sources(name: &str) -> Vec<Source> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates").join(name).join("src");
+    let root = root_of(name);
     let (mut folders, mut sources) = (vec![root.clone()], Vec::new());
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("a source folder") {
@@ -484,14 +429,57 @@ fn faults(arrows: &BTreeSet<Arrow>, layers: &[&str]) -> Vec<String> {
 }
 
 #[test]
-fn no_file_uses_a_later_layer_and_no_files_form_a_circle() {
+fn no_crate_and_no_file_uses_a_later_one_and_no_files_form_a_circle() {
+    let order = CRATES.map(|(name, _)| name);
     let mut found = Vec::new();
     for (name, layers) in CRATES {
-        let arrows = arrows(&sources(name));
+        let sources = sources(name);
+        let arrows = arrows(&sources);
         assert!(!arrows.is_empty(), "{name} has no arrow between files");
-        found.extend(faults(&arrows, layers).into_iter().map(|fault| format!("{name}: {fault}")));
+        let faults = faults(&arrows, layers)
+            .into_iter()
+            .chain(foreign_re_exports(&sources))
+            .chain(against_the_order(name, &order, &sources));
+        found.extend(faults.map(|fault| format!("{name}: {fault}")));
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn every_crate_of_the_workspace_has_its_place_in_the_order() {
+    let folders = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates")).expect("the crates");
+    let found: BTreeSet<String> =
+        folders.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    let listed = CRATES.iter().map(|(name, _)| (*name).to_owned()).filter(|name| name != SERVICE).collect();
+    assert_eq!(found, listed);
+}
+
+#[test]
+fn a_made_up_import_against_the_order_and_a_made_up_re_export_are_named() {
+    let source = |path: &str, text: &str| Source { path: path.into(), text: text.into() };
+    let film = [
+        source("lib", "mod energy; mod store; pub use energy::Energy; pub use plateau_mesh::Mesh;"),
+        source("energy", "#[cfg(test)] mod t { use plateau_forms::kind::Kind; } use plateau_archive::units::Unit;"),
+        source("store", "pub use batches::Row; pub(crate) use crate::energy::Term; mod batches;"),
+        source("store/batches", "fn f() -> plateau_mesh::Mesh { plateau_film::g() }"),
+    ];
+    assert_eq!(
+        against_the_order("film", &["mesh", "film", "archive", "forms"], &film),
+        [
+            "energy uses plateau_archive, which does not stand before film",
+            "store/batches uses plateau_film, which does not stand before film"
+        ]
+    );
+    assert_eq!(foreign_re_exports(&film), [" re-exports plateau_mesh::Mesh", "store re-exports crate::energy::Term"]);
+}
+
+#[test]
+fn code_after_a_test_module_is_read() {
+    let text = "use a::b;\n#[cfg(test)]\nmod tests {\n    const OPEN: &str = \"{\";\n}\nuse c::d;\n";
+    let kept = source::text_without_tests(text);
+    assert_eq!(kept.lines().map(str::trim_end).collect::<Vec<_>>(), ["use a::b;", "", "", "", "", "use c::d;"]);
+    let paths: Vec<String> = read(text).uses.into_iter().map(|u| u.path.join("::")).collect();
+    assert_eq!(paths, ["a::b", "c::d"]);
 }
 
 fn made_up(files: &[(&str, &str)]) -> BTreeSet<Arrow> {

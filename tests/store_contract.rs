@@ -9,8 +9,8 @@ use std::time::Duration;
 
 use plateau::status::Status;
 use plateau::store::{
-    BatchLookup, BatchRow, Busy, Delivery, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Room,
-    Solved, Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
+    Addition, BatchAddition, BatchLookup, BatchRow, Busy, Delivery, EarlyEnd, EventId, Filter, JobRow, Lookup,
+    NewBatch, NewJob, Outcome, Renewed, Room, Store, StoreError, StoreOptions, Subject,
 };
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -193,8 +193,8 @@ fn solved_as(artefact: &[u8]) -> Outcome {
 }
 
 async fn create(store: &Store, job: NewJob) -> JobRow {
-    match store.submit(job).await.unwrap() {
-        Submitted::Created(row, _) => *row,
+    match store.add_job(job).await.unwrap() {
+        Addition::Created(row, _) => *row,
         other => panic!("expected a new job, got {other:?}"),
     }
 }
@@ -410,7 +410,7 @@ async fn a_full_queue_refuses_further_jobs(database: Database) {
     for number in 0..3 {
         create(&store, job(number)).await;
     }
-    assert_eq!(store.submit(job(3)).await, Err(StoreError::QueueFull { own: false }));
+    assert_eq!(store.add_job(job(3)).await, Err(StoreError::QueueFull { own: false }));
     assert_eq!(store.get(&job(3).id, None).await.unwrap(), Lookup::Missing);
     work_one(&store, b"mesh").await;
     create(&store, job(3)).await;
@@ -423,7 +423,7 @@ async fn a_full_share_refuses_only_its_owner(database: Database) {
     let store = database.open(StoreOptions { owner_queue_limit: 2, ..StoreOptions::default() }).await;
     create(&store, job_of("greedy", 1)).await;
     create(&store, job_of("greedy", 2)).await;
-    assert_eq!(store.submit(job_of("greedy", 3)).await, Err(StoreError::QueueFull { own: true }));
+    assert_eq!(store.add_job(job_of("greedy", 3)).await, Err(StoreError::QueueFull { own: true }));
     create(&store, job_of("modest", 4)).await;
 }
 
@@ -431,19 +431,19 @@ async fn an_idempotency_key_makes_one_job(database: Database) {
     let store = database.open(StoreOptions { queue_limit: 3, ..StoreOptions::default() }).await;
     let keyed = |number| NewJob { idempotency_key: Some("once".into()), body_hash: [7; 32], ..job_of("me", number) };
     let first = create(&store, keyed(1)).await;
-    match store.submit(keyed(2)).await.unwrap() {
-        Submitted::Existing(row) => assert_eq!(row.id, first.id),
+    match store.add_job(keyed(2)).await.unwrap() {
+        Addition::Existing(row) => assert_eq!(row.id, first.id),
         other => panic!("{other:?}"),
     }
-    assert_eq!(store.submit(NewJob { body_hash: [8; 32], ..keyed(3) }).await.unwrap(), Submitted::KeyConflict);
+    assert_eq!(store.add_job(NewJob { body_hash: [8; 32], ..keyed(3) }).await.unwrap(), Addition::KeyConflict);
     // The same key of another owner or kind is a different key.
     create(&store, NewJob { owner: Some("you".into()), ..keyed(4) }).await;
     create(&store, NewJob { kind: "minimal_surface".into(), ..keyed(5) }).await;
     // The key returns the same job in its current state, even if the queue is full.
     work_one(&store, b"mesh").await;
     create(&store, job(6)).await;
-    match store.submit(keyed(7)).await.unwrap() {
-        Submitted::Existing(row) => assert_eq!((row.id, row.status), (first.id.clone(), Status::Succeeded)),
+    match store.add_job(keyed(7)).await.unwrap() {
+        Addition::Existing(row) => assert_eq!((row.id, row.status), (first.id.clone(), Status::Succeeded)),
         other => panic!("{other:?}"),
     }
     // The key is kept for as long as the job.
@@ -457,21 +457,21 @@ async fn equal_submissions_at_once_make_one_job(database: Database) {
     let submissions = (0..24).map(|number| {
         let store = store.clone();
         tokio::spawn(async move {
-            store.submit(NewJob { idempotency_key: Some("k".into()), body_hash: [7; 32], ..job(number) }).await
+            store.add_job(NewJob { idempotency_key: Some("k".into()), body_hash: [7; 32], ..job(number) }).await
         })
     });
     let mut ids = BTreeSet::new();
     let mut created = 0;
     for submission in submissions.collect::<Vec<_>>() {
         match submission.await.unwrap().unwrap() {
-            Submitted::Created(row, _) => {
+            Addition::Created(row, _) => {
                 created += 1;
                 ids.insert(row.id);
             }
-            Submitted::Existing(row) => {
+            Addition::Existing(row) => {
                 ids.insert(row.id);
             }
-            Submitted::KeyConflict => panic!("the bodies are equal"),
+            Addition::KeyConflict => panic!("the bodies are equal"),
         }
     }
     assert_eq!((created, ids.len()), (1, 1));
@@ -514,7 +514,7 @@ async fn a_newer_job_of_a_series_cancels_the_older_ones(database: Database) {
         others.push(create(&store, other).await.id);
     }
     // The identifier comes from a machine whose clock is behind, so it sorts before the others.
-    let Submitted::Created(newest, cancelled) = store.submit(of("drag", "me", 0)).await.unwrap() else {
+    let Addition::Created(newest, cancelled) = store.add_job(of("drag", "me", 0)).await.unwrap() else {
         panic!("a new job")
     };
     let cancelled: BTreeSet<String> = cancelled.into_iter().map(|row| row.id).collect();
@@ -533,12 +533,12 @@ async fn of_many_submissions_of_a_series_at_once_one_remains(database: Database)
     let submissions: Vec<_> = (0..24)
         .map(|number| {
             let (store, job) = (store.clone(), NewJob { supersede: Some("drag".into()), ..job_of("me", number) });
-            tokio::spawn(async move { store.submit(job).await })
+            tokio::spawn(async move { store.add_job(job).await })
         })
         .collect();
     let mut cancelled = 0;
     for submission in submissions {
-        let Submitted::Created(_, older) = submission.await.unwrap().unwrap() else { panic!("a new job") };
+        let Addition::Created(_, older) = submission.await.unwrap().unwrap() else { panic!("a new job") };
         cancelled += older.len();
     }
     assert_eq!((cancelled, store.queue_length().await.unwrap()), (23, 1));
@@ -687,9 +687,9 @@ async fn a_result_of_a_bypassing_request_is_not_shared(database: Database) {
                     work_one(&store, b"mesh").await
                 }
                 _ => {
-                    let solved = Solved { outcome: solved_as(b"mesh"), submitted_ms: 2, started_ms: 1 };
-                    match store.submit_solved(new, solved).await.unwrap() {
-                        Submitted::Created(row, _) => row.id,
+                    let solved = EarlyEnd { outcome: solved_as(b"mesh"), submitted_ms: 2, started_ms: 1 };
+                    match store.add_ended_job(new, solved).await.unwrap() {
+                        Addition::Created(row, _) => row.id,
                         other => panic!("{other:?}"),
                     }
                 }
@@ -1096,7 +1096,7 @@ async fn a_full_disk_recovers_once_jobs_expire() {
         let full = loop {
             accepted += 1;
             let new = NewJob { request: vec![b' '; 50_000], ..job(accepted) };
-            if let Err(error) = store.submit(new).await {
+            if let Err(error) = store.add_job(new).await {
                 break error;
             }
             // Claiming writes too, so it may be what finds the disk full. The job then waits until there is room again.
@@ -1161,10 +1161,10 @@ async fn a_full_database_refuses_jobs_and_loses_none() {
     let mut accepted = Vec::new();
     // Several jobs are submitted at once, so that a whole group of writes finds the disk full.
     'filling: for group in 0..10 {
-        let submissions: Vec<_> = (0..4).map(|member| store.submit(large(group * 4 + member))).collect();
+        let submissions: Vec<_> = (0..4).map(|member| store.add_job(large(group * 4 + member))).collect();
         for (member, result) in futures_util::future::join_all(submissions).await.into_iter().enumerate() {
             match result {
-                Ok(Submitted::Created(row, _)) => accepted.push(row.id),
+                Ok(Addition::Created(row, _)) => accepted.push(row.id),
                 Err(StoreError::NoSpace(_)) => {
                     let id = job(group * 4 + member).id;
                     assert_eq!(
@@ -1202,7 +1202,7 @@ async fn a_store_survives_a_restart_of_postgresql() {
     let mut watch = store.watch(&claimed.id, None).await.unwrap().unwrap();
     server.stop();
     for _ in 0..3 {
-        let refused = store.submit(job(2)).await;
+        let refused = store.add_job(job(2)).await;
         assert!(matches!(refused, Err(StoreError::Unavailable(_))), "{refused:?}");
     }
     server.start_again();
@@ -1371,7 +1371,7 @@ async fn a_closed_store_returns_unavailable(database: Database) {
     store.check().await.unwrap();
     store.close().await;
     assert!(matches!(store.check().await, Err(StoreError::Unavailable(_))));
-    assert!(matches!(store.submit(job(1)).await, Err(StoreError::Unavailable(_))));
+    assert!(matches!(store.add_job(job(1)).await, Err(StoreError::Unavailable(_))));
     store.close().await;
 }
 
@@ -1388,11 +1388,11 @@ async fn the_queue_length_follows_the_queue(database: Database) {
 async fn a_refused_write_does_not_affect_the_others_of_its_group() {
     let database = Database::new(Engine::Sqlite).await.unwrap();
     let store = database.open(StoreOptions { queue_limit: 10, ..StoreOptions::default() }).await;
-    let submissions: Vec<_> = (0..100).map(|number| store.submit(job(number))).collect();
+    let submissions: Vec<_> = (0..100).map(|number| store.add_job(job(number))).collect();
     let mut created = 0;
     for result in futures_util::future::join_all(submissions).await {
         match result {
-            Ok(Submitted::Created(..)) => created += 1,
+            Ok(Addition::Created(..)) => created += 1,
             Err(StoreError::QueueFull { own: false }) => {}
             other => panic!("{other:?}"),
         }
@@ -1421,8 +1421,8 @@ fn batch_of(owner: Option<&str>, number: usize, jobs: std::ops::Range<usize>) ->
 }
 
 async fn create_batch(store: &Store, batch: NewBatch) -> BatchRow {
-    match store.submit_batch(batch).await.unwrap() {
-        SubmittedBatch::Created(row) => row,
+    match store.add_batch(batch).await.unwrap() {
+        BatchAddition::Created(row) => row,
         other => panic!("expected a new batch, got {other:?}"),
     }
 }
@@ -1441,17 +1441,17 @@ async fn all_jobs_of_a_batch_are_stored_or_none(database: Database) {
     let expected: Vec<String> = (0..4).map(|number| job(number).id).collect();
     assert_eq!(indices, (0..4).zip(expected.iter().map(String::as_str)).collect::<Vec<_>>());
     // There is room for one more job but not for two.
-    let refused = store.submit_batch(batch_of(None, 2, 4..6)).await;
+    let refused = store.add_batch(batch_of(None, 2, 4..6)).await;
     assert!(matches!(refused, Err(StoreError::QueueFull { own: false })));
     assert_eq!(
         (store.queue_length().await.unwrap(), store.batch("B2", None).await.unwrap()),
         (4, BatchLookup::Missing)
     );
     // The same key and body return the same batch. The same key with another body is a conflict.
-    let again = store.submit_batch(NewBatch { id: "other".into(), ..batch_of(None, 1, 10..12) }).await.unwrap();
-    assert_eq!(again, SubmittedBatch::Existing(batch));
+    let again = store.add_batch(NewBatch { id: "other".into(), ..batch_of(None, 1, 10..12) }).await.unwrap();
+    assert_eq!(again, BatchAddition::Existing(batch));
     let conflict = NewBatch { body_hash: [9; 32], ..batch_of(None, 1, 10..12) };
-    assert_eq!(store.submit_batch(conflict).await.unwrap(), SubmittedBatch::KeyConflict);
+    assert_eq!(store.add_batch(conflict).await.unwrap(), BatchAddition::KeyConflict);
     assert_eq!(store.queue_length().await.unwrap(), 4);
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use plateau::status::Status;
-use plateau::store::{Lookup, NewJob, Outcome, Renewed, Store, StoreOptions, Submitted};
+use plateau::store::{Addition, Lookup, NewJob, Outcome, Renewed, Store, StoreOptions};
 use postgres::Postgres;
 use proxy::{Fault, Proxy};
 use sha2::{Digest, Sha256};
@@ -85,7 +85,7 @@ async fn status(store: &Store, id: &str) -> Status {
 async fn an_outcome_whose_commit_was_not_acknowledged_is_stored_once_and_its_file_stays() {
     let Some(faulty) = Faulty::new().await else { return };
     let store = &faulty.store;
-    assert!(matches!(store.submit(job(1)).await, Ok(Submitted::Created(..))));
+    assert!(matches!(store.add_job(job(1)).await, Ok(Addition::Created(..))));
     let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
     let lost = faulty.proxy.disturb_commit("DELETE FROM requests", Fault::CutAfter);
     let renewal = faulty.proxy.disturb("SET lease_until", Fault::CutBefore);
@@ -110,7 +110,7 @@ async fn an_outcome_whose_commit_was_not_acknowledged_is_stored_once_and_its_fil
 async fn a_silent_connection_is_given_up_before_a_lease_ends() {
     let Some(faulty) = Faulty::new().await else { return };
     let store = &faulty.store;
-    assert!(matches!(store.submit(job(1)).await, Ok(Submitted::Created(..))));
+    assert!(matches!(store.add_job(job(1)).await, Ok(Addition::Created(..))));
     let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
     for fault in [Fault::SilentBefore, Fault::SilentAfter] {
         let silent = faulty.proxy.disturb("SET lease_until", fault);

@@ -142,7 +142,7 @@ impl Tools {
 
     async fn solve(&self, arguments: Value, context: RequestContext<RoleServer>) -> Result<CallToolResult, Failure> {
         let SolveArguments { request, wait_s } = read(arguments)?;
-        let job = self.submit(request, wait_s > 0).await?;
+        let job = self.begin(request, wait_s > 0).await?;
         if job.status.is_final() {
             return self.answer(job).await;
         }
@@ -156,7 +156,7 @@ impl Tools {
 
     async fn start(&self, arguments: Value) -> Result<CallToolResult, Failure> {
         let StartArguments { request } = read(arguments)?;
-        let job = self.submit(request, false).await?;
+        let job = self.begin(request, false).await?;
         complete(&JobSummary::from(job), Vec::new())
     }
 
@@ -198,7 +198,7 @@ impl Tools {
     }
 
     /// Submits a request that names its kind. Pointers of errors begin at the tool's arguments.
-    async fn submit(&self, request: Value, waited_for: bool) -> Result<Job, Failure> {
+    async fn begin(&self, request: Value, waited_for: bool) -> Result<Job, Failure> {
         const POINTER: &str = "/request";
         let kind = request["kind"].as_str().and_then(Kind::from_name);
         // The schema of the arguments requires a known kind.

@@ -35,7 +35,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
         Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
         Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
-        Resource::at("/v1/batches").post(batches::submit, batches::submit_entry()),
+        Resource::at("/v1/batches").post(batches::post, batches::post_entry()),
         Resource::at("/v1/batches/{id}")
             .get(batches::get, batches::get_entry())
             .delete(batches::delete, batches::delete_entry()),

@@ -214,7 +214,7 @@ impl Writing {
 mod tests {
     use super::*;
     use crate::config::Config;
-    use crate::store::{NewJob, Store, StoreOptions, Submitted};
+    use crate::store::{Addition, NewJob, Store, StoreOptions};
     use futures_util::FutureExt;
     use std::sync::Arc;
     use std::time::Duration;
@@ -240,7 +240,7 @@ mod tests {
             memory_bytes: 0,
             reuse: false,
         };
-        let Submitted::Created(row, _) = store.submit(job).await.unwrap() else { panic!("a new job") };
+        let Addition::Created(row, _) = store.add_job(job).await.unwrap() else { panic!("a new job") };
         let row = JobRow { status: Status::Succeeded, ..*row };
         let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None).unwrap();
         let mut reserved = Vec::new();

@@ -7,8 +7,7 @@
 
 use super::JobsError;
 use super::turns::{Turn, Turns};
-use super::worker::STACK_BYTES;
-use crate::threads::{Lost, Threads};
+use crate::threads::{Lost, STACK_BYTES, Threads};
 use std::io;
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Files made from results, and their cache. A stored mesh never changes, so a file made from it in one format is the
+//! FileCache made from results, and their cache. A stored mesh never changes, so a file made from it in one format is the
 //! same for every reader, range request and revalidation.
 //!
 //! Small files are in memory. Others are unnamed files on disk, so that a slow reader occupies one piece of its file in
@@ -125,7 +125,7 @@ fn unavailable(error: io::Error) -> JobsError {
 pub type Key = (Vec<u8>, String);
 
 #[derive(Debug)]
-pub struct Files {
+pub struct FileCache {
     memory_bytes: usize,
     disk_bytes: u64,
     /// Folders for files on disk. The first one in which a file can be created is used.
@@ -156,7 +156,7 @@ impl Kept {
     }
 }
 
-impl Files {
+impl FileCache {
     /// Returns a cache for `memory_bytes` of small files. All files on disk together take at most `disk_bytes`, except
     /// for a file that is the only one.
     #[must_use]
@@ -245,8 +245,8 @@ mod tests {
 
     const LARGE: usize = 5 * PIECE_BYTES;
 
-    fn files(memory_bytes: usize, disk_bytes: usize) -> Files {
-        Files::new(memory_bytes, disk_bytes as u64, vec!["/nowhere".into(), std::env::temp_dir()])
+    fn files(memory_bytes: usize, disk_bytes: usize) -> FileCache {
+        FileCache::new(memory_bytes, disk_bytes as u64, vec!["/nowhere".into(), std::env::temp_dir()])
     }
 
     fn key(name: &str) -> Key {

@@ -2,85 +2,20 @@
 //! imports.
 
 use super::batch::BatchMeshes;
-use super::converters::{Converters, Length, Reservation};
-use super::files::{File, Files};
-use super::memory::MemoryBudget;
-use super::progress::Running;
-use super::submission::{self, Accepted, Submitted, Submitter};
-use super::{Filter, JobsError, batch, callbacks, view, worker};
-use crate::config::Config;
+use super::handle::count_cancelled;
+use super::reading::{found, found_batch};
+use super::{Jobs, JobsError, Selection, batch, callbacks, view, worker};
 use crate::status::Status;
-use crate::store::{Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store, Subject};
-use crate::telemetry::metric;
-use crate::webhook::Sender;
+use crate::store::{Filter, Subject};
 use crate::wire::batch::Batch;
 use crate::wire::callback::Callbacks;
 use crate::wire::job::{Job, JobList};
-use bytes::Bytes;
-use plateau_archive::{Archive, Defect};
-use plateau_forms::kind::Kind;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tokio::sync::Semaphore;
 
-/// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
-const MAX_UNDER_WAY: u32 = 1 << 24;
-
-/// Handle of the job service. Clones share one service.
-#[derive(Clone, Debug)]
-pub struct Jobs(Arc<Inner>);
-
-#[derive(Debug)]
-struct Inner {
-    store: Store,
-    config: Arc<Config>,
-    /// Solvers that run in this process.
-    running: Running,
-    shutdown: watch::Sender<bool>,
-    memory: MemoryBudget,
-    converters: Converters,
-    /// Files that conversions have made.
-    files: Files,
-    /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
-    slots: Arc<Semaphore>,
-    solvers: usize,
-    /// One permit for each worker and attempt that a shutdown waits for.
-    under_way: Arc<Semaphore>,
-    /// Name of this process in the records of attempts.
-    process: String,
-    /// Sender of messages to callback URLs. `None` if webhooks are off.
-    webhooks: Option<Arc<Sender>>,
-}
-
-/// Start and shutdown.
+/// Start of the workers.
 impl Jobs {
-    /// Returns the service, whose workers do not run yet.
-    ///
-    /// # Errors
-    /// Fails if the system cannot start the threads for conversions.
-    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> std::io::Result<Self> {
-        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let solvers = config.jobs.workers.unwrap_or(cores);
-        Ok(Self(Arc::new(Inner {
-            memory: MemoryBudget::new(config.solver_memory_bytes()),
-            files: Files::new(
-                config.http.files_kept_bytes,
-                config.http.files_disk_bytes,
-                vec![config.store.data.clone(), std::env::temp_dir()],
-            ),
-            store,
-            config,
-            webhooks: webhooks.map(Arc::new),
-            slots: Arc::new(Semaphore::new(solvers)),
-            solvers,
-            under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
-            process: ulid::Ulid::generate().to_string(),
-            running: Running::default(),
-            shutdown: watch::Sender::new(false),
-            converters: Converters::start(cores.max(2))?,
-        })))
-    }
-
     /// Starts the workers of this process. They end after a shutdown was asked for.
     pub fn spawn_workers(&self) {
         for number in 0..self.0.solvers {
@@ -91,36 +26,6 @@ impl Jobs {
             let name = format!("{}/small{number}", self.0.process);
             tokio::spawn(worker::run(self.clone(), name, slots.clone(), worker::SMALL_BYTES));
         }
-    }
-
-    /// Returns the number of solvers that may run in this process at once.
-    #[must_use]
-    pub fn solvers(&self) -> usize {
-        self.0.solvers
-    }
-
-    /// Asks for a shutdown. No job is claimed from now on, and running jobs get the grace time before they are handed
-    /// back.
-    pub fn shut_down(&self) {
-        self.0.shutdown.send_replace(true);
-    }
-
-    #[must_use]
-    pub fn is_shutting_down(&self) -> bool {
-        *self.0.shutdown.borrow()
-    }
-
-    /// Waits until a shutdown was asked for.
-    pub async fn shutdown(&self) {
-        // Waiting cannot fail, because `self` owns the sender.
-        let _ = self.0.shutdown.subscribe().wait_for(|down| *down).await;
-    }
-
-    /// Waits until a shutdown was asked for and every worker and attempt has ended or was handed back.
-    pub async fn idle(&self) {
-        self.shutdown().await;
-        // Acquiring cannot fail, because the semaphore is never closed.
-        let _ = self.0.under_way.acquire_many(MAX_UNDER_WAY).await;
     }
 }
 
@@ -153,41 +58,10 @@ impl Jobs {
     pub async fn check_room(&self, owner: Option<&str>) -> Result<(), JobsError> {
         Ok(self.0.store.check_room(owner).await?)
     }
-
-    /// Reads a body and stores the job. If `waited_for` is true, the client waits for the end, and a small job may be
-    /// solved during the submission.
-    ///
-    /// Returns [`JobsError::Rejected`] with every offending value, [`JobsError::QueueFull`], [`JobsError::KeyConflict`]
-    /// or an error of the store.
-    pub async fn submit(
-        &self,
-        kind: Kind,
-        body: Bytes,
-        from: Submitter,
-        waited_for: bool,
-    ) -> Result<Accepted, JobsError> {
-        submission::job(self, kind, body, from, waited_for).await
-    }
-
-    /// Reads a batch's body and stores all of its jobs, or none of them.
-    ///
-    /// # Errors
-    /// Returns the errors of [`Jobs::submit`].
-    pub async fn submit_batch(&self, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
-        submission::batch(self, body, from).await
-    }
 }
 
 /// One job.
 impl Jobs {
-    /// Returns a job.
-    ///
-    /// # Errors
-    /// Returns [`JobsError::NotFound`], [`JobsError::Expired`] or an error of the store.
-    pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
-        self.view(&*found(self.0.store.get(id, owner).await?)?)
-    }
-
     /// Waits until the job ends, the wait is over or a shutdown begins, and then returns the job.
     ///
     /// # Errors
@@ -201,17 +75,6 @@ impl Jobs {
         }
     }
 
-    /// Returns a watch that follows the changes of a job.
-    ///
-    /// # Errors
-    /// Returns the errors of [`Jobs::get`].
-    pub(super) async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
-        self.0.store.watch(id, owner).await?.map_err(|lookup| match lookup {
-            Lookup::Expired => JobsError::Expired,
-            Lookup::Found(_) | Lookup::Missing => JobsError::NotFound,
-        })
-    }
-
     /// Returns one page of an owner's jobs, newest first, or of all jobs if `owner` is `None`. Jobs whose rows cannot
     /// be read are left out and logged.
     ///
@@ -220,16 +83,16 @@ impl Jobs {
     pub async fn list(
         &self,
         owner: Option<&str>,
-        filter: Filter,
+        selection: Selection,
         limit: u32,
         cursor: Option<&str>,
         with_statistics: bool,
     ) -> Result<JobList, JobsError> {
-        let filter = StoredFilter {
+        let filter = Filter {
             owner: owner.map(str::to_owned),
-            kind: filter.kind.map(|kind| kind.name().into()),
-            status: filter.status,
-            idempotency_key: filter.idempotency_key,
+            kind: selection.kind.map(|kind| kind.name().into()),
+            status: selection.status,
+            idempotency_key: selection.idempotency_key,
             statistics: with_statistics,
         };
         let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
@@ -309,14 +172,6 @@ impl Jobs {
         Ok(job)
     }
 
-    /// Stops the solvers of jobs that a newer job of their series has cancelled, and counts the jobs.
-    pub(super) fn superseded(&self, cancelled: &[JobRow]) {
-        for job in cancelled {
-            self.0.running.cancel(&job.id);
-            Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
-        }
-    }
-
     /// Returns a guard that cancels a job when it is dropped, unless it was told to keep the job.
     #[must_use]
     pub fn cancel_on_drop(&self, id: &str, owner: Option<&str>) -> CancelOnDrop {
@@ -334,60 +189,10 @@ impl Jobs {
         }
         found(self.0.store.get(id, owner).await?).and(Err(JobsError::NotFound))
     }
-
-    /// Returns a file made from a succeeded job's mesh. The conversion runs outside the async threads, and the number
-    /// of conversions at once is limited. Files are cached, so that range requests, revalidations and many readers cost
-    /// one conversion. `format` identifies what `convert` does.
-    ///
-    /// # Errors
-    /// Returns the errors of [`Jobs::get`] and of `convert`, [`JobsError::NoMesh`] unless the job has succeeded, and
-    /// [`JobsError::Lost`] if its mesh was damaged.
-    pub async fn convert(
-        &self,
-        id: &str,
-        owner: Option<&str>,
-        format: impl Into<String> + Send,
-        convert: impl FnOnce(&Archive) -> Result<Vec<u8>, JobsError> + Send + 'static,
-    ) -> Result<File, JobsError> {
-        let row = found(self.0.store.get(id, owner).await?)?;
-        if row.status != Status::Succeeded {
-            return Err(JobsError::NoMesh(row.status));
-        }
-        let key = (row.artefact.unwrap_or_default(), format.into());
-        if let Some(file) = self.0.files.get(&key) {
-            return Ok(file);
-        }
-        let thread = self.reserve_converter(owner, length(row.statistics.as_deref())).await?;
-        // Another conversion may have made the file while this one waited.
-        if let Some(file) = self.0.files.get(&key) {
-            return Ok(file);
-        }
-        let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::Lost)?;
-        let service = self.clone();
-        let run = move || match Archive::from_bytes(&artefact.bytes) {
-            Ok(archive) => Ok(convert(&archive).and_then(|bytes| service.files().file(bytes))),
-            Err(defect) => Err((defect, artefact)),
-        };
-        let file = match thread.run(run).await? {
-            Ok(converted) => converted?,
-            Err((defect, artefact)) => return Err(self.unreadable(&defect, &artefact).await),
-        };
-        metrics::counter!(metric::CONVERSIONS).increment(1);
-        self.0.files.put(key, file.clone());
-        Ok(file)
-    }
 }
 
 /// Batches.
 impl Jobs {
-    /// Returns a batch.
-    ///
-    /// # Errors
-    /// Returns [`JobsError::NoBatch`], [`JobsError::Expired`] or an error of the store.
-    pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
-        self.view_batch(&found_batch(self.0.store.batch(id, owner).await?)?)
-    }
-
     /// Waits until the last job of the batch ends, the wait is over or a shutdown begins, and then returns the batch.
     ///
     /// # Errors
@@ -446,85 +251,6 @@ impl Jobs {
     }
 }
 
-/// Access for the other modules of `jobs`.
-impl Jobs {
-    pub(super) fn store(&self) -> &Store {
-        &self.0.store
-    }
-
-    pub(super) fn config(&self) -> &Config {
-        &self.0.config
-    }
-
-    pub(super) fn running(&self) -> &Running {
-        &self.0.running
-    }
-
-    pub(super) fn memory(&self) -> &MemoryBudget {
-        &self.0.memory
-    }
-
-    pub(super) fn files(&self) -> &Files {
-        &self.0.files
-    }
-
-    pub(super) fn slots(&self) -> Arc<Semaphore> {
-        self.0.slots.clone()
-    }
-
-    pub(super) fn webhooks(&self) -> Option<&Arc<Sender>> {
-        self.0.webhooks.as_ref()
-    }
-
-    /// Returns a permit that makes a shutdown wait until it is dropped.
-    pub(super) fn under_way(&self) -> Option<OwnedSemaphorePermit> {
-        self.0.under_way.clone().try_acquire_owned().ok()
-    }
-
-    /// Returns a row in the form that clients see.
-    ///
-    /// # Errors
-    /// Returns [`JobsError::Internal`] if this version cannot read the row.
-    pub(super) fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
-        view::job(&self.0.config.http.public_base_path, row)
-    }
-
-    fn view_batch(&self, row: &BatchRow) -> Result<Batch, JobsError> {
-        view::batch(&self.0.config.http.public_base_path, row)
-    }
-
-    /// Waits for a converter's thread and reserves it.
-    pub(super) async fn reserve_converter(
-        &self,
-        owner: Option<&str>,
-        length: Length,
-    ) -> Result<Reservation<'_>, JobsError> {
-        self.0.converters.reserve(owner, length).await
-    }
-
-    /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the async
-    /// runtime.
-    pub async fn off_runtime<T: Send + 'static>(
-        &self,
-        work: impl FnOnce() -> T + Send + 'static,
-    ) -> Result<T, JobsError> {
-        self.reserve_converter(None, Length::Short).await?.run(work).await
-    }
-
-    /// Returns the error for a stored mesh that cannot be read. If the mesh is damaged, it is removed, so that the next
-    /// equal request is solved again instead of reusing it.
-    pub(super) async fn unreadable(&self, defect: &Defect, artefact: &Artefact) -> JobsError {
-        tracing::error!(error = %defect, "a stored mesh cannot be read");
-        if !matches!(defect, Defect::Magic | Defect::Checksum) {
-            return JobsError::Internal("a stored mesh cannot be read".into());
-        }
-        match self.0.store.discard(artefact).await {
-            Ok(()) => JobsError::Lost,
-            Err(error) => error.into(),
-        }
-    }
-}
-
 /// Cancels a job when it is dropped.
 #[derive(Debug)]
 pub struct CancelOnDrop {
@@ -548,41 +274,5 @@ impl Drop for CancelOnDrop {
                 tracing::warn!(?error, job_id = id, "a job whose client went away was not cancelled");
             }
         });
-    }
-}
-
-/// Returns how long converting a mesh with these statistics takes.
-fn length(statistics: Option<&str>) -> Length {
-    /// Largest number of triangles of a mesh that is converted in some tenths of a second.
-    const SHORT_TRIANGLES: u64 = 20_000;
-    #[derive(serde::Deserialize)]
-    struct Size {
-        triangles: Option<u64>,
-    }
-    let size = statistics.and_then(|text| serde_json::from_str::<Size>(text).ok());
-    match size.and_then(|size| size.triangles) {
-        Some(triangles) if triangles > SHORT_TRIANGLES => Length::Long,
-        _ => Length::Short,
-    }
-}
-
-/// Counts a job that this process has cancelled.
-fn count_cancelled(kind: Kind) {
-    metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
-}
-
-fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
-    match lookup {
-        Lookup::Found(row) => Ok(row),
-        Lookup::Expired => Err(JobsError::Expired),
-        Lookup::Missing => Err(JobsError::NotFound),
-    }
-}
-
-fn found_batch(lookup: BatchLookup) -> Result<BatchRow, JobsError> {
-    match lookup {
-        BatchLookup::Found(row) => Ok(row),
-        BatchLookup::Expired => Err(JobsError::Expired),
-        BatchLookup::Missing => Err(JobsError::NoBatch),
     }
 }

@@ -4,9 +4,8 @@
 //! result from which it begins (`requests.source`), so that its job can be solved after the source's job has expired or was
 //! deleted.
 
-use super::JobsError;
 use super::progress::Line;
-use super::service::Jobs;
+use super::{Jobs, JobsError};
 use crate::status::Status;
 use crate::store::{Artefact, Lookup};
 use plateau_archive::Archive;

@@ -8,7 +8,7 @@
 use super::attempt::{Attempt, End};
 use super::sources::Sources;
 use super::{Jobs, JobsError, view};
-use crate::store::{NewBatch, NewJob, Solved, StoreError, Submitted as Stored, SubmittedBatch as StoredBatch};
+use crate::store::{Addition, BatchAddition, EarlyEnd, NewBatch, NewJob, StoreError};
 use crate::telemetry::metric;
 use crate::wire::batch::{Batch, BatchRequest};
 use crate::wire::envelope::Cache;
@@ -49,17 +49,35 @@ pub struct Submitter {
     pub idempotency_key: Option<String>,
 }
 
-pub(super) async fn job(
-    jobs: &Jobs,
-    kind: Kind,
-    body: Bytes,
-    from: Submitter,
-    waited_for: bool,
-) -> Result<Accepted, JobsError> {
-    let mut cancel_on_disconnect = false;
-    let submitted = read_and_store(jobs, kind, body, from, waited_for, &mut cancel_on_disconnect).await;
-    count(kind.name(), &submitted);
-    Ok(Accepted { submitted: submitted?, cancel_on_disconnect })
+impl Jobs {
+    /// Reads a body and stores the job. If `waited_for` is true, the client waits for the end, and a small job may be
+    /// solved during the submission.
+    ///
+    /// # Errors
+    /// Returns [`JobsError::Rejected`] with every offending value, [`JobsError::QueueFull`], [`JobsError::KeyConflict`]
+    /// or an error of the store.
+    pub async fn submit(
+        &self,
+        kind: Kind,
+        body: Bytes,
+        from: Submitter,
+        waited_for: bool,
+    ) -> Result<Accepted, JobsError> {
+        let mut cancel_on_disconnect = false;
+        let submitted = read_and_store(self, kind, body, from, waited_for, &mut cancel_on_disconnect).await;
+        count(kind.name(), &submitted);
+        Ok(Accepted { submitted: submitted?, cancel_on_disconnect })
+    }
+
+    /// Reads a batch's body and stores all of its jobs, or none of them.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::submit`].
+    pub async fn submit_batch(&self, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
+        let submitted = read_and_store_batch(self, body, from).await;
+        count("batch", &submitted);
+        submitted
+    }
 }
 
 async fn read_and_store(
@@ -100,19 +118,19 @@ async fn store(
 ) -> Result<Submitted<Job>, JobsError> {
     if waited_for && let Some((attempt, solved)) = solve_here(jobs, &job, request, submitted_at) {
         let status = solved.outcome.status();
-        let stored = jobs.store().submit_solved(job, solved).await;
+        let stored = jobs.store().add_ended_job(job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
-        let created = matches!(stored, Ok(Stored::Created(..)));
+        let created = matches!(stored, Ok(Addition::Created(..)));
         attempt.end(if created { End::Finished(status) } else { End::Dropped });
         return answer(jobs, stored);
     }
-    answer(jobs, jobs.store().submit(job).await)
+    answer(jobs, jobs.store().add_job(job).await)
 }
 
 /// Solves a small job on this thread if a solver's slot is free at once. A free slot also means that no job waits for a
 /// solver of this process, except for jobs that wait for memory. A quick job needs a few megabytes at most, which the
 /// budget does not count.
-fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instant) -> Option<(Attempt, Solved)> {
+fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instant) -> Option<(Attempt, EarlyEnd)> {
     if !request.quick || jobs.is_shutting_down() {
         return None;
     }
@@ -128,25 +146,19 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
     // yet.
     let outcome = attempt.solve(request)?;
     let (submitted_ms, started_ms) = (milliseconds(submitted_at.elapsed()), milliseconds(started_at.elapsed()));
-    Some((attempt, Solved { outcome, submitted_ms, started_ms }))
+    Some((attempt, EarlyEnd { outcome, submitted_ms, started_ms }))
 }
 
-fn answer(jobs: &Jobs, stored: Result<Stored, StoreError>) -> Result<Submitted<Job>, JobsError> {
+fn answer(jobs: &Jobs, stored: Result<Addition, StoreError>) -> Result<Submitted<Job>, JobsError> {
     match stored? {
-        Stored::Created(row, superseded) => {
+        Addition::Created(row, superseded) => {
             jobs.superseded(&superseded);
             tracing::info!(job_id = %row.id, kind = row.kind, "submitted");
             Ok(Submitted::Created(jobs.view(&row)?))
         }
-        Stored::Existing(row) => Ok(Submitted::Existing(jobs.view(&row)?)),
-        Stored::KeyConflict => Err(JobsError::KeyConflict),
+        Addition::Existing(row) => Ok(Submitted::Existing(jobs.view(&row)?)),
+        Addition::KeyConflict => Err(JobsError::KeyConflict),
     }
-}
-
-pub(super) async fn batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
-    let submitted = read_and_store_batch(jobs, body, from).await;
-    count("batch", &submitted);
-    submitted
 }
 
 async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
@@ -177,13 +189,13 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     let id = ulid::Ulid::generate().to_string();
     let batch = NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs: new_jobs };
     let base = &jobs.config().http.public_base_path;
-    match jobs.store().submit_batch(batch).await? {
-        StoredBatch::Created(row) => {
+    match jobs.store().add_batch(batch).await? {
+        BatchAddition::Created(row) => {
             tracing::info!(batch_id = %row.id, jobs = row.size, "submitted a batch");
             Ok(Submitted::Created(view::batch(base, &row)?))
         }
-        StoredBatch::Existing(row) => Ok(Submitted::Existing(view::batch(base, &row)?)),
-        StoredBatch::KeyConflict => Err(JobsError::KeyConflict),
+        BatchAddition::Existing(row) => Ok(Submitted::Existing(view::batch(base, &row)?)),
+        BatchAddition::KeyConflict => Err(JobsError::KeyConflict),
     }
 }
 

@@ -4,7 +4,7 @@ use super::JobsError;
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
-use crate::wire::job::{Files, Job, JobSummary, Links};
+use crate::wire::job::{ExtraFiles, Job, JobSummary, Links};
 use plateau_forms::kind::Kind;
 use plateau_forms::report::{Progress, SolveError, Warning};
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -31,7 +31,7 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
         (Status::Succeeded, Some(figures)) => (figures.progress(), figures.files()),
         _ => {
             let waiting = || Progress { phase: status.name().into(), ..Progress::default() };
-            (progress.unwrap_or_else(waiting), Files::default())
+            (progress.unwrap_or_else(waiting), ExtraFiles::default())
         }
     };
     Ok(Job {
@@ -80,8 +80,8 @@ pub(super) fn summary_of(statistics: &str) -> String {
 }
 
 impl Figures {
-    fn files(&self) -> Files {
-        Files { pattern: self.flat_pattern.is_some(), certificate: self.certificate.is_some() }
+    fn files(&self) -> ExtraFiles {
+        ExtraFiles { pattern: self.flat_pattern.is_some(), certificate: self.certificate.is_some() }
     }
 
     /// Returns the progress of a finished job.
@@ -134,7 +134,7 @@ pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
             id: job.id.clone(),
             kind,
             status: job.status,
-            links: Links::of(base, &job.id, job.status, Files::default()),
+            links: Links::of(base, &job.id, job.status, ExtraFiles::default()),
         })
     });
     let counts = counts(row);

@@ -7,9 +7,6 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
 
-/// Stack size of the runtime's threads, which run solvers, and of the converters. Sparse orderings and Delaunay walks
-/// may recurse deeply. A large stack costs only address space.
-pub const STACK_BYTES: usize = 64 << 20;
 /// Longest interval at which an idle worker looks for a job without having been notified of one. It looks at least three
 /// times in a lease, because the store takes a longer pause for an outage.
 const IDLE_POLL: Duration = Duration::from_secs(1);

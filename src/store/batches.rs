@@ -2,9 +2,9 @@
 //! with its last job.
 
 use super::callbacks::host_of;
-use super::jobs::{self, BatchPlace, COLUMNS, JobRow, NewJob, Submitted, drop_request, ending, limit};
+use super::jobs::{self, Addition, BatchPlace, COLUMNS, JobRow, NewJob, drop_request, ending};
 use super::tx::{Row, Tx};
-use super::{Result, StoreError, StoreOptions, milliseconds};
+use super::{Result, StoreError, StoreOptions, limit, milliseconds};
 use crate::status::Status;
 
 /// A batch that has not been stored yet. Its jobs are stored together or not at all, and must have no idempotency keys
@@ -25,7 +25,7 @@ pub struct NewBatch {
 
 /// Result of submitting a batch.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum SubmittedBatch {
+pub enum BatchAddition {
     Created(BatchRow),
     /// An earlier submission with the same idempotency key and body created this batch.
     Existing(BatchRow),
@@ -76,7 +76,7 @@ impl BatchJob {
 }
 
 /// Stores a batch as a whole. Fails with `QueueFull` if the queue has no room for all of its jobs.
-pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) -> Result<SubmittedBatch> {
+pub(super) fn add(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) -> Result<BatchAddition> {
     let owner = batch.owner.as_deref();
     if let Some(earlier) = earlier_batch(tx, batch)? {
         return Ok(earlier);
@@ -97,25 +97,25 @@ pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) 
     )?;
     for (index, job) in batch.jobs.iter().enumerate() {
         let place = BatchPlace { batch: &batch.id, index: limit(index as u64) };
-        let Submitted::Created(..) = jobs::submit(tx, job, Some(place), None, options)? else {
+        let Addition::Created(..) = jobs::add(tx, job, Some(place), None, options)? else {
             return Err(StoreError::Internal("a job of a batch has an idempotency key of its own".into()));
         };
     }
     match find(tx, &batch.id, owner)? {
-        Some(row) => Ok(SubmittedBatch::Created(row)),
+        Some(row) => Ok(BatchAddition::Created(row)),
         None => Err(StoreError::Internal("a batch vanished in its transaction".into())),
     }
 }
 
-fn earlier_batch(tx: &mut Tx<'_>, batch: &NewBatch) -> Result<Option<SubmittedBatch>> {
+fn earlier_batch(tx: &mut Tx<'_>, batch: &NewBatch) -> Result<Option<BatchAddition>> {
     let Some(key) = &batch.idempotency_key else { return Ok(None) };
     let owner = batch.owner.as_deref();
     let text = "SELECT id, body_hash FROM batches WHERE owner = $1 AND idempotency_key = $2";
     let Some(row) = tx.row(text, &[owner.unwrap_or_default().into(), key.into()])? else { return Ok(None) };
     if row.get::<Vec<u8>>("body_hash")? != batch.body_hash {
-        return Ok(Some(SubmittedBatch::KeyConflict));
+        return Ok(Some(BatchAddition::KeyConflict));
     }
-    Ok(find(tx, &row.get::<String>("id")?, owner)?.map(SubmittedBatch::Existing))
+    Ok(find(tx, &row.get::<String>("id")?, owner)?.map(BatchAddition::Existing))
 }
 
 fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<BatchRow>> {
@@ -172,7 +172,7 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<O
 }
 
 /// Runs a statement that ends or removes jobs, and drops the requests of these jobs. Returns the jobs' identifiers.
-fn run_and_drop_requests(tx: &mut Tx<'_>, text: &str, values: &[super::tx::Value<'_>]) -> Result<Vec<String>> {
+fn run_and_drop_requests(tx: &mut Tx<'_>, text: &str, values: &[super::value::Value<'_>]) -> Result<Vec<String>> {
     let rows = tx.rows(text, values)?;
     let ids = rows.iter().map(|row| row.get("id")).collect::<Result<Vec<String>>>()?;
     for id in &ids {

@@ -9,8 +9,7 @@ use object_store::aws::AmazonS3Builder;
 use object_store::path::Path as ObjectPath;
 use object_store::{ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
 
-use super::files::BUCKET_SCHEME;
-use super::{Result, StoreError, milliseconds};
+use super::{Result, StoreError};
 
 /// Number of retries of a request.
 const RETRIES: usize = 3;
@@ -37,7 +36,7 @@ impl Bucket {
     /// role.
     pub(super) fn open(location: &str) -> Result<Self> {
         let (name, prefix) = location.split_once('/').unwrap_or((location, ""));
-        let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("{BUCKET_SCHEME}{location}: {error}"));
+        let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("s3://{location}: {error}"));
         // Installing fails if the process already has a provider, which serves as well.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let retry = RetryConfig { max_retries: RETRIES, retry_timeout: PATIENCE, ..RetryConfig::default() };
@@ -70,11 +69,11 @@ impl Bucket {
     /// Returns the names of objects that were last written longer ago than `age`. The bucket's clock may differ from
     /// this machine's by less than `age`.
     pub(super) async fn older_than(&self, age: Duration) -> Result<Vec<String>> {
-        let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-        let (now_ms, age_ms) = (milliseconds(since_1970), milliseconds(age));
         let prefix = Some(&self.prefix).filter(|prefix| !prefix.as_ref().is_empty());
         let objects: Vec<_> = self.objects.list(prefix).try_collect().await?;
-        let old = objects.into_iter().filter(|object| now_ms - object.last_modified.timestamp_millis() >= age_ms);
+        let old = objects
+            .into_iter()
+            .filter(|object| SystemTime::from(object.last_modified).elapsed().unwrap_or_default() >= age);
         // Objects in subfolders do not belong to this store.
         let names = old.filter_map(|object| {
             let name = object.location.filename()?.to_owned();

@@ -6,7 +6,6 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use super::jobs::read_owner;
 use super::tx::Tx;
 use super::{Result, StoreError, milliseconds};
 
@@ -169,7 +168,7 @@ pub(super) fn claim(tx: &mut Tx<'_>, lease: Duration, busy: &Busy) -> Result<Opt
             return Ok(Some(Callback {
                 subject,
                 id: row.get("id")?,
-                owner: read_owner(&row)?,
+                owner: row.owner()?,
                 host: host_of(&url),
                 url,
                 attempts: row.get("attempts")?,

@@ -6,10 +6,11 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use super::jobs::{Outcome, Sharing, drop_request, ending, history_line, limit};
+use super::jobs::{Outcome, Sharing, drop_request, ending, history_line};
 use super::results::{self, Prepared};
-use super::tx::{Row, Tx, Value};
-use super::{Result, StoreError, StoreOptions, milliseconds};
+use super::tx::{Row, Tx};
+use super::value::Value;
+use super::{Result, StoreError, StoreOptions, limit, milliseconds};
 use crate::status::Status;
 
 /// A job that the claimer now works on.

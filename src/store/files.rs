@@ -20,13 +20,13 @@ pub(super) const BUCKET_SCHEME: &str = "s3://";
 const PROBE: &str = "probe";
 
 #[derive(Debug, Clone)]
-pub(super) enum Files {
+pub(super) enum ResultStorage {
     Folder(PathBuf),
     #[cfg(feature = "s3")]
     Bucket(Bucket),
 }
 
-impl Files {
+impl ResultStorage {
     /// Opens a folder, which is created if missing, or `s3://BUCKET/PREFIX`.
     pub(super) fn open(place: &str) -> Result<Self> {
         Self::check(place)?;
@@ -163,7 +163,7 @@ mod tests {
         let place = folder.path().display().to_string();
         let probes: Vec<_> = (0..32)
             .map(|_| {
-                let files = Files::open(&place).unwrap();
+                let files = ResultStorage::open(&place).unwrap();
                 tokio::spawn(async move { files.probe().await })
             })
             .collect();

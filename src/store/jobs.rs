@@ -8,8 +8,9 @@ use sha2::{Digest, Sha256};
 use super::callbacks::host_of;
 use super::queue;
 use super::results::{self, Prepared};
-use super::tx::{Row, Tx, Value};
-use super::{Result, StoreError, StoreOptions, milliseconds};
+use super::tx::{Row, Tx};
+use super::value::Value;
+use super::{Result, StoreError, StoreOptions, limit, milliseconds};
 use crate::status::Status;
 
 /// A job that has not been stored yet.
@@ -44,9 +45,9 @@ pub struct NewJob {
     pub reuse: bool,
 }
 
-/// Result of submitting a job.
+/// Result of adding a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Submitted {
+pub enum Addition {
     /// The job is new. It is queued, or has already ended. The list has the older jobs of its series, which are now
     /// cancelled.
     Created(Box<JobRow>, Vec<JobRow>),
@@ -89,7 +90,7 @@ impl Outcome {
 /// End of a job that was solved before it was stored, with the times since its submission and its start by this
 /// process's clock.
 #[derive(Debug, Clone)]
-pub struct Solved {
+pub struct EarlyEnd {
     pub outcome: Outcome,
     pub submitted_ms: i64,
     pub started_ms: i64,
@@ -203,12 +204,6 @@ pub(super) fn read_status(row: &Row) -> Result<Status> {
     Status::from_name(&name).ok_or_else(|| StoreError::Internal(format!("unknown status {name:?}")))
 }
 
-/// Reads the owner. The column holds an empty text for a job without an owner.
-pub(super) fn read_owner(row: &Row) -> Result<Option<String>> {
-    let owner: String = row.get("owner")?;
-    Ok((!owner.is_empty()).then_some(owner))
-}
-
 /// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `summary`, `warnings` and `error`
 /// are JSON texts as they were stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -249,7 +244,7 @@ impl JobRow {
         Ok(Self {
             id: row.get("id")?,
             kind: row.get("kind")?,
-            owner: read_owner(row)?,
+            owner: row.owner()?,
             status: read_status(row)?,
             label: row.get("label")?,
             metadata: row.get("metadata")?,
@@ -340,13 +335,13 @@ pub struct Filter {
 /// Stores a job, as part of a batch if `place` is given. The first of these cases that applies decides: an earlier
 /// submission with the same idempotency key is returned; a kept result is reused; the job has already been solved; the
 /// job is queued.
-pub(super) fn submit(
+pub(super) fn add(
     tx: &mut Tx<'_>,
     job: &NewJob,
     place: Option<BatchPlace<'_>>,
-    solved: Option<(&Solved, Option<&Prepared>)>,
+    solved: Option<(&EarlyEnd, Option<&Prepared>)>,
     options: &StoreOptions,
-) -> Result<Submitted> {
+) -> Result<Addition> {
     let prepared = solved.and_then(|(_, result)| result);
     if let Some(earlier) = earlier_submission(tx, job)? {
         tx.drop_file(prepared.and_then(|result| result.file.clone()));
@@ -371,7 +366,7 @@ pub(super) fn submit(
         (JobRow::queued(job, now_ms), if job.reuse { Sharing::Undecided } else { Sharing::Refused })
     };
     match solved {
-        Some((Solved { outcome: Outcome::Succeeded { artefact, .. }, .. }, Some(result))) if row.attempt == 1 => {
+        Some((EarlyEnd { outcome: Outcome::Succeeded { artefact, .. }, .. }, Some(result))) if row.attempt == 1 => {
             results::keep(tx, result, artefact)?;
         }
         // The job reuses a kept result, so the new result is dropped.
@@ -382,20 +377,16 @@ pub(super) fn submit(
         keep_request(tx, job)?;
         tx.work_available();
     }
-    Ok(Submitted::Created(Box::new(row), superseded))
+    Ok(Addition::Created(Box::new(row), superseded))
 }
 
-impl Solved {
+impl EarlyEnd {
     fn sharing(&self, job: &NewJob) -> Sharing {
         match self.outcome {
             Outcome::Succeeded { reusable: true, .. } if job.reuse => Sharing::Allowed,
             Outcome::Succeeded { .. } | Outcome::Failed { .. } => Sharing::Refused,
         }
     }
-}
-
-pub(super) fn limit(value: u64) -> i64 {
-    i64::try_from(value).unwrap_or(i64::MAX)
 }
 
 /// Returns a hash that identifies the work. Jobs with equal hashes have equal results.
@@ -412,12 +403,12 @@ fn owner_column(job: &NewJob) -> Value<'_> {
     job.owner.as_deref().unwrap_or_default().into()
 }
 
-fn earlier_submission(tx: &mut Tx<'_>, job: &NewJob) -> Result<Option<Submitted>> {
+fn earlier_submission(tx: &mut Tx<'_>, job: &NewJob) -> Result<Option<Addition>> {
     let Some(key) = &job.idempotency_key else { return Ok(None) };
     let text = format!("SELECT {COLUMNS}, body_hash FROM jobs WHERE owner = $1 AND kind = $2 AND idempotency_key = $3");
     let Some(row) = tx.row(&text, &[owner_column(job), job.kind.as_str().into(), key.into()])? else { return Ok(None) };
     let same = row.get::<Vec<u8>>("body_hash")? == job.body_hash;
-    Ok(Some(if same { Submitted::Existing(Box::new(JobRow::read(&row)?)) } else { Submitted::KeyConflict }))
+    Ok(Some(if same { Addition::Existing(Box::new(JobRow::read(&row)?)) } else { Addition::KeyConflict }))
 }
 
 /// Returns the newest job of the same owner and content whose result may be reused, if there is one.
@@ -456,7 +447,7 @@ fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> J
 }
 
 /// Returns the row of a job that was solved before it was stored.
-fn ended_as(solved: &Solved, result: Option<&Prepared>, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
+fn ended_as(solved: &EarlyEnd, result: Option<&Prepared>, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
     let (created_at_ms, started_at_ms) = (now_ms - solved.submitted_ms, now_ms - solved.started_ms);
     let row = JobRow {
         attempt: 1,

@@ -6,9 +6,8 @@
 //! gets a thousand turns in a row, so the single job of another owner is served right after the job that is served
 //! next. With one owner this is first come, first served.
 
-use super::jobs::limit;
 use super::tx::{Row, Tx};
-use super::{Result, StoreError, StoreOptions};
+use super::{Result, StoreError, StoreOptions, limit};
 
 /// SQL for the number of waiting jobs in total and of the owner `$1`. Counting stops at the limits `$2` and `$3`.
 const WAITING: &str = "(SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS a) AS waiting, \

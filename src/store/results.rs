@@ -3,9 +3,8 @@
 
 use std::time::Duration;
 
-use super::jobs::limit;
 use super::tx::{Row, Tx};
-use super::{Result, StoreError, milliseconds};
+use super::{Result, StoreError, limit, milliseconds};
 
 /// A stored result.
 #[derive(Debug, Clone, PartialEq, Eq)]

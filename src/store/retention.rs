@@ -5,8 +5,10 @@
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 
-use super::tx::{Row, Tx, Value};
-use super::{Result, Store, batches, jobs, milliseconds, results};
+use super::handle::Store;
+use super::tx::{Row, Tx};
+use super::value::Value;
+use super::{Result, batches, limit, milliseconds, results};
 
 /// Number of rows that one transaction of the sweep removes.
 const SWEEP_STEP: i64 = 50;
@@ -90,17 +92,18 @@ struct Expired {
     results: u64,
 }
 
-pub(super) async fn sweep(store: &Store) -> Result<Swept> {
-    let mut swept = Swept { recovered: store.recover().await?.0, ..Swept::default() };
+/// Sweeps after `recovered` lost leases were recovered.
+pub(super) async fn sweep(store: &Store, recovered: usize) -> Result<Swept> {
+    let mut swept = Swept { recovered, ..Swept::default() };
     expire_all(store, &Choice::Due, &mut swept).await?;
-    let max_jobs = jobs::limit(store.options().max_jobs);
+    let max_jobs = limit(store.options().max_jobs);
     for surplus in store.read(move |tx| surplus(tx, max_jobs)).await? {
         expire_all(store, &surplus, &mut swept).await?;
     }
     store.write(batches::forget_empty).await?;
     forget(store).await?;
     if let Some(max_bytes) = store.options().max_bytes {
-        evict(store, jobs::limit(max_bytes / 10 * 8), &mut swept).await?;
+        evict(store, limit(max_bytes / 10 * 8), &mut swept).await?;
     }
     remove_orphans(store, &mut swept).await?;
     remove_files(store, &mut swept).await?;

@@ -54,7 +54,7 @@ pub struct Links {
 
 /// Files that a job has beside its mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Files {
+pub struct ExtraFiles {
     pub pattern: bool,
     pub certificate: bool,
 }
@@ -63,7 +63,7 @@ impl Links {
     /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`. The mesh
     /// is linked before it exists, because every job that succeeds has one.
     #[must_use]
-    pub fn of(base: &str, id: &str, status: Status, files: Files) -> Self {
+    pub fn of(base: &str, id: &str, status: Status, files: ExtraFiles) -> Self {
         let this = format!("{base}/v1/jobs/{id}");
         let may_have_mesh = !matches!(status, Status::Failed | Status::Cancelled);
         Self {

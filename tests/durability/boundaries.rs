@@ -239,7 +239,7 @@ async fn succeeded_job(store: &Store, number: usize) {
         memory_bytes: 0,
         reuse: false,
     };
-    store.submit(job).await.unwrap();
+    store.add_job(job).await.unwrap();
     let claimed = store.claim("worker", Duration::from_secs(60)).await.unwrap().expect("the job");
     let outcome = Outcome::Succeeded {
         statistics: "{}".into(),

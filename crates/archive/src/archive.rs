@@ -11,7 +11,6 @@ use plateau_ruled_surface::strips_of;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::pattern;
 use crate::units::{Unit, UpAxis};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
@@ -126,7 +125,7 @@ pub struct Contents {
     pub input_vertices: Vec<Vec<u32>>,
     /// Statistics of the job as JSON text, which this module does not interpret.
     pub statistics: String,
-    /// True if the mesh consists of developable strips that can be unrolled. The line set [`pattern::BRIDGES`] then has
+    /// True if the mesh consists of developable strips that can be unrolled. The line set [`BRIDGES`] then has
     /// the strips' bridges from first to last, and the mesh has their triangles in the same order.
     pub unrolls: bool,
     /// The proof of a lower bound of the area as JSON text, which this module does not interpret.
@@ -327,12 +326,23 @@ fn check_attributes(attributes: &[Attribute], items: usize) -> Result<(), &'stat
 
 /// Returns true if the mesh consists of the strips that its bridges describe. Only what unrolling relies on is checked.
 fn unrolls(contents: &Contents) -> bool {
-    let Some(bridges) = pattern::bridges(contents) else { return false };
+    let Some(bridges) = bridges_of(contents) else { return false };
     let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
     let triangles = strips_of(bridges).map(|strip| strip.len() - 1).sum::<usize>();
     triangles == contents.mesh.triangles.len()
         && strips_of(bridges).all(|strip| strip.len() > 1 && steps(strip))
         && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
+}
+
+/// Name of the line set whose bridges describe how an open ruled surface unrolls.
+pub const BRIDGES: &str = "bridges";
+
+/// Returns the bridges of a ruled surface.
+pub(crate) fn bridges_of(contents: &Contents) -> Option<&[[u32; 2]]> {
+    contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
+        Lines::Segments(pairs) => Some(pairs.as_slice()),
+        Lines::Polylines(_) | Lines::Arrows(_) => None,
+    })
 }
 
 /// Serializes a mesh as its vertices and triangles.

@@ -10,8 +10,10 @@
 //!
 //! [`picture`] draws a mesh as a small PNG.
 
+mod choices;
 pub mod colors;
 pub mod dxf;
+mod error;
 pub mod gltf;
 pub mod json;
 pub mod obj;
@@ -21,10 +23,11 @@ mod sheets;
 pub mod stl;
 pub mod svg;
 
+pub use choices::{Choices, Origin};
 pub use colors::{Colors, Quantity};
+pub use error::Error;
 
-use crate::archive::{Archive, Contents, LineSet};
-use plateau_mesh::DVec3;
+use crate::archive::Archive;
 
 /// Format in which a mesh can be downloaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,47 +38,6 @@ pub enum MeshFormat {
     Ply,
     Stl,
     Json,
-}
-
-/// Point that the coordinates of a file are relative to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Origin {
-    /// The client's zero, except in an STL file of a mesh that is too far from it for f32.
-    #[default]
-    Automatic,
-    /// The client's zero.
-    Given,
-    /// The middle of the mesh's bounding box.
-    Local,
-}
-
-/// Choices beside the format.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choices {
-    pub origin: Origin,
-    /// Whether lines along the mesh are written too. STL never has them, and PLY only those of a mesh without triangles.
-    pub lines: bool,
-    /// Whether a PLY file is text.
-    pub ascii: bool,
-    /// Colours of a GLB, glTF or PLY file. `None` makes a neutral mesh.
-    pub colors: Option<Colors>,
-}
-
-impl Default for Choices {
-    fn default() -> Self {
-        Self { origin: Origin::Automatic, lines: true, ascii: false, colors: None }
-    }
-}
-
-impl Choices {
-    /// Returns the vector that is subtracted from every coordinate.
-    fn shift(self, contents: &Contents) -> DVec3 {
-        if self.origin == Origin::Local { contents.origin() } else { DVec3::ZERO }
-    }
-
-    fn line_sets(self, contents: &Contents) -> &[LineSet] {
-        if self.lines { &contents.line_sets } else { &[] }
-    }
 }
 
 impl MeshFormat {
@@ -189,30 +151,4 @@ impl PatternFormat {
             Self::Dxf => dxf::to_dxf(&pattern, archive.contents()),
         })
     }
-}
-
-/// Reason why a mesh cannot be written in a format.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Error {
-    /// A coordinate is outside the range of f32 (STL, glTF), or the mesh is so small that its vertices coincide in f32.
-    #[error("the mesh does not fit into {format}'s 32-bit coordinates: {detail}; OBJ and PLY hold every digit")]
-    OutOfRange { format: &'static str, detail: &'static str },
-    /// The values cannot be written, which valid archives never cause.
-    #[error("the mesh cannot be written as {format}")]
-    Unwritable { format: &'static str },
-    /// The mesh has only lines, and files of this format have only triangles.
-    #[error(
-        "a {format} file has only triangles, and this result has only lines; GLB, glTF, OBJ, PLY and JSON have them"
-    )]
-    NoTriangles { format: &'static str },
-    /// The file has no values of the quantity that it is to be coloured by.
-    #[error("this file has no {asked} to be coloured by; it has {}", listed(offered))]
-    NoQuantity { asked: &'static str, offered: Vec<&'static str> },
-    /// The file would exceed the format's 32-bit lengths.
-    #[error("this is more than the 4 GiB that a {format} file can hold")]
-    TooLarge { format: &'static str },
-}
-
-fn listed(names: &[&str]) -> String {
-    if names.is_empty() { "none of the quantities".into() } else { names.join(", ") }
 }

@@ -7,7 +7,7 @@ use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::{DVec2, DVec3, Execution, Mesh};
 use plateau_ruled_surface::FlatPattern;
 
-use super::archive::{Contents, Lines};
+use super::archive::{Contents, bridges_of};
 
 /// All strips of a ruled surface, unrolled. Coordinates are in the client's unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -63,17 +63,6 @@ impl Piece {
     }
 }
 
-/// Name of the line set whose bridges describe how an open ruled surface unrolls.
-pub const BRIDGES: &str = "bridges";
-
-/// Returns the bridges of a ruled surface.
-pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
-    contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
-        Lines::Segments(pairs) => Some(pairs.as_slice()),
-        Lines::Polylines(_) | Lines::Arrows(_) => None,
-    })
-}
-
 impl Contents {
     /// Returns the flat pattern, if there is one.
     #[must_use]
@@ -82,7 +71,7 @@ impl Contents {
             return None;
         }
         // Unrolling cannot fail, because the archive's bridges were validated.
-        let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges(self)?, &Execution::default()).ok()?;
+        let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges_of(self)?, &Execution::default()).ok()?;
         Some(unrolled(&flat, &self.mesh))
     }
 }

@@ -27,7 +27,7 @@ use std::time::Duration;
 /// Formats of a batch's meshes, as `(name, media type)`.
 pub const FORMATS: [(&str, &str); 2] = [("zip", "application/zip"), ("glb", "model/gltf-binary")];
 
-pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
+pub async fn post(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(&app, request.headers());
     let key = idempotency_key(request.headers())?;
     // If there is an idempotency key, it may name an existing batch, so a full queue is no reason to refuse.
@@ -54,7 +54,7 @@ pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Bod
     Ok(with_wait(answer(status, &location, batch), wait_s))
 }
 
-pub fn submit_entry() -> Value {
+pub fn post_entry() -> Value {
     let example = json!({ "requests": [
         { "kind": "ruled_surface", "directrices": [[[0, 0, 0], [1, 0, 0.2], [2, 0, 0]], [[0, 1, 0], [2, 1, 0.5]]] },
         { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]], "resolution": { "triangles": 200 } },

@@ -103,7 +103,7 @@ struct Run<'a> {
 
 impl Run<'_> {
     async fn solve(&self) -> Result<Response, Failure> {
-        let job = self.submit(true).await?;
+        let job = self.begin(true).await?;
         if job.status.is_final() {
             return self.answer(job).await;
         }
@@ -125,7 +125,7 @@ impl Run<'_> {
     }
 
     async fn start(&self) -> Result<Response, Failure> {
-        let job = self.submit(false).await?;
+        let job = self.begin(false).await?;
         Ok(respond(StatusCode::OK, &Answer::of_job(self.component, &job, &Parts::default())))
     }
 
@@ -143,7 +143,7 @@ impl Run<'_> {
         Ok(respond(StatusCode::ACCEPTED, &Answer::of_job(self.component, &job, &Parts::default())))
     }
 
-    async fn submit(&self, waited_for: bool) -> Result<Job, Failure> {
+    async fn begin(&self, waited_for: bool) -> Result<Job, Failure> {
         let owner = self.caller.owner();
         self.app.jobs.check_room(owner).await?;
         let Some(draft) = self.draft else { return Err(Failure::internal("the component has no request")) };

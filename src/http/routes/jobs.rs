@@ -8,7 +8,7 @@ use crate::http::entry::{
 use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
-use crate::jobs::Filter;
+use crate::jobs::Selection;
 use crate::status::Status;
 use crate::wire::callback::Callbacks;
 use crate::wire::job::{Job, JobList};
@@ -44,8 +44,8 @@ pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQu
         Some("true") => true,
         Some(_) => return Err(Failure::bad_query("statistics must be true or false")),
     };
-    let filter = Filter { status, kind, idempotency_key };
-    Ok(Json(app.jobs.list(caller.owner(), filter, limit, cursor.as_deref(), with_statistics).await?))
+    let selection = Selection { status, kind, idempotency_key };
+    Ok(Json(app.jobs.list(caller.owner(), selection, limit, cursor.as_deref(), with_statistics).await?))
 }
 
 pub fn list_entry() -> Value {

@@ -32,12 +32,12 @@ const IDEMPOTENCY_KEY: HeaderName = HeaderName::from_static("idempotency-key");
 /// Returns the path that accepts requests of a kind, with its handler and its entry in the API document.
 pub fn resource(kind: Kind) -> Resource {
     let handler = move |State(app): State<App>, caller: Caller, request: Request<Body>| async move {
-        submit(&app, &caller, kind, request).await
+        post(&app, &caller, kind, request).await
     };
     Resource::at(kind.path()).post(handler, entry(kind))
 }
 
-async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
+async fn post(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let mesh_format = accepted_mesh(request.headers()).filter(|_| wait_s.is_some());
     let key = idempotency_key(request.headers())?;

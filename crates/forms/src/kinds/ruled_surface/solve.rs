@@ -3,8 +3,8 @@
 use super::RuledStatistics;
 use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Lines;
+use plateau_archive::archive::BRIDGES;
 use plateau_archive::archive::Contents;
-use plateau_archive::pattern::BRIDGES;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
 

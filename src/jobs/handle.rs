@@ -1,0 +1,184 @@
+//! The handle of the job service: its start, its shutdown, and what its modules share.
+
+use super::converters::{Converters, Length, Reservation};
+use super::files::FileCache;
+use super::memory::MemoryBudget;
+use super::progress::Running;
+use super::{JobsError, view};
+use crate::config::Config;
+use crate::store::{BatchRow, JobRow, Store};
+use crate::telemetry::metric;
+use crate::webhook::Sender;
+use crate::wire::batch::Batch;
+use crate::wire::job::Job;
+use plateau_forms::kind::Kind;
+use std::sync::Arc;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+
+/// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
+const MAX_UNDER_WAY: u32 = 1 << 24;
+
+/// Handle of the job service. Clones share one service.
+#[derive(Clone, Debug)]
+pub struct Jobs(pub(super) Arc<Inner>);
+
+#[derive(Debug)]
+pub(super) struct Inner {
+    pub(super) store: Store,
+    pub(super) config: Arc<Config>,
+    /// Solvers that run in this process.
+    pub(super) running: Running,
+    pub(super) shutdown: watch::Sender<bool>,
+    pub(super) memory: MemoryBudget,
+    pub(super) converters: Converters,
+    /// FileCache that conversions have made.
+    pub(super) files: FileCache,
+    /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
+    pub(super) slots: Arc<Semaphore>,
+    pub(super) solvers: usize,
+    /// One permit for each worker and attempt that a shutdown waits for.
+    pub(super) under_way: Arc<Semaphore>,
+    /// Name of this process in the records of attempts.
+    pub(super) process: String,
+    /// Sender of messages to callback URLs. `None` if webhooks are off.
+    pub(super) webhooks: Option<Arc<Sender>>,
+}
+
+/// Start and shutdown.
+impl Jobs {
+    /// Returns the service, whose workers do not run yet.
+    ///
+    /// # Errors
+    /// Fails if the system cannot start the threads for conversions.
+    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> std::io::Result<Self> {
+        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let solvers = config.jobs.workers.unwrap_or(cores);
+        Ok(Self(Arc::new(Inner {
+            memory: MemoryBudget::new(config.solver_memory_bytes()),
+            files: FileCache::new(
+                config.http.files_kept_bytes,
+                config.http.files_disk_bytes,
+                vec![config.store.data.clone(), std::env::temp_dir()],
+            ),
+            store,
+            config,
+            webhooks: webhooks.map(Arc::new),
+            slots: Arc::new(Semaphore::new(solvers)),
+            solvers,
+            under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
+            process: ulid::Ulid::generate().to_string(),
+            running: Running::default(),
+            shutdown: watch::Sender::new(false),
+            converters: Converters::start(cores.max(2))?,
+        })))
+    }
+
+    /// Returns the number of solvers that may run in this process at once.
+    #[must_use]
+    pub fn solvers(&self) -> usize {
+        self.0.solvers
+    }
+
+    /// Asks for a shutdown. No job is claimed from now on, and running jobs get the grace time before they are handed
+    /// back.
+    pub fn shut_down(&self) {
+        self.0.shutdown.send_replace(true);
+    }
+
+    #[must_use]
+    pub fn is_shutting_down(&self) -> bool {
+        *self.0.shutdown.borrow()
+    }
+
+    /// Waits until a shutdown was asked for.
+    pub async fn shutdown(&self) {
+        // Waiting cannot fail, because `self` owns the sender.
+        let _ = self.0.shutdown.subscribe().wait_for(|down| *down).await;
+    }
+
+    /// Waits until a shutdown was asked for and every worker and attempt has ended or was handed back.
+    pub async fn idle(&self) {
+        self.shutdown().await;
+        // Acquiring cannot fail, because the semaphore is never closed.
+        let _ = self.0.under_way.acquire_many(MAX_UNDER_WAY).await;
+    }
+}
+
+/// Access for the other modules of `jobs`.
+impl Jobs {
+    /// Stops the solvers of jobs that a newer job of their series has cancelled, and counts the jobs.
+    pub(super) fn superseded(&self, cancelled: &[JobRow]) {
+        for job in cancelled {
+            self.0.running.cancel(&job.id);
+            Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
+        }
+    }
+
+    pub(super) fn store(&self) -> &Store {
+        &self.0.store
+    }
+
+    pub(super) fn config(&self) -> &Config {
+        &self.0.config
+    }
+
+    pub(super) fn running(&self) -> &Running {
+        &self.0.running
+    }
+
+    pub(super) fn memory(&self) -> &MemoryBudget {
+        &self.0.memory
+    }
+
+    pub(super) fn files(&self) -> &FileCache {
+        &self.0.files
+    }
+
+    pub(super) fn slots(&self) -> Arc<Semaphore> {
+        self.0.slots.clone()
+    }
+
+    pub(super) fn webhooks(&self) -> Option<&Arc<Sender>> {
+        self.0.webhooks.as_ref()
+    }
+
+    /// Returns a permit that makes a shutdown wait until it is dropped.
+    pub(super) fn under_way(&self) -> Option<OwnedSemaphorePermit> {
+        self.0.under_way.clone().try_acquire_owned().ok()
+    }
+
+    /// Returns a row in the form that clients see.
+    ///
+    /// # Errors
+    /// Returns [`JobsError::Internal`] if this version cannot read the row.
+    pub(super) fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
+        view::job(&self.0.config.http.public_base_path, row)
+    }
+
+    pub(super) fn view_batch(&self, row: &BatchRow) -> Result<Batch, JobsError> {
+        view::batch(&self.0.config.http.public_base_path, row)
+    }
+
+    /// Waits for a converter's thread and reserves it.
+    pub(super) async fn reserve_converter(
+        &self,
+        owner: Option<&str>,
+        length: Length,
+    ) -> Result<Reservation<'_>, JobsError> {
+        self.0.converters.reserve(owner, length).await
+    }
+
+    /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the async
+    /// runtime.
+    pub async fn off_runtime<T: Send + 'static>(
+        &self,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> Result<T, JobsError> {
+        self.reserve_converter(None, Length::Short).await?.run(work).await
+    }
+}
+
+/// Counts a job that this process has cancelled.
+pub(super) fn count_cancelled(kind: Kind) {
+    metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
+}
