@@ -17,6 +17,7 @@ use toml::{Table, Value};
 
 /// All settings.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     pub http: HttpConfig,
@@ -30,6 +31,7 @@ pub struct Config {
 
 /// Settings of the listener, of its connections and of request bodies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct HttpConfig {
     /// Address and port of the listener. Port 0 picks a free port.
@@ -138,6 +140,7 @@ impl Default for HttpConfig {
 
 /// Storage of jobs and results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct StoreConfig {
     /// Folder of the embedded store. The server creates it if it does not exist.
@@ -180,6 +183,7 @@ impl Default for StoreConfig {
 
 /// Settings of the workers and the queue, and time limits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct JobsConfig {
     /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves no jobs.
@@ -226,6 +230,7 @@ impl Default for JobsConfig {
 
 /// Limits of one request. `GET /v1/limits` shows them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct LimitsConfig {
     /// Largest size in bytes of a request's body.
@@ -271,6 +276,7 @@ impl LimitsConfig {
 
 /// API keys. `plateau key new NAME` creates one.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
     /// SHA-256 of each key as 64 hex digits, by the key's name. If there is no key here or in the keys file, every
@@ -308,6 +314,7 @@ impl std::fmt::Debug for AuthConfig {
 
 /// Webhooks: messages to a client's URL when its job or batch has ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct WebhooksConfig {
     /// Path of a file with `whsec_` and 24 to 64 random bytes in base64. Each key's signing secret is derived from it
@@ -338,6 +345,7 @@ impl Default for WebhooksConfig {
 
 /// Logs, which go to standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct LogConfig {
     /// Least severe level that is logged (`error`, `warn`, `info`, `debug`, `trace` or `off`), or a list of levels for
@@ -354,6 +362,7 @@ impl Default for LogConfig {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum LogFormat {
     Text,
@@ -571,6 +580,7 @@ fn merge(base: &mut Table, layer: Table) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use schemars::generate::SchemaSettings;
 
     fn variables(pairs: &[(&str, &str)]) -> impl Iterator<Item = (String, String)> {
         pairs.iter().map(|(name, value)| ((*name).into(), (*value).into())).collect::<Vec<_>>().into_iter()
@@ -592,30 +602,21 @@ mod tests {
         settings: Vec<(String, String)>,
     }
 
-    /// Reads the sections from this file's doc comments, in the order of the fields of [`Config`].
-    fn sections(source: &str) -> Vec<Section> {
-        let fields = |type_name: &str| -> (String, Vec<(String, String, String)>) {
-            let start = source.find(&format!("pub struct {type_name} {{")).expect("a struct of settings");
-            let before = source[..start].lines().rev().skip_while(|line| line.starts_with("#["));
-            let mut doc: Vec<&str> = before.map_while(|line| line.strip_prefix("/// ")).collect();
-            doc.reverse();
-            let (mut fields, mut sentences) = (Vec::new(), Vec::new());
-            for line in source[start..].lines().skip(1).take_while(|line| *line != "}").map(str::trim) {
-                if let Some(sentence) = line.strip_prefix("/// ") {
-                    sentences.push(sentence);
-                } else if let Some((name, type_name)) =
-                    line.strip_prefix("pub ").and_then(|field| field.trim_end_matches(',').split_once(": "))
-                {
-                    fields.push((name.to_owned(), type_name.to_owned(), std::mem::take(&mut sentences).join(" ")));
-                }
-            }
-            (doc.join(" "), fields)
+    /// Reads the sections from the doc comments, in the order of the fields.
+    fn sections() -> Vec<Section> {
+        let jobs =
+            JobsConfig { workers: Some(0), small_workers: Some(0), memory_bytes: Some(0), ..JobsConfig::default() };
+        let every = Table::try_from(Config { jobs, ..Config::default() }).unwrap();
+        let inline = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
+        let schema = inline.into_generator().into_root_schema_for::<Config>().to_value();
+        let doc = |of: &serde_json::Value| of["description"].as_str().unwrap_or_default().replace('\n', " ");
+        let section = |(name, settings): (&String, &Value)| {
+            let schema = &schema["properties"][name];
+            let names = settings.as_table().unwrap().keys();
+            let settings = names.map(|name| (name.clone(), doc(&schema["properties"][name]))).collect();
+            Section { name: name.clone(), doc: doc(schema), settings }
         };
-        let section = |(name, type_name, _): (String, String, String)| {
-            let (doc, settings) = fields(&type_name);
-            Section { name, doc, settings: settings.into_iter().map(|(name, _, doc)| (name, doc)).collect() }
-        };
-        fields("Config").1.into_iter().map(section).collect()
+        every.iter().map(section).collect()
     }
 
     /// Returns `text` as comment lines of at most 120 columns.
@@ -688,7 +689,7 @@ mod tests {
 
     #[test]
     fn the_default_file_and_the_operators_table_come_from_the_doc_comments() {
-        let sections = sections(include_str!("config.rs"));
+        let sections = sections();
         let defaults = Table::try_from(Config::default()).unwrap();
         for Section { name, doc, settings } in &sections {
             assert!(

@@ -14,6 +14,8 @@
 
 use crate::kind::Kind;
 use schemars::generate::{SchemaGenerator, SchemaSettings};
+use schemars::transform::transform_subschemas;
+use schemars::{Schema, json_schema};
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -33,17 +35,15 @@ pub fn components() -> &'static Map<String, Value> {
 }
 
 /// Adds the statistics of every kind to a generator, and returns the union of their schemas with null.
-pub fn statistics(generator: &mut SchemaGenerator) -> schemars::Schema {
+pub fn statistics(generator: &mut SchemaGenerator) -> Schema {
     let of_kinds = Kind::ALL.iter().map(|kind| (kind.types().statistics.reference)(generator).to_value());
     let parts: Vec<Value> = of_kinds.chain([json!({ "type": "null" })]).collect();
-    schemars::json_schema!({ "anyOf": parts })
+    json_schema!({ "anyOf": parts })
 }
 
 /// Returns the definitions that `add` gives to a generator, in the forms of the API document.
 pub fn rewritten(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {
-    let mut definitions = definitions(settings, add);
-    definitions.values_mut().for_each(|schema| for_each_schema(schema, &mut plain));
-    definitions
+    definitions(settings.with_transform(plain), add)
 }
 
 /// Component name of a request that names its kind.
@@ -84,30 +84,16 @@ fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator))
     generator.take_definitions(true)
 }
 
-/// Calls `change` for a schema and every schema inside it, the inner ones first.
-fn for_each_schema(schema: &mut Value, change: &mut impl FnMut(&mut Value)) {
-    if let Some(keywords) = schema.as_object_mut() {
-        for (keyword, value) in keywords.iter_mut() {
-            match (keyword.as_str(), value) {
-                ("properties", Value::Object(properties)) => {
-                    properties.values_mut().for_each(|property| for_each_schema(property, change));
-                }
-                ("anyOf" | "oneOf" | "allOf", Value::Array(parts)) => {
-                    parts.iter_mut().for_each(|part| for_each_schema(part, change));
-                }
-                ("items", items) => for_each_schema(items, change),
-                ("additionalProperties", values) if values.is_object() => for_each_schema(values, change),
-                _ => {}
-            }
-        }
+/// Rewrites a schema and every schema inside it, the inner ones first.
+fn plain(schema: &mut Schema) {
+    // Whether an object may have other members is said by a boolean too, which stays.
+    let others = schema.get("additionalProperties").filter(|others| others.is_boolean()).cloned();
+    transform_subschemas(&mut plain, schema);
+    if let Some(others) = others {
+        schema.insert("additionalProperties".into(), others);
     }
-    change(schema);
-}
-
-/// Rewrites one schema whose inner schemas are rewritten already.
-fn plain(schema: &mut Value) {
-    if *schema == Value::Bool(true) {
-        *schema = json!({});
+    if schema.as_bool() == Some(true) {
+        *schema = json_schema!({});
     }
     let Some(keywords) = schema.as_object_mut() else { return };
     if keywords.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
@@ -115,8 +101,8 @@ fn plain(schema: &mut Value) {
     }
     describe_default(keywords);
     list_values(keywords);
-    if let Some(shape) = SHAPES.iter().find(|shape| schema.as_object() == Some(&shape.bare())) {
-        *schema = reference(shape.name);
+    if let Some(shape) = SHAPES.iter().find(|shape| *keywords == shape.bare()) {
+        *schema = Schema::new_ref(format!("#/components/schemas/{}", shape.name));
     }
 }
 
@@ -243,9 +229,10 @@ fn with_kinds(components: &mut Map<String, Value>) {
 mod tests {
     use super::*;
 
-    fn plainly(mut schema: Value) -> Value {
-        for_each_schema(&mut schema, &mut plain);
-        schema
+    fn plainly(schema: Value) -> Value {
+        let mut schema: Schema = schema.try_into().unwrap();
+        plain(&mut schema);
+        schema.into()
     }
 
     #[test]
