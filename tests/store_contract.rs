@@ -837,7 +837,7 @@ async fn a_result_outlives_its_job_while_a_request_that_begins_with_it_waits(dat
     assert!(store.finish(&claimed.id, claimed.attempt, success(b"other")).await.unwrap());
     assert_eq!(store.sweep().await.unwrap().artefacts, 1);
     assert_eq!(store.artefact_named(&name).await.unwrap(), None);
-    assert!(matches!(store.submit(from_it(3)).await, Err(StoreError::Contended(_))));
+    assert!(matches!(store.add_job(from_it(3)).await, Err(StoreError::Contended(_))));
 }
 
 /// Returns options that put results of more than eight bytes into `folder`.
