@@ -141,12 +141,6 @@ CREATE TABLE batches (
 CREATE UNIQUE INDEX batches_idempotency ON batches (owner, idempotency_key) WHERE idempotency_key IS NOT NULL;
 CREATE INDEX batches_to_call_back ON batches (callback_at) WHERE callback_url IS NOT NULL;
 
--- Random bytes that all processes on this database share, such as those that tickets of event streams are signed with.
-CREATE TABLE secrets (
-    name TEXT PRIMARY KEY NOT NULL,
-    value BYTEA NOT NULL
-);
-
 -- Tasks that one process at a time does for all that share the database, such as the sweep.
 CREATE TABLE leaders (
     task TEXT PRIMARY KEY NOT NULL,
