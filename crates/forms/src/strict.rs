@@ -2,7 +2,7 @@
 //!
 //! serde's derived types accept more than their schemas: a struct may be an array of its fields, and the name of an
 //! enum's variant an object with one member. They accept less in one place: 2050.0 is an integer in JSON Schema, but
-//! not in serde. [`Strict`] wraps a deserializer, and everything below it, so that both agree.
+//! not in serde. `Strict` wraps a deserializer, and everything below it, so that both agree.
 
 use crate::json::{AnyValue, integral};
 use crate::rejection::{FieldError, Rejection};
