@@ -133,10 +133,10 @@ impl Store {
         self.claim_within(worker, lease, Room::ANY).await
     }
 
-    /// Same as [`Store::claim`], for a worker with this room. Jobs that fit may overtake a job that does not fit into the
-    /// free memory, but only a limited number of them. After that nothing is claimed until the job fits.
+    /// Claims a job as [`Store::claim`] does, for a worker with this room. A limited number of jobs may overtake one that
+    /// does not fit into the free memory. Then nothing is claimed until that job fits.
     pub async fn claim_within(&self, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
-        // Idle workers only read, so that they do not occupy SQLite's one writer.
+        // Idle workers only read, because SQLite has one writer.
         let (recovered, waiting) = self.recover_for(room).await?;
         if recovered == 0 && !waiting {
             return Ok(None);
@@ -145,9 +145,8 @@ impl Store {
         self.write(move |tx| claims::claim(tx, &worker, lease, room)).await
     }
 
-    /// Returns the job that an earlier claim under this name has claimed, if it did, with a new lease. A worker asks this
-    /// after a claim that failed, because the claim may have been committed although its answer was lost. The name must
-    /// belong to one claim only.
+    /// Returns the job that an earlier claim under this name has claimed, with a new lease, or `None`. A worker calls this
+    /// after a failed claim, because the claim may be committed although the answer was lost. Each claim needs its own name.
     pub async fn claimed_by(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
         let worker = worker.to_owned();
         self.write(move |tx| claims::claimed_by(tx, &worker, lease)).await
@@ -235,7 +234,7 @@ impl Store {
         self.write(move |tx| callbacks::claim(tx, lease, &busy)).await
     }
 
-    /// Settles a callback that was delivered or is given up. Its URL stays, so that it can be sent again.
+    /// Settles a callback that was delivered or is given up. The URL stays, so that the message can be sent again.
     pub async fn settle_callback(&self, callback: &Callback, delivery: Delivery) -> Result<()> {
         let callback = callback.clone();
         self.write(move |tx| callbacks::settle(tx, &callback, delivery)).await
@@ -247,8 +246,8 @@ impl Store {
         self.read(move |tx| callbacks::find(tx, subject, &id, owner.as_deref())).await
     }
 
-    /// Makes the callback of a job or batch due at once, with all of its attempts if it was settled. A callback that is due
-    /// only later, because its job or batch has not ended, stays so. Returns false if there is none.
+    /// Makes the callback of a job or batch due at once. A settled callback gets all of its attempts again. The callback of a
+    /// job or batch that has not ended stays due at the end. Returns false if there is no callback.
     pub async fn send_callback_again(&self, subject: Subject, id: &str, owner: Option<&str>) -> Result<bool> {
         let (id, owner) = owned(id, owner);
         self.write(move |tx| callbacks::send_again(tx, subject, &id, owner.as_deref())).await
@@ -263,8 +262,8 @@ impl Store {
 
 /// Retention.
 impl Store {
-    /// Returns true if this instance shall sweep for all that share the database, because it did so last or because the one
-    /// that did has been silent for the time `length`. Without this, every instance would list the whole storage of results.
+    /// Returns true if this instance sweeps for all that share the database: it swept last, or the instance that swept last
+    /// has been silent for `length`. One instance sweeps for all, because a sweep lists the whole storage of results.
     pub async fn leads_the_sweep(&self, length: Duration) -> Result<bool> {
         if matches!(self.inner.engine, Engine::Sqlite(_)) {
             return Ok(true);

@@ -124,7 +124,7 @@ pub(super) fn discard(tx: &mut Tx<'_>, hash: &[u8], touched_at: i64) -> Result<(
     stop_sharing(tx, hash)
 }
 
-/// Returns the SQL condition for a result that no job has and from which no waiting request begins. `name` is SQL for the
+/// Returns the SQL condition for a result that belongs to no job and is the source of no waiting request. `name` is SQL for the
 /// result's name.
 fn orphaned(name: &str) -> String {
     format!(

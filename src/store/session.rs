@@ -151,7 +151,7 @@ fn silent(limit: Duration) -> StoreError {
     StoreError::Unavailable(format!("the server did not answer for {} s", limit.as_secs()))
 }
 
-/// One connection, which is opened at the first use and again after it broke.
+/// A connection that opens at its first use, and opens again after a break.
 pub(super) struct Session {
     server: Server,
     pub(super) connection: Option<Connection>,
@@ -202,8 +202,8 @@ impl Session {
         ran
     }
 
-    /// Closes the connection if it is broken, so that the next statement opens another one. This asks the server, so it
-    /// runs only after an error.
+    /// Closes the connection if it is broken, so that the next statement opens another. Callers use this only after an
+    /// error, because it asks the server.
     pub(super) fn drop_broken(&mut self) {
         if self.connection.is_some() && self.run(async |client| client.check_connection().await).is_err() {
             self.connection = None;
@@ -303,7 +303,7 @@ fn with_one_host(url: &str) -> Cow<'_, str> {
     Cow::Owned(format!("{scheme}://{user}/{database}?{query}{port}"))
 }
 
-/// Returns the password for this server from the password file, if it has one.
+/// Returns the password for this server from the password file, or `None` if the file has none.
 fn stored_password(config: &Config) -> Option<String> {
     let home = || Some(PathBuf::from(std::env::var_os("HOME")?).join(".pgpass"));
     let file = std::env::var_os("PGPASSFILE").map(PathBuf::from).or_else(home)?;

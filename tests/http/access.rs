@@ -128,7 +128,7 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
     assert_ne!(second.json::<Value>().await.unwrap()["id"], first["id"]);
     assert_eq!(post(alice, &small_film(0.2)).await.status(), StatusCode::UNPROCESSABLE_ENTITY);
 
-    // Nor can a request begin with the result of another key.
+    // A request cannot begin with the result of another key.
     for (key, status) in [(alice, 202), (bob, 404)] {
         let request = guarded.request(key, Method::POST, ENLARGEMENTS).json(&enlargement(&job, 2.0));
         assert_eq!(request.send().await.unwrap().status().as_u16(), status);

@@ -183,7 +183,7 @@ async fn components_are_described_as_hops_reads_them() {
     assert_eq!(app.get("/hops/solve").await.status(), StatusCode::METHOD_NOT_ALLOWED);
 }
 
-/// The inputs of the kind are fields of its request, so that nothing here knows it.
+/// The inputs of the kind are fields of its request, so that `src/hops` does not name the kind.
 #[tokio::test]
 async fn a_kind_that_only_the_table_names_has_a_component() {
     let app = TestApp::start().await;

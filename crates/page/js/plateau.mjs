@@ -42,7 +42,7 @@ export async function load(source) {
      * Solves a request (an object, or JSON text) that names its kind. Blocks until it ends, so that pages call it in a
      * worker.
      *
-     * `onProgress` gets the members of a job's progress. `signal` is asked at least every 50 ms: 0 goes on, 1 cancels,
+     * `onProgress` gets the members of a job's progress. `signal` is asked where the service's solvers look for a cancel: 0 goes on, 1 cancels,
      * 2 ends with the best result so far.
      */
     solve(request, { onProgress = () => {}, signal = () => 0 } = {}) {

@@ -56,8 +56,8 @@ struct Failure<'a> {
 }
 
 impl Session {
-    /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at least every 50 ms
-    /// of a fast machine. The result replaces that of the request before.
+    /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places as in
+    /// the service, where they are at most 50 ms apart. The result replaces that of the request before.
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         self.archive = None;
         self.answer.clear();
