@@ -267,11 +267,12 @@ fn asked_for() -> Option<Range<u64>> {
     Some(value.split_once("..").map_or(0..u64::MAX, |(first, end)| number(first)..number(end)))
 }
 
-/// Meshes the cases of one kind under both objectives: those that are asked for, else the first few.
+/// Meshes the cases of one kind under both objectives: those that are asked for, else the first few of the part. A part
+/// without a case fails, unless other numbers are asked for.
 fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: Range<u64>, few: u64) {
     let asked = asked_for();
     let long = asked.is_some();
-    let asked = asked.unwrap_or(0..few);
+    let asked = asked.unwrap_or(cases.start..cases.start + few);
     let (mut runs, mut refused, mut unconverged, mut faults) = (0, 0, 0, Vec::new());
     for seed in cases.start.max(asked.start)..cases.end.min(asked.end) {
         let (domain, edge_length) = make(seed);
@@ -306,6 +307,7 @@ fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: Range<u64>, few: u64) {
     }
     let counts = format!("{runs} runs, {refused} refused, {unconverged} not converged, faults: {faults:#?}");
     println!("{counts}");
+    assert!(runs > 0 || long, "no case ran");
     assert!(faults.is_empty() && 20 * refused <= runs && 10 * unconverged <= runs, "{counts}");
 }
 
@@ -315,7 +317,7 @@ macro_rules! campaigns {
         $(
             #[test]
             fn $name() {
-                campaign($make, $cases, 2);
+                campaign($make, $cases, 1);
             }
         )*
     };
