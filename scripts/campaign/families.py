@@ -1,0 +1,559 @@
+"""Families of requests. A family draws one case from a random generator.
+
+A case has the request, the relations that its result must keep, and sentences that say what is expected. Families named
+`fault_…` draw neighbours of a request that once ended wrongly.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+TURN = 2 * math.pi
+
+
+@dataclass
+class Case:
+    request: dict
+    # Names of relations of `relations.py`.
+    relations: tuple = ()
+    # Functions of the outcome that return a sentence if something is wrong.
+    checks: list = field(default_factory=list)
+
+
+FAMILIES = {}
+
+
+def family(function):
+    FAMILIES[function.__name__] = function
+    return function
+
+
+def film(boundaries, triangles, **options):
+    return {"kind": "minimal_surface", "boundaries": boundaries, "resolution": {"triangles": triangles}, **options}
+
+
+def ring(count, r=1.0, z=0.0, centre=(0.0, 0.0), phase=0.0):
+    angle = lambda k: TURN * (k + phase) / count
+    return [[centre[0] + r * math.cos(angle(k)), centre[1] + r * math.sin(angle(k)), z] for k in range(count)]
+
+
+def square(side_points, size=1.0, height=0.0, first=0):
+    """A square with so many points a side, whose middles are raised in turn; the list begins at point `first`."""
+    points = []
+    corners = [(0, 0), (size, 0), (size, size), (0, size)]
+    for k in range(4):
+        (ax, ay), (bx, by) = corners[k], corners[(k + 1) % 4]
+        for i in range(side_points):
+            t = i / side_points
+            z = height * ((1 - t) if k % 2 == 0 else t)
+            points.append([ax + t * (bx - ax), ay + t * (by - ay), z])
+    return points[first:] + points[:first]
+
+
+def wavy(random, count, z=0.0, r=1.0):
+    waves = [(random.randint(1, 4), random.uniform(0, 0.25), random.uniform(0, TURN)) for _ in range(3)]
+    lift = [(random.randint(1, 3), random.uniform(0, 0.3), random.uniform(0, TURN)) for _ in range(2)]
+    points = []
+    for k in range(count):
+        a = TURN * k / count
+        here = r * (1 + sum(h * math.sin(n * a + p) for n, h, p in waves) / 2)
+        up = z + sum(h * math.sin(n * a + p) for n, h, p in lift)
+        points.append([here * math.cos(a), here * math.sin(a), up])
+    return points
+
+
+def star(random, count):
+    """A plane star-shaped polygon."""
+    return [[r * math.cos(TURN * k / count), r * math.sin(TURN * k / count), 0.0]
+            for k in range(count) for r in [random.uniform(0.5, 1.0)]]
+
+
+def shoelace(ring_points):
+    pairs = zip(ring_points, ring_points[1:] + ring_points[:1])
+    return abs(math.fsum(a[0] * b[1] - a[1] * b[0] for a, b in pairs)) / 2
+
+
+def states(pointer, value, relative=1e-9):
+    """Expects a stated figure."""
+    def check(outcome):
+        if not outcome.succeeded:
+            return f"failed with {outcome.error}: {outcome.detail[:160]}"
+        stated = outcome.stated(pointer)
+        if not isinstance(stated, (int, float)) or abs(stated - value) > relative * abs(value):
+            return f"{pointer} is {stated}, and {value} is right"
+    return check
+
+
+def at_most(pointer, value):
+    def check(outcome):
+        if not outcome.succeeded:
+            return f"failed with {outcome.error}: {outcome.detail[:160]}"
+        if not (outcome.stated(pointer) or 0) <= value:
+            return f"{pointer} is {outcome.stated(pointer)}, more than {value}"
+    return check
+
+
+def succeeds(outcome):
+    if not outcome.succeeded:
+        return f"failed with {outcome.error}: {outcome.detail[:160]}"
+
+
+def refused_as(*kinds):
+    def check(outcome):
+        if outcome.succeeded:
+            return f"was solved, and {' or '.join(kinds)} is right"
+        if outcome.error not in kinds:
+            return f"ended with {outcome.error}, and {' or '.join(kinds)} is right"
+    return check
+
+
+def has_pointer(prefix):
+    def check(outcome):
+        if not any(pointer.startswith(prefix) for pointer in outcome.pointers):
+            return f"names {outcome.pointers[:3]}, and {prefix} is right"
+    return check
+
+
+def right_number_of_triangles(asked):
+    def check(outcome):
+        given = outcome.stated("/triangles")
+        if outcome.succeeded and abs(given / asked - 1) > 0.1 and not outcome.warns("resolution_missed", "refined"):
+            return f"{given} triangles for {asked} without a warning"
+    return check
+
+
+# Films.
+
+@family
+def film_wavy_loop(random):
+    return Case(film([wavy(random, random.randint(5, 60))], random.choice([150, 300, 600])), ("moved", "first_point", "reversed", "scaled"), [succeeds])
+
+
+@family
+def film_skew_square(random):
+    points = random.randint(1, 12)
+    request = film([square(points, 1.0, random.uniform(0.1, 1.0))], random.choice([200, 500]))
+    return Case(request, ("moved", "first_point", "finer"), [succeeds])
+
+
+@family
+def film_two_rings(random):
+    count = random.randint(12, 36)
+    gap = random.uniform(0.2, 1.0)
+    request = film([ring(count), ring(count, 1.0, gap, phase=random.random())], random.choice([300, 600]))
+    return Case(request, ("moved", "reordered"), [succeeds])
+
+
+@family
+def film_of_the_papers_solvers(random):
+    request = film([square(random.randint(3, 8), 1.0, random.uniform(0.1, 0.6))], 200)
+    solver = random.choice(["vertex_relaxation", "pinkall_polthier", "newton"])
+    return Case({**request, "solver": solver}, ("default_solver",), [succeeds])
+
+
+@family
+def film_other_objectives(random):
+    objective = random.choice(["minimal_dirichlet_energy", "minimal_mean_curvature"])
+    return Case({**film([square(random.randint(3, 6), 1.0, random.uniform(0.1, 0.5))], 150), "objective": objective}, (), [succeeds])
+
+
+@family
+def film_three_rings_best(random):
+    rings = [ring(14, random.uniform(0.5, 1.0), random.uniform(0.3, 0.6) * k, (random.uniform(-0.3, 0.3), 0)) for k in range(3)]
+    return Case({**film(rings, 400), "topology": "best"}, ("moved", "reordered"))
+
+
+@family
+def film_with_fixed_point(random):
+    request = film([square(random.randint(2, 6))], 300)
+    request["constraints"] = {"points": [[random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), random.uniform(0.1, 0.5)]]}
+    return Case(request, (), [succeeds])
+
+
+@family
+def film_plane_star(random):
+    outline = star(random, random.randint(5, 24))
+    return Case(film([outline], random.choice([200, 500])), ("moved", "first_point"), [states("/area", shoelace(outline), 1e-9)])
+
+
+@family
+def film_certified(random):
+    request = film([square(random.randint(1, 4), 1.0, random.uniform(0.1, 0.6))], 200)
+    return Case({**request, "certify": {"gap": 0.02, "seconds": 0.5}}, (), [succeeds])
+
+
+@family
+def film_far_from_zero(random):
+    shift = [random.uniform(-1e7, 1e7) for _ in range(3)]
+    points = [[a + b for a, b in zip(p, shift)] for p in wavy(random, random.randint(5, 30), r=random.uniform(1, 50))]
+    return Case(film([points], 300), (), [succeeds])
+
+
+@family
+def film_of_any_scale(random):
+    k = 10.0 ** random.uniform(-6, 6)
+    points = [[k * x for x in p] for p in wavy(random, random.randint(5, 30))]
+    return Case(film([points], 300), (), [succeeds])
+
+
+# Strips.
+
+STRIP_OBJECTIVES = ["minimal_area", "minimal_twist", "maximal_convexity", "minimal_bending_energy",
+                    "minimal_mean_curvature_variation"]
+
+
+def rail(random, count, y, lift=0.4):
+    phase, wave = random.uniform(0, TURN), random.randint(1, 3)
+    steps = [random.uniform(0.5, 1.5) for _ in range(count)]
+    total, x, points = sum(steps), 0.0, []
+    for step in steps:
+        u = x / total
+        points.append([4 * u, y + 0.2 * math.sin(wave * TURN * u + phase), lift * math.cos(wave * 3 * u + phase)])
+        x += step
+    return points
+
+
+def strip(directrices, **options):
+    return {"kind": "ruled_surface", "directrices": directrices, **options}
+
+
+@family
+def strip_open(random):
+    request = strip([rail(random, random.randint(2, 40), 0), rail(random, random.randint(2, 40), 1)], objective=random.choice(STRIP_OBJECTIVES))
+    if request["objective"] == "maximal_convexity" and random.random() < 0.6:
+        request["secondary_objective"] = random.choice(["minimal_bending_energy", "minimal_mean_curvature_variation"])
+    return Case(request, ("exchanged", "moved", "scaled"), [succeeds])
+
+
+@family
+def strip_closed(random):
+    loops = [wavy(random, random.randint(3, 30)), wavy(random, random.randint(3, 30), 1.0)]
+    return Case(strip(loops, closed=True, objective=random.choice(STRIP_OBJECTIVES)), ("moved", "first_point"), [succeeds])
+
+
+@family
+def strip_with_normals(random):
+    rails = [rail(random, random.randint(3, 20), k) for k in (0, 1)]
+    normals = [[[random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 1.0] for _ in one] for one in rails]
+    return Case(strip(rails, objective="minimal_normal_variation", normals=normals), (), [succeeds])
+
+
+@family
+def strip_stack_with_caps(random):
+    count = random.randint(4, 20)
+    loops = [ring(count, random.uniform(0.5, 1.5), 0.7 * k) for k in range(random.randint(2, 4))]
+    return Case(strip(loops, closed=True, caps=random.choice(["none", "flat"])), (), [succeeds])
+
+
+@family
+def strip_fan(random):
+    apex = [[random.uniform(-1, 1), random.uniform(-1, 1), 2.0]]
+    return Case(strip([apex, rail(random, random.randint(2, 200), 0)]), ("moved",), [succeeds])
+
+
+@family
+def strip_far_from_zero(random):
+    shift = [random.uniform(-1e7, 1e7) for _ in range(3)]
+    k = 10.0 ** random.uniform(0, 2)
+    rails = [[[k * a + b for a, b in zip(p, shift)] for p in rail(random, random.randint(2, 20), y)] for y in (0, 1)]
+    return Case(strip(rails, objective=random.choice(STRIP_OBJECTIVES)), (), [succeeds])
+
+
+@family
+def strip_of_any_scale(random):
+    k = 10.0 ** random.uniform(-6, 6)
+    rails = [[[k * x for x in p] for p in rail(random, random.randint(2, 20), y)] for y in (0, 1)]
+    return Case(strip(rails, objective=random.choice(STRIP_OBJECTIVES)), (), [succeeds])
+
+
+# Lattices.
+
+def lattice(domain, edge_length, **options):
+    return {"kind": "uniform_mesh", "domain": domain, "edge_length": edge_length, **options}
+
+
+@family
+def lattice_polygon(random):
+    outline = [[10 * x for x in p] for p in ring(random.randint(4, 9), phase=random.random())]
+    objective = random.choice(["fewest_nodes", "most_equal_edges"])
+    return Case(lattice({"polygon": outline}, random.uniform(1.0, 3.0), objective=objective), ("scaled",), [succeeds])
+
+
+@family
+def lattice_with_hole(random):
+    outline = [[0, 0, 0], [20, 0, 0], [20, 14, 0], [0, 14, 0]]
+    hole = [[10 + 3 * x, 7 + 3 * y, 0] for x, y, _ in ring(random.randint(3, 8), phase=random.random())]
+    return Case(lattice({"polygon": outline, "holes": [hole]}, random.uniform(1.0, 2.0), objective=random.choice(["fewest_nodes", "most_equal_edges"])), (), [succeeds])
+
+
+@family
+def lattice_on_bezier(random):
+    control = [[[10 * i, 8 * j, random.uniform(0, 8)] for j in range(4)] for i in range(4)]
+    return Case(lattice({"bezier": {"control_points": control}}, random.uniform(3, 5), objective=random.choice(["fewest_nodes", "most_equal_edges"])), (), [succeeds])
+
+
+@family
+def lattice_far_from_zero(random):
+    shift = [random.uniform(-1e7, 1e7) for _ in range(2)] + [0.0]
+    outline = [[10 * a + b for a, b in zip(p, shift)] for p in ring(random.randint(4, 9), phase=random.random())]
+    return Case(lattice({"polygon": outline}, random.uniform(1.5, 3.0), objective="most_equal_edges"), (), [succeeds])
+
+
+# Tensile structures and nets.
+
+@family
+def sail_with_cables(random):
+    height = random.uniform(1, 4)
+    corners = [[0, 0, 0], [10, 0, height], [10, 10, 0], [0, 10, height]]
+    tension = random.uniform(0.5, 3)
+    cables = [{"name": f"edge {k}", "along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": tension * random.uniform(9, 20)}
+              for k in range(4)]
+    return Case({"kind": "tensile_structure", "boundaries": [corners], "film": {"tension": tension}, "cables": cables,
+                 "resolution": {"triangles": random.choice([200, 500])}}, ("moved_sideways",))
+
+
+@family
+def inflated_ring(random):
+    request = {"kind": "tensile_structure", "boundaries": [ring(random.randint(12, 40), 5.0)], "film": {"tension": 1.0},
+               "pressure": random.uniform(0.02, 0.25), "resolution": {"triangles": 400}}
+    return Case(request, ("first_point",), [succeeds])
+
+
+@family
+def net_of_squares(random):
+    n = random.randint(3, 8)
+    number = lambda i, j: i * (n + 1) + j
+    vertices = [[float(i), float(j), random.uniform(0, 2) if i in (0, n) and j in (0, n) else 0.0] for i in range(n + 1) for j in range(n + 1)]
+    edges = [[number(i, j), number(i + di, j + dj)] for i in range(n + 1) for j in range(n + 1) for di, dj in ((1, 0), (0, 1))
+             if i + di <= n and j + dj <= n]
+    supports = sorted({number(i, j) for i in range(n + 1) for j in range(n + 1) if i in (0, n) and j in (0, n)} |
+                      {random.randrange(len(vertices)) for _ in range(2)})
+    cables = [{"name": "all", "edges": list(range(len(edges))), "force_density": random.uniform(0.5, 5)}]
+    request = {"kind": "cable_net", "vertices": vertices, "edges": edges, "supports": supports, "cables": cables}
+    if random.random() < 0.5:
+        request["loads"] = [{"vertices": [v], "force": [0.0, 0.0, -random.uniform(0, 0.2)]} for v in range(len(vertices))]
+    return Case(request, ("moved_sideways",), [succeeds])
+
+
+# Neighbours of requests that once ended wrongly.
+
+@family
+def fault_first_point_is_no_corner(random):
+    points = random.randint(25, 60)
+    height = random.choice([0.0, random.uniform(0.1, 0.5)])
+    outline = square(points, 1.0, height, random.randrange(1, points))
+    triangles = random.choice([2000, 3000])
+    checks = [states("/area", 1.0)] if height == 0 else [succeeds]
+    return Case(film([outline], triangles), (), checks)
+
+
+@family
+def fault_two_near_rings(random):
+    count = random.choice([12, 24, 48])
+    gap = 10.0 ** random.uniform(-5, -3)
+    return Case({**film([ring(count), ring(count, 1.0, gap)], 300), "topology": random.choice(["fixed", "free"])}, (), [at_most("/area", TURN * gap * 2)])
+
+
+@family
+def fault_best_of_near_rings(random):
+    count, gap = random.choice([12, 24]), 10.0 ** random.uniform(-4, -1.5)
+    return Case({**film([ring(count), ring(count, 1.0, gap)], 300), "topology": "best"}, ("moved", "reordered"), [at_most("/area", TURN * gap * 2)])
+
+
+@family
+def fault_best_with_a_tiny_ring(random):
+    r = 10.0 ** random.uniform(-3, -1)
+    loops = [ring(32), ring(16, r, random.uniform(0.2, 1.0))]
+    return Case({**film(loops, 600), "topology": "best"}, ("reordered",), [succeeds])
+
+
+@family
+def fault_borromean_rings(random):
+    a, b, count = random.uniform(1.6, 2.0), random.uniform(0.8, 1.0), 24
+    angles = [TURN * k / count for k in range(count)]
+    loops = [[[a * math.cos(t), b * math.sin(t), 0.0] for t in angles], [[0.0, a * math.cos(t), b * math.sin(t)] for t in angles],
+             [[b * math.sin(t), 0.0, a * math.cos(t)] for t in angles]]
+    return Case({**film(loops, 300), "topology": "best"}, ("moved", "reordered"))
+
+
+@family
+def fault_rings_beyond_the_limit(random):
+    """No connected film exists between rings of radii 1 and r this far apart."""
+    r = 10.0 ** random.uniform(-1.5, 0)
+    # The largest distance of a catenoid through both circles, over its waist.
+    reach = lambda waist: waist * (math.acosh(1 / waist) + math.acosh(max(1.0, r / waist)))
+    limit = max(reach(r * (0.001 + 0.999 * k / 2000)) for k in range(2001))
+    gap = limit * random.uniform(1.05, 1.6)
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/components") == 1 and outcome.stated("/converged") and not outcome.warns("near_critical", "unstable"):
+            return f"converged without a word at {gap / limit:.3f} of the limit (radius {r:.3f})"
+    return Case(film([ring(48), ring(max(12, int(48 * r)), r, gap)], random.choice([600, 1200])), (), [check])
+
+
+@family
+def fault_certificate_of_many_rings(random):
+    """Beyond six loops the bound covers the film's own directions only, and must say so."""
+    loops = []
+    for k in range(4):
+        loops += [ring(8, 1.0, 0.0, (4.0 * k, 0)), ring(8, 1.0, random.uniform(0.3, 0.6), (4.0 * k, 0))]
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/certificate/every_orientation") is True:
+            bound, annuli = outcome.stated("/certificate/area_lower_bound"), 4 * TURN * 0.6
+            if bound > annuli:
+                return f"a bound of {bound} for every orientation, and four annuli have at most {annuli}"
+    return Case({**film(loops, 400), "topology": "free", "certify": {"gap": 0.1, "seconds": 0.2}}, (), [check])
+
+
+@family
+def fault_canopy_with_near_sides(random):
+    near = 10.0 ** random.uniform(-3.5, -2)
+    outline = [[0, 0, 0], [1, 0, 0.3], [1, 1, 0], [0.5 + near, 1, 0.2], [0.5 + near, 0.5, 0.25], [0.5, 0.5, 0.25], [0.5, 1, 0.2], [0, 1, 0.4]]
+    def check(outcome):
+        if outcome.error == "self-intersecting-boundary":
+            return "refused as crossing, and its sides do not cross"
+    return Case(film([outline], 400), (), [check])
+
+
+@family
+def fault_unstable_catenoid_descends(random):
+    count, gap = 24, random.uniform(0.5, 0.9)
+    half = gap / 2
+    # The waist of the unstable catenoid is the smaller solution of w cosh(half / w) = 1.
+    low, high = half / 50, half / 1.19968
+    value = lambda w: w * math.cosh(half / w) - 1
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if value(middle) > 0 else (low, middle)
+    waist, rows = 0.5 * (low + high), 8
+    vertices = [[waist * math.cosh(z / waist) * math.cos(TURN * k / count), waist * math.cosh(z / waist) * math.sin(TURN * k / count), z]
+                for z in [half * (2 * i / rows - 1) for i in range(rows + 1)] for k in range(count)]
+    triangles = []
+    for i in range(rows):
+        for k in range(count):
+            a, b = i * count + k, i * count + (k + 1) % count
+            triangles += [[a, b, b + count], [a, b + count, a + count]]
+    loops = [vertices[:count], vertices[-count:]]
+    # The initial mesh has the boundaries' points exactly.
+    request = {**film(loops, len(triangles)), "initial_mesh": {"vertices": vertices, "triangles": triangles}, "on_unstable": "descend"}
+    return Case(request, (), [succeeds])
+
+
+@family
+def fault_fans_of_many_points(random):
+    apex = [[0.0, 0.0, 1.0]]
+    return Case(strip([ring(random.randint(300, 900)), apex], closed=True), (), [succeeds])
+
+
+@family
+def fault_tiny_directrix(random):
+    k = 10.0 ** random.uniform(-13, -9)
+    tiny = [[k * x for x in p] for p in rail(random, random.randint(3, 8), 0)]
+    return Case(strip([tiny, rail(random, 12, 1)], objective=random.choice(STRIP_OBJECTIVES)), (), [succeeds])
+
+
+@family
+def fault_rails_side_by_side(random):
+    """Aligned rails must not be reversed."""
+    n, width, rise = random.randint(2, 6), random.uniform(1, 4), random.uniform(0, 3)
+    one = [[10.0 * i / (n - 1), 0.0, 0.0] for i in range(n)]
+    other = [[10.0 * i / (n - 1), width, rise * i / (n - 1)] for i in range(n)]
+    def check(outcome):
+        if outcome.succeeded and (any(outcome.stated("/reversed")) or outcome.stated("/largest_fold_deg") > 90):
+            return "aligned rails were reversed"
+    return Case(strip([one, other], direction="auto"), (), [succeeds, check])
+
+
+@family
+def fault_aerofoils_that_run_alike(random):
+    def foil(chord, z, count):
+        thickness = random.uniform(0.08, 0.16)
+        half = lambda x: 5 * thickness * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x ** 3 - 0.1036 * x ** 4)
+        xs = [0.5 * (1 + math.cos(math.pi * k / count)) for k in range(count + 1)]
+        upper = [[chord * x, chord * half(x), z] for x in xs]
+        lower = [[chord * x, -chord * half(x), z] for x in reversed(xs[1:-1])]
+        return upper + lower
+    request = strip([foil(1.0, 0.0, random.randint(8, 16)), foil(random.uniform(0.4, 0.9), 2.0, random.randint(8, 16))], closed=True)
+    def check(outcome):
+        if outcome.warns("opposite_directions"):
+            return "warned of opposite directions, and both aerofoils run alike"
+    return Case(request, (), [succeeds, check])
+
+
+@family
+def fault_plane_holes_that_touch(random):
+    x = random.uniform(0.8, 1.2)
+    outline = [[0, 0, 0], [10, 0, 0], [10, 6, 0], [0, 6, 0]]
+    holes = [[[2, 2, 0], [5, 3, 0], [2, 4, 0]], [[5, 3, 0], [5 + 2 * x, 2, 0], [5 + 2 * x, 4, 0]]]
+    right = 60 - shoelace(holes[0]) - shoelace(holes[1])
+    return Case(film([outline] + holes, 400), (), [states("/area", right, 1e-9)])
+
+
+@family
+def fault_plane_hole_that_touches_the_outline(random):
+    y = random.uniform(2, 4)
+    outline = [[0, 0, 0], [10, 0, 0], [10, y, 0], [10, 6, 0], [0, 6, 0]]
+    hole = [[10, y, 0], [6, y + 1, 0], [6, y - 1, 0]]
+    return Case(film([outline, hole], 400), (), [states("/area", 60 - shoelace(hole), 1e-9)])
+
+
+@family
+def fault_plane_holes_that_cross(random):
+    outline = [[0, 0, 0], [10, 0, 0], [10, 6, 0], [0, 6, 0]]
+    shift = random.uniform(0.5, 1.5)
+    holes = [[[2, 2, 0], [5, 2, 0], [5, 4, 0], [2, 4, 0]], [[2 + shift, 1, 0], [4 + shift, 3, 0], [2 + shift, 5, 0]]]
+    return Case(film([outline] + holes, 400), (), [refused_as("self-intersecting-boundary"), has_pointer("/boundaries")])
+
+
+@family
+def fault_roof_stored_to_a_millimetre(random):
+    slope, turn = random.uniform(0.2, 1.0), random.uniform(0, TURN)
+    outline = []
+    for x, y, _ in ring(random.randint(4, 8), random.uniform(4, 9), phase=random.random()):
+        outline.append([round(x, 3), round(y, 3), round(slope * (x * math.cos(turn) + y * math.sin(turn)), 3)])
+    return Case(lattice({"polygon": outline}, random.uniform(1.0, 2.0), objective="fewest_nodes"), (), [succeeds])
+
+
+@family
+def fault_lattice_hole_on_a_slanted_side(random):
+    t = random.uniform(0.2, 0.8)
+    outline = [[0, 0, 0], [10, 0, 0], [10, 6, 0]]
+    on = [10 * t, 6 * t, 0]
+    hole = [on, [8, 1, 0], [9, 1, 0]]
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/edge_lengths/min") < 1e-6:
+            return "an edge without length"
+    return Case(lattice({"polygon": outline, "holes": [hole]}, 0.8, objective="fewest_nodes"), (), [check])
+
+
+@family
+def fault_best_of_small_pieces(random):
+    loops = [ring(24, 1.0), ring(16, random.uniform(0.02, 0.2), 0.0, (random.uniform(3, 8), 0))]
+    for p in loops[1]:
+        p[2] = 0.01 * math.sin(3 * p[0])
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/converged") is not True:
+            return f"not converged: residual {outcome.stated('/residual')}"
+    return Case({**film(loops, 400), "topology": "best"}, (), [succeeds, check])
+
+
+@family
+def fault_fewer_triangles_than_asked(random):
+    asked = random.choice([500, 1000, 2000])
+    outline = [[0, 0, 0], [random.uniform(4, 30), 0, 0], [8, 1, 2], [0, 1, 0]]
+    return Case(film([outline], asked), (), [succeeds, right_number_of_triangles(asked)])
+
+
+@family
+def fault_fixed_point_outside(random):
+    request = film([square(3)], 200)
+    request["constraints"] = {"points": [[0.5, 0.5, 0.0], [random.uniform(3, 9), 0.5, 0.0]]}
+    def check(outcome):
+        if not outcome.succeeded and not any(p.startswith("/constraints/points/1") for p in outcome.pointers):
+            return f"names {outcome.pointers[:3]}, and /constraints/points/1 is right"
+    return Case(request, (), [check])
+
+
+@family
+def fault_unequal_loop_sampled_with_its_end(random):
+    loop = wavy(random, random.randint(8, 40))
+    loop.append([x + random.uniform(-1, 1) * 1e-12 for x in loop[0]])
+    return Case(film([loop], 300), (), [succeeds])
