@@ -8,9 +8,10 @@ use crate::hold::until;
 use crate::kills::{Load, every_job_ended_once, hardened};
 use crate::postgres::Postgres;
 use crate::proxy::{Boundary, Fault, Proxy};
-use plateau::store::{Filter, NewJob, Outcome, Store, StoreOptions};
+use plateau::store::{Filter, Lookup, NewJob, Outcome, Store, StoreOptions};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -132,13 +133,19 @@ fn recorded(cluster: &Cluster) -> Vec<Boundary> {
     seen.into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect()
 }
 
-/// Sets a fault and waits until it has happened. Returns false if its statement did not come.
-async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
+/// Sets a fault. Returns its file, which disappears when the fault happens.
+fn set_fault(cluster: &Cluster, fault: &str, boundary: &Boundary) -> PathBuf {
     let file = cluster.hold.folder.join("fault");
     let text = [fault, &boundary.previous, &boundary.statement].join("\u{1}");
     // The file appears as a whole, because the hooks may look at any moment.
     std::fs::write(file.with_extension("new"), text).unwrap();
     std::fs::rename(file.with_extension("new"), &file).unwrap();
+    file
+}
+
+/// Sets a fault and waits until it has happened. Returns false if its statement did not come.
+async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
+    let file = set_fault(cluster, fault, boundary);
     let begun = Instant::now();
     while file.exists() {
         if begun.elapsed() > RARE {
@@ -220,11 +227,15 @@ async fn restarted(cluster: &Cluster, server: &mut Process, load: &Load) -> bool
     false
 }
 
+fn identifier(number: usize) -> String {
+    format!("{number:026}")
+}
+
 /// Stores a job with a result of its own.
 async fn succeeded_job(store: &Store, number: usize) {
     let result = number.to_le_bytes();
     let job = NewJob {
-        id: format!("{number:026}"),
+        id: identifier(number),
         kind: "ruled_surface".into(),
         owner: None,
         request: b"{}".to_vec(),
@@ -252,8 +263,43 @@ async fn succeeded_job(store: &Store, number: usize) {
     assert!(store.finish(&claimed.id, claimed.attempt, Arc::new(outcome)).await.unwrap());
 }
 
-/// Jobs that expire in each sweep of the test below.
+/// Jobs that expire in each sweep of the tests below.
 const EXPIRING: usize = 3;
+
+/// Returns the options of a store whose sweep removes at once what exceeds `max_jobs`.
+fn impatient(results: &Path, max_jobs: u64) -> StoreOptions {
+    StoreOptions {
+        results: Some(results.display().to_string()),
+        inline_bytes: 0,
+        orphan_age: Duration::ZERO,
+        max_jobs,
+        ..StoreOptions::default()
+    }
+}
+
+/// Stores [`EXPIRING`] more jobs with results. `number` counts the jobs of a test.
+async fn fill(store: &Store, number: &mut usize) {
+    for _ in 0..EXPIRING {
+        *number += 1;
+        succeeded_job(store, *number).await;
+    }
+}
+
+/// Sweeps until nothing is left to be removed. Then every job either is kept with its result or is known to have
+/// expired, and every file is that of a kept job.
+async fn the_next_sweep_completes(sweeping: &Store, results: &Path, number: usize, what: &str) {
+    // PostgreSQL may hold the rows of a cut transaction for a moment longer, and a sweep leaves them out.
+    let left = async || sweeping.list(Filter::default(), 100, None).await.unwrap().0;
+    until(what, async || sweeping.sweep().await.is_ok() && left().await.len() == EXPIRING).await;
+    sweeping.sweep().await.unwrap();
+    for job in (1..=number).map(identifier) {
+        match sweeping.get(&job, None).await.unwrap() {
+            Lookup::Found(_) => assert!(sweeping.artefact(&job, None).await.unwrap().is_some(), "{job} {what}"),
+            found => assert_eq!(found, Lookup::Expired, "{job} {what}"),
+        }
+    }
+    assert_eq!(std::fs::read_dir(results).unwrap().count(), EXPIRING, "{what}");
+}
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_sweep_that_is_cut_at_any_statement_is_completed_by_the_next_one() {
@@ -261,25 +307,11 @@ async fn a_sweep_that_is_cut_at_any_statement_is_completed_by_the_next_one() {
     let url = postgres.database().await;
     let proxy = Proxy::start(&url);
     let results = tempfile::tempdir().unwrap();
-    let options = |max_jobs| StoreOptions {
-        results: Some(results.path().display().to_string()),
-        inline_bytes: 0,
-        orphan_age: Duration::ZERO,
-        expired_retention: Duration::ZERO,
-        max_jobs,
-        ..StoreOptions::default()
-    };
-    let filling = Store::open(&url, options(u64::MAX)).await.unwrap();
-    let sweeping = Store::open(&proxy.url(), options(EXPIRING as u64)).await.unwrap();
+    let filling = Store::open(&url, impatient(results.path(), u64::MAX)).await.unwrap();
+    let sweeping = Store::open(&proxy.url(), impatient(results.path(), EXPIRING as u64)).await.unwrap();
     let mut number = 0;
-    let mut fill = async || {
-        for _ in 0..EXPIRING {
-            number += 1;
-            succeeded_job(&filling, number).await;
-        }
-    };
-    fill().await;
-    fill().await;
+    fill(&filling, &mut number).await;
+    fill(&filling, &mut number).await;
     proxy.forget();
     sweeping.sweep().await.unwrap();
     let boundaries: Vec<Boundary> = proxy.seen().into_iter().collect();
@@ -287,22 +319,76 @@ async fn a_sweep_that_is_cut_at_any_statement_is_completed_by_the_next_one() {
     let mut cuts = 0;
     for boundary in &boundaries {
         for fault in [Fault::CutBefore, Fault::CutAfter] {
-            fill().await;
+            fill(&filling, &mut number).await;
             let fired = proxy.disturb_at(boundary.clone(), fault, 1);
             let cut = sweeping.sweep().await;
             proxy.calm();
             cuts += usize::from(fired.yet());
-            // The server may hold the rows of the cut transaction for a moment longer, and a sweep leaves them out.
             let what = format!("all but {EXPIRING} jobs are gone after {fault:?} at {boundary:?}, {cut:?}");
-            let left = async || filling.list(Filter::default(), 100, None).await.unwrap().0;
-            until(&what, async || sweeping.sweep().await.is_ok() && left().await.len() == EXPIRING).await;
-            sweeping.sweep().await.unwrap();
-            for job in left().await {
-                assert!(filling.artefact(&job.id, None).await.unwrap().is_some(), "after {fault:?} at {boundary:?}");
-            }
-            let files = std::fs::read_dir(results.path()).unwrap().count();
-            assert_eq!(files, EXPIRING, "after {fault:?} at {boundary:?}");
+            the_next_sweep_completes(&sweeping, results.path(), number, &what).await;
         }
     }
     println!("{} boundaries of a sweep, {cuts} cuts", boundaries.len());
+}
+
+/// Variables that name the database and the results of [`a_sweep_in_a_process_of_its_own`].
+const SWEPT_DATABASE: &str = "PLATEAU_TEST_SWEPT_DATABASE";
+const SWEPT_RESULTS: &str = "PLATEAU_TEST_SWEPT_RESULTS";
+
+/// Sweeps once for the test below, whose faults end the process. Does nothing by itself.
+#[tokio::test]
+async fn a_sweep_in_a_process_of_its_own() {
+    let (Ok(url), Ok(results)) = (std::env::var(SWEPT_DATABASE), std::env::var(SWEPT_RESULTS)) else { return };
+    let store = Store::open(&url, impatient(results.as_ref(), EXPIRING as u64)).await.unwrap();
+    // The test below looks at what is left, whether the sweep fails or not.
+    let _ = store.sweep().await;
+    store.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_sweep_that_fails_or_dies_at_any_statement_of_sqlite_is_completed_by_the_next_one() {
+    let results = tempfile::tempdir().unwrap();
+    let cluster = Cluster::new(None);
+    let folder = &cluster.hold.folder;
+    let url = format!("sqlite://{}", folder.join("plateau.sqlite").display());
+    let store = Store::open(&url, impatient(results.path(), EXPIRING as u64)).await.unwrap();
+    let mut number = 0;
+    let sweep = async || {
+        let this_test = std::env::current_exe().unwrap();
+        let mut sweep = tokio::process::Command::new(this_test);
+        sweep
+            .args(["--exact", "boundaries::a_sweep_in_a_process_of_its_own"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        sweep.env(SWEPT_DATABASE, &url).env(SWEPT_RESULTS, results.path()).env(crate::hold::VARIABLE, folder);
+        sweep.status().await.unwrap()
+    };
+    fill(&store, &mut number).await;
+    fill(&store, &mut number).await;
+    std::fs::write(folder.join("statements"), []).unwrap();
+    assert!(sweep().await.success());
+    let boundaries = recorded(&cluster);
+    std::fs::remove_file(folder.join("statements")).unwrap();
+    assert!(boundaries.iter().any(|boundary| boundary.statement.starts_with("DELETE FROM jobs")), "{boundaries:?}");
+    let (mut happened, mut deaths) = (0, 0);
+    for boundary in &boundaries {
+        let is_commit = boundary.statement == "COMMIT";
+        let faults: &[&str] =
+            if is_commit { &["fail_before", "fail_after", "die_before", "die_after"] } else { &["fail_before"] };
+        for fault in faults {
+            fill(&store, &mut number).await;
+            set_fault(&cluster, fault, boundary);
+            let ended = sweep().await;
+            deaths += usize::from(!ended.success());
+            happened += usize::from(std::fs::remove_file(folder.join("fault")).is_err());
+            let what = format!("all but {EXPIRING} jobs are gone after {fault} at {boundary:?}, {ended}");
+            the_next_sweep_completes(&store, results.path(), number, &what).await;
+        }
+    }
+    assert!(
+        deaths > 0 && happened >= boundaries.len(),
+        "{happened} faults of {} boundaries, {deaths} deaths",
+        boundaries.len()
+    );
+    println!("{} boundaries of a sweep, {happened} faults, {deaths} deaths", boundaries.len());
 }

@@ -292,7 +292,11 @@ impl Body {
     ) -> Result<(Outcome, State<Frame>), LinearError> {
         let mut vertices = self.vertices.clone();
         let motion = Motion::new(self);
-        let mut direct = Direct::new(motion.matrix())?;
+        let matrix = motion.matrix();
+        if let Err(interruption) = exec.look(motion.work()) {
+            return Ok((Outcome::Interrupted(interruption), motion.state(&vertices)));
+        }
+        let mut direct = Direct::new(matrix)?;
         let solved = iterate(&mut vertices, &motion, &mut direct, settings, exec, record);
         drop(motion);
         self.vertices = vertices;

@@ -158,6 +158,7 @@ pub(crate) trait StepSolver<E: Equations> {
         equations: &E,
         state: &State<E::Frame>,
         settings: &Settings,
+        exec: &Execution,
     ) -> Result<Vec<f64>, Outcome>;
 }
 
@@ -182,17 +183,14 @@ pub(crate) fn iterate<E: Equations>(
         if let Err(interruption) = exec.look(work) {
             return (Outcome::Interrupted(interruption), state);
         }
-        let step = match solver.step(vertices, equations, &state, settings) {
-            Ok(step) => step,
-            Err(outcome) => return (outcome, state),
-        };
-        match search(vertices, equations, &state, &step, settings) {
-            Some((moved, reached)) => {
+        let step = solver.step(vertices, equations, &state, settings, exec);
+        match step.and_then(|step| search(vertices, equations, &state, &step, settings, exec)) {
+            Ok((moved, reached)) => {
                 *vertices = moved;
                 state = reached;
                 record(state.energy, state.residual);
             }
-            None => return (Outcome::Stalled, state),
+            Err(outcome) => return (outcome, state),
         }
     }
     (if state.residual <= settings.tolerance { Outcome::Converged } else { Outcome::StepsUsed }, state)
@@ -225,11 +223,16 @@ impl<E: Equations> StepSolver<E> for Direct {
         equations: &E,
         state: &State<E::Frame>,
         settings: &Settings,
+        exec: &Execution,
     ) -> Result<Vec<f64>, Outcome> {
+        let look = || exec.look(equations.work()).map_err(Outcome::Interrupted);
         let mut shift = 0.0;
         loop {
             equations.second_variation(vertices, state, shift, &mut self.matrix);
-            match self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage)) {
+            look()?;
+            let factorised = self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage));
+            look()?;
+            match factorised {
                 Ok(factorisation) => {
                     let bordered = Bordered::new(factorisation, &state.constraints).map_err(Outcome::Refused)?;
                     if settings.aim == Aim::Stationary || bordered.index() == 0 {
@@ -251,14 +254,18 @@ impl<E: Equations> StepSolver<E> for Direct {
 }
 
 /// Step 4: the longest of the full step, its half, its quarter and so on that turns no triangle over and improves the
-/// state. `None` if there is none.
+/// state.
+///
+/// # Errors
+/// [`Outcome::Stalled`] if there is none, or the interruption.
 fn search<E: Equations>(
     vertices: &[DVec3],
     equations: &E,
     state: &State<E::Frame>,
     step: &[f64],
     settings: &Settings,
-) -> Option<(Vec<DVec3>, State<E::Frame>)> {
+    exec: &Execution,
+) -> Result<(Vec<DVec3>, State<E::Frame>), Outcome> {
     let along: f64 = state.gradient.iter().zip(step).map(|(gradient, step)| gradient * step).sum();
     let weights: Vec<f64> =
         state.constraints.iter().map(|c| 2.0 * c.multiplier.abs() + state.energy.abs() / c.scale).collect();
@@ -276,6 +283,7 @@ fn search<E: Equations>(
     let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
     let mut fraction = 1.0;
     while fraction >= LEAST_STEP {
+        exec.look(equations.work()).map_err(Outcome::Interrupted)?;
         let moved = equations.moved(vertices, state, step, fraction);
         if keeps_orientation(equations.triangles(), vertices, &moved) {
             let reached = equations.state(&moved);
@@ -289,12 +297,12 @@ fn search<E: Equations>(
                     || (!weights.is_empty() && reached.residual <= RESIDUAL_GAIN * state.residual)
             };
             if gains {
-                return Some((moved, reached));
+                return Ok((moved, reached));
             }
         }
         fraction *= 0.5;
     }
-    None
+    Err(Outcome::Stalled)
 }
 
 /// Whether no triangle turns over (by more than a right angle) or vanishes on the way from one position to another.
@@ -309,6 +317,7 @@ pub(crate) fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after:
 mod tests {
     use super::*;
     use crate::equilibrium::{NormalMotion, stability};
+    use plateau_mesh::Signal;
     use plateau_mesh::film::Film;
     use plateau_mesh::sparse::pattern::Pattern;
     use plateau_mesh::structured::{catenoid, cylinder, helicoid, patch, relax};
@@ -365,6 +374,32 @@ mod tests {
     }
 
     #[test]
+    fn a_step_looks_at_the_signal_around_each_factorisation_and_each_try_and_can_end_at_every_look() {
+        // Beside its saddle the catenoid needs a shift, so that the step factorises at least twice.
+        let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+        let settings = Settings { aim: Aim::Minimum, tolerance: 0.0, max_steps: 1 };
+        let run = |most: u64| {
+            let (looks, mut at) = (std::cell::Cell::new(0), film.vertices.clone());
+            let signal = || {
+                looks.set(looks.get() + 1);
+                if looks.get() > most { Signal::Cancel } else { Signal::Continue }
+            };
+            let mut direct = Direct::new(pattern.matrix()).unwrap();
+            let exec = Execution::new(&signal, &|_| {});
+            let (outcome, _) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+            (outcome, looks.get(), at == film.vertices)
+        };
+        let (outcome, looks, _) = run(u64::MAX);
+        assert_eq!(outcome, Outcome::StepsUsed);
+        assert!(looks >= 6, "{looks}");
+        for most in 0..looks {
+            assert_eq!(run(most), (Outcome::Interrupted(Interruption::Cancelled), most + 1, true));
+        }
+    }
+
+    #[test]
     fn the_line_search_takes_no_step_that_turns_a_triangle_over() {
         // A cylinder of radius 1 and height 4 whose middle ring moves: a step of 1.5 inwards passes the axis, and both
         // the step and its half lower the area.
@@ -376,7 +411,8 @@ mod tests {
         let step: Vec<f64> = pattern.free.vertex.iter().map(|&v| -1.5 * outward(v, &state.frame).signum()).collect();
         let whole = motion.moved(&film.vertices, &state, &step, 1.0);
         assert!(motion.state(&whole).energy < state.energy && outward(pattern.free.vertex[0], &whole) < 0.0);
-        let (moved, reached) = search(&film.vertices, &motion, &state, &step, &Settings::default()).unwrap();
+        let (moved, reached) =
+            search(&film.vertices, &motion, &state, &step, &Settings::default(), &Execution::default()).unwrap();
         assert!(reached.energy < state.energy);
         assert!(pattern.free.vertex.iter().all(|&v| (outward(v, &moved) - 0.25).abs() < 1e-9));
     }

@@ -123,6 +123,7 @@ pub(crate) fn analyse<E: Equations>(
     equations.second_variation(vertices, state, 0.0, matrix);
     let (mass, constraints) = (&state.mass, &state.constraints);
     let unit = 1.0 / (equations.radius() * equations.radius());
+    exec.look(equations.work())?;
     let lowest = |bordered: &Bordered| {
         let mut start = vec![1.0; mass.len()];
         bordered.correct(&mut start, |_| 0.0);
@@ -142,6 +143,7 @@ pub(crate) fn analyse<E: Equations>(
     let mut shift = unit;
     for _ in 0..MAX_SHIFTS {
         let raised = shifted(matrix, mass, shift);
+        exec.look(equations.work())?;
         match symbolic.factorise(&raised).and_then(|factorisation| Bordered::new(factorisation, constraints)) {
             Ok(bordered) if bordered.index() == 0 => {
                 return Ok(Some(SecondVariation { morse_index, lowest: lowest(&bordered)? }));

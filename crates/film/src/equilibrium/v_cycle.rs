@@ -19,7 +19,6 @@ pub(crate) struct VCycleSteps<'a> {
     pub hierarchy: &'a Hierarchy,
     pub parents: Parents,
     pub matrix: SymmetricMatrix,
-    pub exec: &'a Execution<'a>,
 }
 
 impl<E: Equations> StepSolver<E> for VCycleSteps<'_> {
@@ -29,6 +28,7 @@ impl<E: Equations> StepSolver<E> for VCycleSteps<'_> {
         equations: &E,
         state: &State<E::Frame>,
         settings: &Settings,
+        exec: &Execution,
     ) -> Result<Vec<f64>, Outcome> {
         debug_assert!(state.constraints.is_empty(), "V-cycles know no border");
         equations.second_variation(vertices, state, 0.0, &mut self.matrix);
@@ -39,7 +39,7 @@ impl<E: Equations> StepSolver<E> for VCycleSteps<'_> {
             let allowed = 2.0 * goal / equations.radius();
             residual.iter().zip(&state.mass).all(|(residual, mass)| residual.abs() <= allowed * mass)
         };
-        self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, self.exec).map_err(|failure| {
+        self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, exec).map_err(|failure| {
             match failure {
                 CgFailure::Interrupted(interruption) => Outcome::Interrupted(interruption),
                 CgFailure::Indefinite | CgFailure::Slow => Outcome::Refused(LinearError::Inaccurate),

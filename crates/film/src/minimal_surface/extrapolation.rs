@@ -63,7 +63,7 @@ impl ExtrapolatedArea {
         let (mut fine, midpoints) = subdivide(film);
         let finer = Pattern::new(fine.triangles(), &fine.fixed);
         let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
-        let mut steps = VCycleSteps { hierarchy, parents, matrix: finer.matrix(), exec };
+        let mut steps = VCycleSteps { hierarchy, parents, matrix: finer.matrix() };
         let settings = Settings { aim: Aim::Minimum, tolerance: TOLERANCE, max_steps: MAX_STEPS };
         let motion = NormalMotion { pattern: &finer, triangles: fine.topology.triangles(), radius };
         let (outcome, state) = iterate(&mut fine.vertices, &motion, &mut steps, &settings, exec, &mut |_, _| {});

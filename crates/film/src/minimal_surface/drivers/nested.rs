@@ -249,7 +249,7 @@ fn correct(
 ) -> Result<Option<Corrected>, Error> {
     let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL };
     let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: solve.radius };
-    let mut steps = VCycleSteps { hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
+    let mut steps = VCycleSteps { hierarchy, parents, matrix: pattern.matrix() };
     let mut start = None;
     let (outcome, state) =
         iterate(&mut film.vertices, &motion, &mut steps, &settings, solve.exec, &mut |area, residual| {
