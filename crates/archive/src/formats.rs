@@ -8,7 +8,7 @@
 //! | [`stl`] | the client's | f32, around the mesh's middle if it is far from zero |
 //! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
-//! [`picture`] draws a mesh as a small PNG.
+//! `picture` draws a mesh as a small PNG, if the feature `pictures` is on.
 
 mod choices;
 pub mod colors;
@@ -17,6 +17,7 @@ mod error;
 pub mod gltf;
 pub mod json;
 pub mod obj;
+#[cfg(feature = "pictures")]
 pub mod picture;
 pub mod ply;
 mod sheets;

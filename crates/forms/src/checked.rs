@@ -61,7 +61,9 @@ pub(crate) type ReadApart = (Read, Map<String, Value>);
 
 /// The types of a kind, as functions that need no type parameter.
 pub(crate) struct Types {
+    #[cfg(feature = "explain")]
     pub request: TypeSchema,
+    #[cfg(feature = "explain")]
     pub statistics: TypeSchema,
     pub has_source: bool,
     /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is refused.
@@ -77,7 +79,9 @@ pub(crate) struct Types {
 impl Types {
     pub const fn of<R: KindRequest>() -> Self {
         Self {
+            #[cfg(feature = "explain")]
             request: TypeSchema::of::<R>(),
+            #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: false,
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
@@ -91,7 +95,9 @@ impl Types {
     #[cfg_attr(not(feature = "test-hooks"), expect(dead_code, reason = "only a kind for tests has a source"))]
     pub const fn sourced<R: SourcedRequest>() -> Self {
         Self {
+            #[cfg(feature = "explain")]
             request: TypeSchema::of::<R>(),
+            #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: true,
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
@@ -103,6 +109,7 @@ impl Types {
 }
 
 /// Access to the schema of a type.
+#[cfg(feature = "explain")]
 pub(crate) struct TypeSchema {
     pub name: fn() -> Cow<'static, str>,
     /// Adds the schema to a generator's definitions and returns a reference to it.
@@ -111,6 +118,7 @@ pub(crate) struct TypeSchema {
     pub root: fn(SchemaGenerator) -> Schema,
 }
 
+#[cfg(feature = "explain")]
 impl TypeSchema {
     const fn of<T: JsonSchema>() -> Self {
         Self {

@@ -4,30 +4,33 @@
 //! [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas refuse
 //! (`strict`, [`bounds`]). After them come checks that a schema cannot express, such as too few distinct points. The
 //! last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
-//! schema ([`components`], [`schema`]), so that every error has a JSON Pointer and a text that says what the value must
-//! be ([`explain`]).
+//! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be
+//! (`explain`). Without the feature `explain` only the first wrong value is named.
 //!
 //! The crate knows no job, no store, no HTTP, no clock and no thread. The service, the command line and a web page are
 //! its hosts.
 
 #![forbid(unsafe_code)]
-// What several kinds share is unused in a build with a few of them.
+// What several kinds or features share is unused in a build with a few of them.
 #![cfg_attr(
     not(all(
         feature = "cable-net",
+        feature = "certificates",
         feature = "minimal-surface",
         feature = "ruled-surface",
         feature = "tensile-structure",
         feature = "uniform-mesh"
     )),
-    allow(dead_code, unused_imports, unused_macros)
+    allow(dead_code, unused_imports, unused_macros, unused_mut, unused_variables)
 )]
 
 pub mod blocks;
 pub mod bounds;
 mod checked;
 pub mod common;
+#[cfg(feature = "explain")]
 pub mod components;
+#[cfg(feature = "explain")]
 pub mod explain;
 pub mod json;
 pub mod kind;
@@ -39,6 +42,7 @@ pub mod report;
 pub mod request;
 #[cfg(any(feature = "minimal-surface", feature = "tensile-structure"))]
 pub mod resolution;
+#[cfg(feature = "explain")]
 pub mod schema;
 pub mod solved;
 pub mod source;

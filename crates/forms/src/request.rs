@@ -5,6 +5,7 @@ use crate::kind::Kind;
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
+#[cfg(feature = "explain")]
 use crate::schema;
 use crate::solved::{self, Frame, Signal, Solved, SolverInput, Unsolved};
 use crate::source::{Find, no_jobs};
@@ -34,6 +35,17 @@ pub struct Accepted {
     pub text: Vec<u8>,
 }
 
+/// Compares a refused value with the schema of its kind.
+#[cfg(feature = "explain")]
+fn explained(kind: Kind, value: &Value) -> Option<Rejection> {
+    schema::validate(kind, value).err()
+}
+
+#[cfg(not(feature = "explain"))]
+fn explained(_: Kind, _: &Value) -> Option<Rejection> {
+    None
+}
+
 impl Request {
     /// Reads the JSON of a request of a known kind. The members in `aside` are kept apart from it and returned as they
     /// are.
@@ -55,12 +67,12 @@ impl Request {
     /// Reads a request of a known kind from a JSON value that [`json::parse`](crate::json::parse) made.
     ///
     /// # Errors
-    /// Returns every value that the schema refuses. If there are none, returns all errors of the first check that fails:
+    /// Returns every value that the schema refuses (with the feature `explain`). If there are none, returns all errors of the first check that fails:
     /// limits, combinations of members, or geometry. There are at most
     /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
     pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
         let read = (kind.types().read_value)(value, find, limits).map_err(|rejection| {
-            schema::validate(kind, value).err().unwrap_or_else(|| match rejection {
+            explained(kind, value).unwrap_or_else(|| match rejection {
                 Some(rejection) => rejection.placed_in(value),
                 None => (kind.types().refusal)(value),
             })
@@ -76,8 +88,9 @@ impl Request {
         match value["kind"].as_str().and_then(Kind::from_name) {
             Some(kind) => Self::from_value(kind, value, find, limits),
             None => {
+                #[cfg(feature = "explain")]
                 schema::validate_with_kind(value)?;
-                Err(FieldError::new("/kind", "is required").into())
+                Err(FieldError::new("/kind", "must be the name of a kind").into())
             }
         }
     }

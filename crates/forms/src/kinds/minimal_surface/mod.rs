@@ -3,14 +3,18 @@
 
 mod certificate;
 mod file_mesh;
+#[cfg(feature = "certificates")]
+mod proof;
 mod solve;
 mod statistics;
 
-pub use certificate::{Certificate, CertificateDocument};
+pub use certificate::{Certificate, Certify, CertifyOptions};
+#[cfg(feature = "certificates")]
+pub use proof::CertificateDocument;
 pub use statistics::MinimalStatistics;
 
 use crate::blocks::{self, Block, Input, Preset, Type};
-use crate::bounds::{Fraction, List, UpTo20, UpTo600, Whole, given, given_one, is_default, unwritten};
+use crate::bounds::{Fraction, List, UpTo20, Whole, given, given_one, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -20,7 +24,6 @@ use crate::resolution::Resolution;
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
-use plateau_lower_bound as lower_bound;
 use plateau_mesh::Mesh;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -156,44 +159,6 @@ pub struct MinimalSurfaceRequest {
     /// covers only the surfaces that run along them in the directions of the film.
     #[serde(default, skip_serializing_if = "is_default")]
     pub certify: Certify,
-}
-
-/// Whether and how to prove a lower bound of the area.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum Certify {
-    /// `true` stands for the default options.
-    Default(bool),
-    Options(CertifyOptions),
-}
-
-union!(Certify { boolean: Default, object: Options });
-
-impl Default for Certify {
-    fn default() -> Self {
-        Self::Default(false)
-    }
-}
-
-/// Sharpness of the lower bound, and the limit of the search for it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CertifyOptions {
-    /// The search ends once the film's area is at most this fraction above the bound.
-    #[serde(default = "default_gap")]
-    pub gap: Fraction,
-    /// Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
-    /// the same request gives the same result on every machine.
-    #[serde(default = "default_seconds")]
-    pub seconds: UpTo600,
-}
-
-fn default_gap() -> Fraction {
-    Fraction::new(lower_bound::Options::default().gap)
-}
-
-fn default_seconds() -> UpTo600 {
-    UpTo600::new(lower_bound::Options::default().seconds)
 }
 
 fn default_degenerate_angle_deg() -> UpTo20 {
@@ -426,11 +391,7 @@ impl KindRequest for MinimalSurfaceRequest {
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
         }
-        let certify = self.certify_options();
-        if certify.is_some() && !matches!(self.objective, Objective::MinimalArea) {
-            let detail = "is only allowed with the objective minimal_area, because the bound is one of the area";
-            return Err(Rejection::Invalid(vec![FieldError::new("/certify", detail)]));
-        }
+        let certify = self.certify_options()?;
         let (boundaries, options) = self.to_geometry(initial_mesh);
         geometry::check(&boundaries, &options).map_err(|error| match &self.initial_mesh {
             InitialMesh::Given(GivenMesh { glb: Some(_), .. }) => file_mesh::at_the_file(error.into()),
@@ -444,25 +405,33 @@ impl KindRequest for MinimalSurfaceRequest {
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/resolution", detail)]));
         }
-        let bound = certify.map_or(0, |options| lower_bound::memory_bytes(boundaries.len(), &options));
-        Ok(Checked {
-            memory_bytes: estimate.bytes.saturating_add(bound),
-            quick: false,
-            input: Box::new(solve::SolverInput { boundaries, options, certify }),
-        })
+        let memory_bytes = estimate.bytes;
+        #[cfg(feature = "certificates")]
+        let memory_bytes =
+            memory_bytes.saturating_add(certify.map_or(0, |options| proof::memory_bytes(boundaries.len(), options)));
+        Ok(Checked { memory_bytes, quick: false, input: Box::new(solve::SolverInput { boundaries, options, certify }) })
     }
 }
 
 impl MinimalSurfaceRequest {
     /// Returns the options of the search for a lower bound of the area, if the request asks for one.
-    fn certify_options(&self) -> Option<lower_bound::Options> {
-        match self.certify {
-            Certify::Default(false) => None,
-            Certify::Default(true) => Some(lower_bound::Options::default()),
-            Certify::Options(CertifyOptions { gap, seconds }) => {
-                Some(lower_bound::Options { gap: gap.get(), seconds: seconds.get() })
-            }
+    ///
+    /// # Errors
+    /// Fails at `/certify` for other objectives, and in a build without the feature `certificates`.
+    fn certify_options(&self) -> Result<Option<CertifyOptions>, Rejection> {
+        let options = match self.certify {
+            Certify::Default(false) => return Ok(None),
+            Certify::Default(true) => CertifyOptions::default(),
+            Certify::Options(options) => options,
+        };
+        let refused = |detail: &str| Err(FieldError::new("/certify", detail).into());
+        if !matches!(self.objective, Objective::MinimalArea) {
+            return refused("is only allowed with the objective minimal_area, because the bound is one of the area");
         }
+        if cfg!(not(feature = "certificates")) {
+            return refused("must be false, because lower bounds were left out of this build");
+        }
+        Ok(Some(options))
     }
 
     /// Converts the initial mesh to the geometry's type.

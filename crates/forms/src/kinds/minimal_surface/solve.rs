@@ -1,12 +1,13 @@
 //! From a checked request for a film to its stored result.
 
-use super::{CertificateDocument, MinimalStatistics};
+use super::MinimalStatistics;
+use super::certificate::{CertifyOptions, Proof};
+#[cfg(feature = "certificates")]
+use super::proof;
 use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Attribute;
-use plateau_archive::archive::{Contents, LOWER_BOUND_SLACK, MEAN_CURVATURE};
+use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_film::minimal_surface::{self, StopReason};
-use plateau_lower_bound as lower_bound;
-use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Error, Execution, polyline};
 
 #[derive(Debug)]
@@ -14,7 +15,7 @@ pub(super) struct SolverInput {
     pub boundaries: Vec<Vec<DVec3>>,
     pub options: minimal_surface::Options,
     /// Whether and how to prove a lower bound of the area.
-    pub certify: Option<lower_bound::Options>,
+    pub certify: Option<CertifyOptions>,
 }
 
 /// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
@@ -30,28 +31,13 @@ impl solved::SolverInput for SolverInput {
         let share = if certify.is_some() { 0.5 } else { 1.0 };
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
         let mut statistics = MinimalStatistics::of(&surface.statistics, origin(&surface.mesh));
-        let mut reproducible = surface.statistics.stop_reason != StopReason::Deadline;
-        let (mut slack, mut proof) = (None, None);
-        if let Some(certify) = certify {
-            let bound = |exec: &Execution| lower_bound::certify(boundaries, &surface.mesh, certify, exec);
-            let bound = if surface.statistics.junctions.is_some() {
-                Err("the film has triple junctions, and the bound holds for oriented surfaces only")
-            } else {
-                let bound = exec.part([share, 1.0], bound)?;
-                bound.ok_or("the coordinates are too large for the boundary's size, or the film has no area")
-            };
-            match bound {
-                Ok(bound) => {
-                    statistics = statistics.certified(&bound);
-                    reproducible &= !bound.interrupted;
-                    proof = Some(to_json(&CertificateDocument::of(&bound))?);
-                    slack = Some(Attribute { range: [0.0, 1.0], ..Attribute::new(LOWER_BOUND_SLACK, "", bound.slack) });
-                }
-                Err(reason) => surface
-                    .warnings
-                    .push(Warning::new("no_certificate", format!("no lower bound was computed: {reason}"))),
-            }
+        let mut proof = Proof::default();
+        #[cfg(feature = "certificates")]
+        if let Some(options) = *certify {
+            let search = |exec: &Execution| proof::search(boundaries, &mut surface, options, &mut statistics, exec);
+            proof = exec.part([share, 1.0], search)?;
         }
+        let reproducible = surface.statistics.stop_reason != StopReason::Deadline && !proof.interrupted;
         let statistics = to_json(&statistics)?;
         let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
         let centre = polyline::mean(&points);
@@ -69,11 +55,11 @@ impl solved::SolverInput for SolverInput {
             unit: frame.unit,
             up: frame.up,
             mesh: surface.mesh,
-            vertex_attributes: std::iter::once(curvature).chain(slack).collect(),
+            vertex_attributes: std::iter::once(curvature).chain(proof.slack).collect(),
             line_sets,
             input_vertices: surface.input_vertices,
             statistics: statistics.clone(),
-            proof,
+            proof: proof.document,
             ..Contents::default()
         })?;
         Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })

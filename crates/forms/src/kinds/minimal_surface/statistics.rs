@@ -1,9 +1,8 @@
 //! Statistics of a minimal surface.
 
-use super::certificate::{Certificate, gap};
+use super::certificate::Certificate;
 use crate::common::{AngleRange, Point, Spread};
 use plateau_film::minimal_surface as geometry;
-use plateau_lower_bound::LowerBound;
 use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -289,21 +288,5 @@ impl MinimalStatistics {
             junctions: statistics.junctions.as_ref().map(Into::into),
             certificate: None,
         }
-    }
-}
-
-impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run along
-    /// the loops in other directions than the film, so that it is compared only with a bound for every orientation.
-    #[must_use]
-    pub fn certified(mut self, found: &LowerBound) -> Self {
-        self.certificate = Some(Certificate::of(found, self.area));
-        if !found.every_orientation {
-            return self;
-        }
-        for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
-            topology.gap = topology.area.and_then(|area| gap(area, found.area));
-        }
-        self
     }
 }
