@@ -25,7 +25,7 @@ pub enum Role {
     Mcp,
 }
 
-/// Reason why the process did not start.
+/// Reason why the process did not start, or why it ended by itself.
 #[derive(Debug)]
 pub enum StartError {
     Configuration(String),
@@ -115,11 +115,16 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tokio::join!(serving, until_input_ends);
     }
     jobs.idle().await;
+    let too_many = jobs.has_too_many_unresponsive();
     // If shutdown interrupts a webhook attempt, another process repeats it.
     callbacks.abort();
     sweeper.abort();
     reloader.abort();
     store.close().await;
+    if too_many {
+        let detail = format!("{} solvers did not answer (jobs.unresponsive_max)", jobs.unresponsive());
+        return Err(StartError::Failed(detail));
+    }
     Ok(())
 }
 

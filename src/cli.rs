@@ -173,10 +173,8 @@ pub fn main() -> ExitCode {
             };
             let role = role(&command);
             let ended = runtime.block_on(app::run(config, role));
-            if role == app::Role::Mcp {
-                // A thread may still wait for standard input, which nothing can interrupt.
-                runtime.shutdown_background();
-            }
+            // A thread may still run a solver that does not answer, or wait for standard input, which nothing can interrupt.
+            runtime.shutdown_background();
             match ended {
                 Ok(()) => ExitCode::SUCCESS,
                 Err(app::StartError::Configuration(message)) => fail(USAGE, &message),

@@ -197,6 +197,11 @@ pub struct JobsConfig {
     pub queue_length: usize,
     /// Time limit of a solver. After it the solver returns the best mesh that it has reached.
     pub deadline_ms: u64,
+    /// Time that a solver has to end after a cancel or its deadline. A solver that has not ended by then has a defect: its job
+    /// fails with the type `unresponsive`, and its thread is given up and replaced.
+    pub unresponsive_ms: u64,
+    /// Number of given-up threads at which the process ends with the exit status 1, so that it is started anew.
+    pub unresponsive_max: usize,
     /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
     /// Number of workers that may die while they solve one job. After that many the job fails.
@@ -219,6 +224,8 @@ impl Default for JobsConfig {
             small_workers: None,
             queue_length: 1000,
             deadline_ms: 600_000,
+            unresponsive_ms: 30_000,
+            unresponsive_max: 4,
             lease_ms: 15_000,
             attempts_max: 5,
             progress_interval_ms: 250,

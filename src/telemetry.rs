@@ -48,6 +48,8 @@ pub mod metric {
     pub const QUEUE_LENGTH: &str = "plateau_queue_length";
     /// Gauge of the jobs that run in this process.
     pub const RUNNING: &str = "plateau_jobs_running";
+    /// Gauge of the solvers of this process that were given up because they did not answer, and that have not ended since.
+    pub const UNRESPONSIVE: &str = "plateau_solvers_unresponsive";
     /// Gauge that is always 1. Its label holds the version of the program.
     pub const BUILD_INFO: &str = "plateau_build_info";
     /// Counter of HTTP requests by method, route and status.
@@ -75,7 +77,9 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_histogram!(metric::WAIT_SECONDS, "Seconds from submission to claim");
     metrics::describe_gauge!(metric::QUEUE_LENGTH, "Jobs that wait");
     metrics::describe_gauge!(metric::RUNNING, "Jobs that run in this process");
+    metrics::describe_gauge!(metric::UNRESPONSIVE, "Solvers that were given up because they did not answer");
     metrics::describe_gauge!(metric::BUILD_INFO, "Version of the program as a label; the value is always 1");
+    metrics::gauge!(metric::UNRESPONSIVE).set(0.0);
     metrics::gauge!(metric::BUILD_INFO, "version" => env!("CARGO_PKG_VERSION")).set(1.0);
     metrics_process::Collector::default().describe();
     metrics::describe_counter!(metric::HTTP_REQUESTS, "HTTP requests by method, route and status");

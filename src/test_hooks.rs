@@ -24,6 +24,8 @@ const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
 /// Name of the file that lets a solver wait after each report of progress until it has been taken
 /// to be stored. Otherwise only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
+/// Name of the file that makes a job's solver loop before it starts, without a look at the signal, while the file exists.
+const STUBBORN: &str = "stubborn";
 /// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
 /// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault happens.
 const FAULT: &str = "fault";
@@ -51,6 +53,9 @@ impl<'a, F: Fn() -> bool> Holds<'a, F> {
     pub(crate) fn claimed(id: &'a str, kind: &'a str, wanted: F) -> Self {
         let holds = Self { id, kind, wanted, passed: Cell::new(0) };
         holds.pass(1);
+        while is_held(STUBBORN, kind) {
+            std::thread::sleep(PAUSE);
+        }
         let delay = std::env::var(DELAY_MS).ok().and_then(|text| text.parse().ok()).map(Duration::from_millis);
         if let Some(until) = delay.map(|delay| Instant::now() + delay) {
             while (holds.wanted)() && Instant::now() < until {
@@ -99,7 +104,7 @@ impl<'a, F: Fn() -> bool> Holds<'a, F> {
 /// Whether a job of this kind that is submitted now would be held. Such a job does not take the short way, which would
 /// block a thread that serves requests.
 pub(crate) fn holds(kind: &str) -> bool {
-    STAGES.iter().chain([&EACH_PROGRESS]).any(|stage| is_held(stage, kind))
+    STAGES.iter().chain([&EACH_PROGRESS, &STUBBORN]).any(|stage| is_held(stage, kind))
 }
 
 fn is_held(stage: &str, kind: &str) -> bool {

@@ -23,6 +23,8 @@ use tracing::{Instrument, Span};
 /// Pause after the first failed try to store an outcome. Each further pause is twice as long, up to a third of the
 /// lease.
 const FIRST_PAUSE: Duration = Duration::from_millis(50);
+/// Time that a solver has to end after a shutdown's grace time.
+const STOP_PATIENCE: Duration = Duration::from_secs(2);
 /// Time for which a shutdown tries to hand a job back. A job that is not handed back loses an attempt.
 const HAND_BACK_PATIENCE: Duration = Duration::from_secs(5);
 /// Number of tries to store an outcome if the store reports a defect. Other failures of the store pass, so they are
@@ -51,12 +53,23 @@ pub(super) enum End {
     HandedBack,
 }
 
+/// What ended the wait for a solver.
+enum Waited {
+    /// The solver ended. There is no outcome if the job was cancelled.
+    Ended(Option<Outcome>),
+    /// The solver had [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms) to end, and did not.
+    Unresponsive,
+    /// The shutdown's grace time is over.
+    ShutDown,
+}
+
 /// How a solver ended.
 enum Ended {
     Solved(Box<Solved>),
     Unsolved(Unsolved),
     Rejected(Rejection),
     Panicked,
+    Unresponsive,
 }
 
 /// Receives the outcome of the solver's thread, or `None` if the job was cancelled. A thread that ends without sending
@@ -133,10 +146,13 @@ impl Attempt {
             let _entered = span.enter();
             let ended = guarded(|| read_and_solve(&jobs, &claimed, &line, &mut share));
             drop(share);
-            // The receiver is gone if the server is shutting down.
-            let _ = sender.send(outcome(ended));
+            // The receiver is gone if this solver was given up.
+            if sender.send(outcome(ended)).is_err() {
+                tracing::warn!("a solver that was given up has ended");
+                jobs.solver_came_back();
+            }
         };
-        // Tokio reuses idle blocking threads, and there are no more of them than solver slots.
+        // Tokio reuses idle blocking threads, and there are no more of them than solver slots and solvers that were given up.
         tokio::task::spawn_blocking(run);
         receiver
     }
@@ -148,10 +164,18 @@ impl Attempt {
             tokio::time::sleep(Duration::from_millis(self.jobs.config().http.shutdown_grace_ms)).await;
         };
         let mut grace: Pin<&mut (dyn Future<Output = ()> + Send)> = std::pin::pin!(grace);
-        let Some(ended) = self.renew_until_solved(&mut solver, &mut grace).await else {
-            self.line.stop();
-            let _ = (&mut solver).await;
-            return self.hand_back().await;
+        let ended = match self.renew_until_solved(&mut solver, &mut grace).await {
+            Waited::Ended(outcome) => outcome,
+            Waited::Unresponsive => self.give_up(solver),
+            Waited::ShutDown => {
+                self.line.stop();
+                let ended = tokio::time::timeout(STOP_PATIENCE, &mut solver).await.is_ok();
+                // A long factorisation does not look at the signal for seconds, and is no defect.
+                if ended || self.line.not_looked_for() < self.patience() {
+                    return self.hand_back().await;
+                }
+                self.give_up(solver)
+            }
         };
         // The slot is released before the outcome is stored, so that the next solver need not wait for the disk.
         drop(slot);
@@ -161,13 +185,26 @@ impl Attempt {
         }
     }
 
-    /// Renews the lease and stores progress until the solver has ended, also during an outage of the store. Returns `None` if the shutdown's grace time
-    /// ended first.
-    async fn renew_until_solved(
-        &self,
-        solver: &mut Solver,
-        grace: &mut (impl Future<Output = ()> + Unpin),
-    ) -> Option<Option<Outcome>> {
+    /// Gives up a solver that does not answer, unless it has just ended. Its thread goes on and keeps its memory.
+    fn give_up(&self, mut solver: Solver) -> Option<Outcome> {
+        self.jobs.give_up_solver();
+        solver.close();
+        if let Ok(outcome) = solver.try_recv() {
+            self.jobs.solver_came_back();
+            return outcome;
+        }
+        let not_looked_for_ms = self.line.not_looked_for().as_millis() as u64;
+        tracing::error!(not_looked_for_ms, "the solver does not answer, and is given up");
+        outcome(Ended::Unresponsive)
+    }
+
+    /// Returns the time that a solver has to end after it was asked to.
+    fn patience(&self) -> Duration {
+        Duration::from_millis(self.jobs.config().jobs.unresponsive_ms)
+    }
+
+    /// Renews the lease and stores progress until the solver has ended, also during an outage of the store.
+    async fn renew_until_solved(&self, solver: &mut Solver, grace: &mut (impl Future<Output = ()> + Unpin)) -> Waited {
         let (store, lease) = (self.jobs.store(), self.lease());
         let mut renewal = tokio::time::interval_at(tokio::time::Instant::now() + lease / 3, lease / 3);
         let tick = Duration::from_millis(self.jobs.config().jobs.progress_interval_ms.max(10));
@@ -175,8 +212,11 @@ impl Attempt {
         progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
         loop {
             let renewed = tokio::select! {
-                ended = &mut *solver => return Some(ended.unwrap_or_else(|_| outcome(Ended::Panicked))),
+                ended = &mut *solver => return Waited::Ended(ended.unwrap_or_else(|_| outcome(Ended::Panicked))),
                 _ = progress.tick() => match self.line.take() {
+                    _ if self.line.asked_to_end_for().is_some_and(|time| time > self.patience()) => {
+                        return Waited::Unresponsive;
+                    }
                     Some(progress) => {
                         // Serialization cannot fail because a progress has only strings and finite numbers.
                         let text = serde_json::to_string(&progress).unwrap_or_default();
@@ -185,7 +225,7 @@ impl Attempt {
                     None => continue,
                 },
                 _ = renewal.tick() => store.renew(&self.id, self.number, lease).await,
-                () = &mut *grace => return None,
+                () = &mut *grace => return Waited::ShutDown,
             };
             match renewed {
                 Ok(Renewed::Held) => {}
@@ -335,6 +375,11 @@ fn outcome(ended: Ended) -> Option<Outcome> {
                 Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
             };
             failure("refused", detail, errors)
+        }
+        Ended::Unresponsive => {
+            let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect of this \
+                server; the request is not the cause";
+            failure("unresponsive", detail, Vec::new())
         }
         Ended::Panicked => {
             let detail = "the solver hit a defect of this server; the request is not the cause";

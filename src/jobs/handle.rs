@@ -13,6 +13,7 @@ use crate::wire::batch::Batch;
 use crate::wire::job::Job;
 use plateau_forms::kind::Kind;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
@@ -36,6 +37,8 @@ pub(super) struct Inner {
     /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
     pub(super) slots: Arc<Semaphore>,
     pub(super) solvers: usize,
+    /// Number of solvers that were given up because they did not answer, and that have not ended since.
+    pub(super) unresponsive: AtomicUsize,
     /// One permit for each worker and attempt that a shutdown waits for.
     pub(super) under_way: Arc<Semaphore>,
     /// Name of this process in the records of attempts.
@@ -65,6 +68,7 @@ impl Jobs {
             webhooks: webhooks.map(Arc::new),
             slots: Arc::new(Semaphore::new(solvers)),
             solvers,
+            unresponsive: AtomicUsize::new(0),
             under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
@@ -83,6 +87,18 @@ impl Jobs {
     /// back.
     pub fn shut_down(&self) {
         self.0.shutdown.send_replace(true);
+    }
+
+    /// Returns the number of solvers that were given up because they did not answer, and that have not ended since.
+    #[must_use]
+    pub fn unresponsive(&self) -> usize {
+        self.0.unresponsive.load(Ordering::Relaxed)
+    }
+
+    /// Whether so many solvers do not answer that the process must be started anew.
+    #[must_use]
+    pub fn has_too_many_unresponsive(&self) -> bool {
+        self.unresponsive() >= self.0.config.jobs.unresponsive_max.max(1)
     }
 
     #[must_use]
@@ -124,6 +140,22 @@ impl Jobs {
 
     pub(super) fn running(&self) -> &Running {
         &self.0.running
+    }
+
+    /// Counts a solver that is given up. Shuts the process down if there are too many.
+    pub(super) fn give_up_solver(&self) {
+        self.0.unresponsive.fetch_add(1, Ordering::Relaxed);
+        metrics::gauge!(metric::UNRESPONSIVE).increment(1.0);
+        if self.has_too_many_unresponsive() {
+            tracing::error!(solvers = self.unresponsive(), "too many solvers do not answer; this process ends");
+            self.shut_down();
+        }
+    }
+
+    /// Counts a solver that was given up and has ended nevertheless.
+    pub(super) fn solver_came_back(&self) {
+        self.0.unresponsive.fetch_sub(1, Ordering::Relaxed);
+        metrics::gauge!(metric::UNRESPONSIVE).decrement(1.0);
     }
 
     pub(super) fn memory(&self) -> &MemoryBudget {

@@ -3,35 +3,64 @@
 use plateau_forms::report::Progress;
 use plateau_forms::solved::Signal;
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 /// State that a running solver shares with its attempt.
 #[derive(Debug)]
 pub struct Line {
-    stop: AtomicBool,
+    started: Instant,
     deadline: Instant,
+    stopped: OnceLock<Instant>,
+    /// Time of the solver's last look at the signal, in milliseconds since the start.
+    looked_ms: AtomicU64,
     latest: Mutex<Option<Progress>>,
 }
 
 impl Line {
     #[must_use]
     pub fn new(deadline: Duration) -> Self {
-        Self { stop: AtomicBool::new(false), deadline: Instant::now() + deadline, latest: Mutex::new(None) }
+        let started = Instant::now();
+        Self {
+            started,
+            deadline: started + deadline,
+            stopped: OnceLock::new(),
+            looked_ms: AtomicU64::new(0),
+            latest: Mutex::new(None),
+        }
     }
 
     /// Asks the solver to stop without a result.
     pub fn stop(&self) {
-        self.stop.store(true, Ordering::Relaxed);
+        self.stopped.get_or_init(Instant::now);
+    }
+
+    /// Returns the time since the solver was asked to end, by a stop or by its deadline.
+    #[must_use]
+    pub fn asked_to_end_for(&self) -> Option<Duration> {
+        let deadline = Some(self.deadline).filter(|deadline| *deadline <= Instant::now());
+        let asked = [self.stopped.get().copied(), deadline].into_iter().flatten().min();
+        asked.map(|asked| asked.elapsed())
+    }
+
+    /// Returns the time since the solver last looked at the signal, or since its start.
+    #[must_use]
+    pub fn not_looked_for(&self) -> Duration {
+        let looked = Duration::from_millis(self.looked_ms.load(Ordering::Relaxed));
+        self.started.elapsed().saturating_sub(looked)
     }
 
     /// Returns the current instruction to the solver.
     #[must_use]
     pub fn signal(&self) -> Signal {
-        if self.stop.load(Ordering::Relaxed) {
+        let now = Instant::now();
+        let elapsed_ms = now.duration_since(self.started).as_millis();
+        // A job does not run for 2^64 milliseconds.
+        self.looked_ms.store(elapsed_ms as u64, Ordering::Relaxed);
+        if self.stopped.get().is_some() {
             Signal::Cancel
-        } else if Instant::now() >= self.deadline {
+        } else if now >= self.deadline {
             Signal::Deadline
         } else {
             Signal::Continue

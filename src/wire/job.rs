@@ -13,6 +13,7 @@ use serde_json::{Map, Value};
 const FAILURES: &[(&str, &str)] = &[
     ("refused", "The request exceeds this worker's limits or is unknown to its version"),
     ("solver-panicked", "The solver failed"),
+    ("unresponsive", "The solver did not answer"),
     ("unknown-kind", "This version does not know this kind of job"),
     ("worker-lost", "The workers of this job died"),
 ];

@@ -46,4 +46,5 @@ mod sources;
 mod studio;
 mod tensile_structures;
 mod uniform_meshes;
+mod unresponsive;
 mod webhooks;

@@ -17,27 +17,34 @@ pub async fn live() -> Json<Value> {
 }
 
 pub fn live_entry() -> Value {
-    entry("getLive", "Checks that the process answers", &[])
+    entry("getLive", "Checks that the process answers", &[], json!({}))
 }
 
-fn entry(operation: &str, summary: &str, problems: &[(&str, &str)]) -> Value {
-    let schema = json!({ "type": "object", "required": ["status"], "properties": { "status": { "type": "string" } } });
+fn entry(operation: &str, summary: &str, problems: &[(&str, &str)], more: Value) -> Value {
+    let mut schema =
+        json!({ "type": "object", "required": ["status"], "properties": { "status": { "type": "string" } } });
+    if let (Value::Object(more), Some(properties)) = (more, schema["properties"].as_object_mut()) {
+        properties.extend(more);
+    }
     let ok = json!({ "description": summary, "content": { "application/json": { "schema": schema } } });
     json!({ "operationId": operation, "tags": ["operation"], "summary": summary,
         "responses": with_problems(json!({ "200": ok }), problems) })
 }
 
-/// Answers 503 while the server is shutting down and while the store does not answer.
+/// Answers 503 while the server is shutting down and while the store does not answer. Says how many solvers were given up.
 pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     if app.jobs.is_shutting_down() {
         return Err(Failure::unavailable("the server is shutting down"));
     }
     app.jobs.check_store().await?;
-    Ok(Json(json!({ "status": "ready" })))
+    Ok(Json(json!({ "status": "ready", "unresponsive_solvers": app.jobs.unresponsive() })))
 }
 
 pub fn ready_entry() -> Value {
-    entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")])
+    let solvers = json!({ "unresponsive_solvers": { "type": "integer", "minimum": 0, "description": "Number of solvers that did \
+        not end in time after a cancel or their deadline, and were given up. The process ends by itself if there are \
+        `jobs.unresponsive_max`." } });
+    entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")], solvers)
 }
 
 pub async fn metrics(State(app): State<App>) -> Result<Response, Failure> {
