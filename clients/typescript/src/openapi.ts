@@ -3424,6 +3424,8 @@ export interface operations {
                 content: {
                     "application/json": {
                         status: string;
+                        /** @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. The process ends by itself if there are `jobs.unresponsive_max`. */
+                        unresponsive_solvers?: number;
                     };
                 };
             };
