@@ -64,6 +64,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "minimal_surface/triple_junction",
             "minimal_surface",
             "tensile_structure/options",
+            "tensile_structure/checks",
             "tensile_structure/catenary",
             "tensile_structure/weave",
             "tensile_structure/mixing",

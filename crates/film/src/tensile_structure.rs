@@ -44,6 +44,7 @@
 //! approach to the form finding of tensile structures by the updated reference strategy* (1999).
 
 mod catenary;
+mod checks;
 mod form_finding;
 mod mixing;
 mod model;
@@ -92,7 +93,7 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
-    options::check(structure, options)?;
+    checks::check(structure, options)?;
     check_catenaries(structure)?;
     let start = model::start_options(structure, options);
     minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
