@@ -51,17 +51,21 @@ mod model;
 mod options;
 mod outcome;
 mod ponding;
+mod reactions;
+mod shape;
+mod stress;
+mod warnings;
 mod weave;
 
 pub use options::{
     BoundaryPoint, Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
     SlidingPart, Structure, WarpDirection, Weave, WeaveHold,
 };
-pub use outcome::{
+pub use ponding::Ponding;
+pub use shape::{
     CableResult, ChamberResult, EdgeReaction, ForceBalance, LayerResult, Reaction, Stability, Statistics, Stress,
     StressRange, TensileStructure, WeaveStress,
 };
-pub use ponding::Ponding;
 
 use crate::equilibrium::Support;
 use crate::minimal_surface;

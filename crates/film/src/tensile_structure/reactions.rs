@@ -1,0 +1,137 @@
+//! The forces at the supports of the found shape, and their sums.
+
+use super::form_finding::{Balance, Found};
+use super::model::{Model, MovingRing};
+use super::options::BoundaryPoint;
+use super::shape::{EdgeReaction, ForceBalance, Reaction};
+use crate::equilibrium::{Freedom, Support};
+use plateau_mesh::DVec3;
+
+/// What holds a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Hold<'a> {
+    Nothing,
+    Fixed,
+    Slides(&'a Support),
+    /// Moves with the ring of this number, along its axis alone.
+    Guided(usize),
+}
+
+pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
+    let fixed = model.fixed().into_iter();
+    let mut holds: Vec<Hold> = fixed.map(|fixed| if fixed { Hold::Fixed } else { Hold::Nothing }).collect();
+    for chain in &model.chains {
+        for &v in chain.get(1..chain.len() - 1).unwrap_or_default() {
+            holds[v as usize] = Hold::Nothing;
+        }
+    }
+    model.free.iter().for_each(|&v| holds[v as usize] = Hold::Nothing);
+    for &(v, freedom) in &model.sliding {
+        if let Some(support) = freedom.support() {
+            holds[v as usize] = Hold::Slides(&model.supports[support as usize]);
+        }
+    }
+    for (number, ring) in model.rings.iter().enumerate() {
+        ring.vertices.iter().for_each(|&v| holds[v as usize] = Hold::Guided(number));
+    }
+    holds
+}
+
+/// For each ring the part of the forces on it along its axis, in equal shares for its vertices: what is not balanced.
+fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
+    let of = |ring: &MovingRing| {
+        let along: f64 = ring.vertices.iter().map(|&v| balance.forces[v as usize].dot(ring.axis)).sum();
+        ring.axis * (along / ring.vertices.len() as f64)
+    };
+    model.rings.iter().map(of).collect()
+}
+
+/// The part of a force along a line or surface.
+fn along(support: &Support, at: DVec3, force: DVec3) -> DVec3 {
+    let tangents = support.tangents(at);
+    tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
+}
+
+pub(super) fn sums(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> ForceBalance {
+    let of_rings = unbalanced_of_rings(model, balance);
+    let loads: DVec3 = balance.loads.iter().sum();
+    let (mut reactions, mut magnitudes, mut residual_force) = (DVec3::ZERO, 0.0, 0.0f64);
+    for (((&force, &contact), hold), &place) in balance.forces.iter().zip(&balance.contacts).zip(holds).zip(at) {
+        let unbalanced = match *hold {
+            Hold::Nothing => force,
+            Hold::Fixed => DVec3::ZERO,
+            Hold::Slides(support) => along(support, place, force + contact),
+            Hold::Guided(ring) => of_rings[ring],
+        };
+        let reaction = force - unbalanced;
+        reactions += reaction;
+        magnitudes += reaction.length();
+        residual_force = residual_force.max(unbalanced.length());
+    }
+    ForceBalance {
+        loads,
+        reactions,
+        magnitudes,
+        imbalance: (loads + reactions).length() / magnitudes.max(f64::MIN_POSITIVE),
+        residual_force,
+    }
+}
+
+/// The angles between the film's pull on a sliding edge and the surface on which it slides, least and largest. Where an
+/// angle is given it is that on the left of the edge.
+pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Option<(f64, f64)> {
+    let mut range = None;
+    for &(v, freedom) in &model.sliding {
+        let (force, place) = (balance.forces[v as usize], at[v as usize]);
+        let Hold::Slides(support) = holds[v as usize] else { continue };
+        if support.dimension() != 2 || force == DVec3::ZERO {
+            continue;
+        }
+        let tangential = along(support, place, force);
+        let towards = match freedom {
+            // The support's force on the film is against the film's pull.
+            Freedom::AcrossOn { beside: [a, b], .. } if model.at_contacts.contains(&v) => {
+                let left = support.normal(place).cross(at[b as usize] - at[a as usize]);
+                -tangential.dot(left.normalize_or_zero())
+            }
+            _ => tangential.length(),
+        };
+        let angle = libm::atan2((force - tangential).length(), towards);
+        let (least, most) = range.unwrap_or((angle, angle));
+        range = Some((angle.min(least), angle.max(most)));
+    }
+    range
+}
+
+pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Vec<EdgeReaction>) {
+    let Some(balance) = &found.balance else { return (Vec::new(), Vec::new()) };
+    let held = |v: u32| holds[v as usize] != Hold::Nothing;
+    let mut single = vec![false; holds.len()];
+    let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
+    let points = model.sliding.iter().filter(|(_, freedom)| matches!(freedom, Freedom::On(_))).map(|(v, _)| *v);
+    for v in ends.chain(points) {
+        single[v as usize] = held(v) && !matches!(holds[v as usize], Hold::Guided(_));
+    }
+    let point_of = |vertex: u32| {
+        let of = |(boundary, numbers): (usize, &Vec<u32>)| {
+            let point = numbers.iter().position(|&v| v == vertex)?;
+            Some(BoundaryPoint { boundary, point })
+        };
+        model.input_vertices.iter().enumerate().find_map(of)
+    };
+    let reactions = (0..holds.len() as u32)
+        .filter(|&v| single[v as usize])
+        .map(|vertex| Reaction { vertex, point: point_of(vertex), force: balance.forces[vertex as usize] })
+        .collect();
+    let edges = model.boundaries().iter().enumerate().filter_map(|(boundary, rim)| {
+        if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
+            // The hub passes its force on to the ring.
+            let force = model.rings[number].vertices.iter().map(|&v| balance.forces[v as usize]).sum();
+            return Some(EdgeReaction { boundary, force });
+        }
+        let borne = || rim.iter().filter(|&&v| held(v) && !single[v as usize]);
+        let force = borne().map(|&v| balance.forces[v as usize]).sum();
+        borne().next().map(|_| EdgeReaction { boundary, force })
+    });
+    (reactions, edges.collect())
+}

@@ -1,0 +1,212 @@
+//! What form finding returns: the shape, the forces in it and its figures.
+
+use super::options::{BoundaryPoint, WeaveHold};
+use super::ponding::Ponding;
+use crate::minimal_surface::StopReason;
+use plateau_mesh::error::Warning;
+use plateau_mesh::measure::Spread;
+use plateau_mesh::self_intersections::SelfIntersectionCheck;
+use plateau_mesh::{DVec3, Mesh};
+
+/// A support at one vertex: the end of a cable, or an anchor in the air.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction {
+    /// The vertex.
+    pub vertex: u32,
+    /// The point of the boundary, if it is one.
+    pub point: Option<BoundaryPoint>,
+    /// The force of the support on the structure.
+    pub force: DVec3,
+}
+
+/// The supports along the fixed parts of a boundary together, without those of [`Reaction`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeReaction {
+    /// The boundary.
+    pub boundary: usize,
+    /// The sum of the forces of the supports on the structure.
+    pub force: DVec3,
+}
+
+/// A cable of the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CableResult {
+    /// Its vertices from the first end to the last.
+    pub vertices: Vec<u32>,
+    /// The force in each segment.
+    pub segment_forces: Vec<f64>,
+    /// The mean force, weighted by length.
+    pub force: f64,
+    /// Length.
+    pub length: f64,
+    /// L0 = L / (1 + F / EA), if the axial stiffness is known.
+    pub unstressed_length: Option<f64>,
+    /// The largest distance from the chord between the ends.
+    pub sag: f64,
+    /// Whether it carries no force.
+    pub slack: bool,
+}
+
+/// Principal stresses of the film over all triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stress {
+    /// The least principal stress, a force per length.
+    pub min: f64,
+    /// The largest principal stress.
+    pub max: f64,
+    /// The largest deviation of a principal stress from the required one, as a fraction of it. Of a woven film that of
+    /// the stresses along warp and weft from those required at the same place.
+    pub deviation: f64,
+    /// The stresses of a woven film.
+    pub weave: Option<WeaveStress>,
+}
+
+/// The stresses of a woven film along warp and weft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeaveStress {
+    /// What the required stresses hold constant.
+    pub hold: WeaveHold,
+    /// The stress along the warp.
+    pub warp: StressRange,
+    /// The stress along the weft.
+    pub weft: StressRange,
+    /// The weft's stress over the warp's.
+    pub ratio: StressRange,
+    /// The ratio that was asked for.
+    pub required_ratio: f64,
+    /// The root mean square over the film of the ratio over the required one, less 1.
+    pub ratio_deviation_rms: f64,
+    /// The root mean square over the film of both stresses over those required at the same place, less 1.
+    pub deviation_rms: f64,
+}
+
+/// The least, the largest and the mean value over the film's area.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StressRange {
+    /// The least value.
+    pub min: f64,
+    /// The largest value.
+    pub max: f64,
+    /// The mean by area.
+    pub mean: f64,
+}
+
+/// A layer of the shape. Its triangles follow those of the layers before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerResult {
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Area.
+    pub area: f64,
+    /// Principal stresses; `None` if the forces could not be balanced.
+    pub stress: Option<Stress>,
+}
+
+/// A chamber of the shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChamberResult {
+    /// The pressure above that outside, given or found.
+    pub pressure: f64,
+    /// The volume up to the next layer, or up to fans from each boundary to its mean.
+    pub volume: f64,
+}
+
+/// The sums of the forces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ForceBalance {
+    /// The sum of all loads: weights and pressure.
+    pub loads: DVec3,
+    /// The sum of all reactions.
+    pub reactions: DVec3,
+    /// The sum of the reactions' magnitudes, support by support.
+    pub magnitudes: f64,
+    /// |loads + reactions| over the sum of the magnitudes.
+    pub imbalance: f64,
+    /// The largest force on a vertex that is not balanced.
+    pub residual_force: f64,
+}
+
+/// The stability of the shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum of the energy.
+    pub stable: bool,
+    /// Number of negative eigenvalues of the second variation.
+    pub morse_index: usize,
+    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+}
+
+/// Figures of the shape and of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statistics {
+    /// σ A + Σ T L + …, a force times a length.
+    pub energy: f64,
+    /// Number of vertices, those of cables in the air included.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Area of all layers.
+    pub area: f64,
+    /// The layers in the order of the input.
+    pub layers: Vec<LayerResult>,
+    /// The chambers in the order of the input.
+    pub chambers: Vec<ChamberResult>,
+    /// How far the shape is from equilibrium, dimensionless.
+    pub residual: f64,
+    /// Whether the residual is at most the tolerance and no triangle is flipped or degenerate.
+    pub converged: bool,
+    /// Why form finding ended.
+    pub stop_reason: StopReason,
+    /// Number of linear solves.
+    pub iterations: u32,
+    /// Principal stresses of all layers; `None` if the forces could not be balanced.
+    pub stress: Option<Stress>,
+    /// Sums of the forces; `None` if the forces could not be balanced.
+    pub balance: Option<ForceBalance>,
+    /// The least and the largest angle between the film's pull on an edge that slides on a surface and that surface, in
+    /// radians; in equilibrium a right angle, or the given one. `None` without such an edge.
+    pub contact_angle: Option<(f64, f64)>,
+    /// Stability, if it was found.
+    pub stability: Option<Stability>,
+    /// The least slope of a triangle against the horizontal, in radians.
+    pub minimum_slope: f64,
+    /// The centroid of the triangle with the least slope.
+    pub flattest_place: DVec3,
+    /// The water that stands on the film after rain; `None` if it runs off.
+    pub ponding: Option<Ponding>,
+    /// Lengths of the film's edges.
+    pub edge_lengths: Spread,
+    /// Smallest and largest inner angle, in radians.
+    pub angles: (f64, f64),
+    /// Number of flipped triangles.
+    pub flipped_triangles: usize,
+    /// Number of degenerate triangles.
+    pub degenerate_triangles: usize,
+    /// Pairs of triangles of the film that intersect.
+    pub self_intersections: SelfIntersectionCheck,
+}
+
+/// A tensile structure in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TensileStructure {
+    /// Vertices: the input's points in input order, equal neighbours once, fixed ones at exactly the given coordinates;
+    /// then the film's others; then those of cables in the air, which belong to no triangle.
+    pub mesh: Mesh,
+    /// Each boundary as a loop of vertices, in the input's direction, added points included.
+    pub boundaries: Vec<Vec<u32>>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// The cables in the order of the input.
+    pub cables: Vec<CableResult>,
+    /// Supports at single vertices.
+    pub reactions: Vec<Reaction>,
+    /// Supports along edges.
+    pub edge_reactions: Vec<EdgeReaction>,
+    /// For each ring that moves how far it has moved along its axis.
+    pub ring_travels: Vec<f64>,
+    /// Figures.
+    pub statistics: Statistics,
+    /// Facts that the caller should know although the solve went through.
+    pub warnings: Vec<Warning>,
+}
