@@ -374,3 +374,52 @@ fn the_arrows_between_modules_are_the_committed_ones() {
         "the arrows between modules changed. If that is meant, say why in docs/ARCHITECTURE.md and commit tests/arrows.txt as:\n{found}"
     );
 }
+
+/// Largest width of a line, in characters. `rustfmt.toml` has the same number, but rustfmt wraps neither comments nor
+/// strings.
+const WIDTH: usize = 120;
+
+/// Words with which no comment begins, because the reader cannot know yet what they refer to.
+const FORBIDDEN_FIRST_WORDS: [&str; 6] = ["What", "One", "Such", "So", "As", "Nor"];
+
+/// Returns the lines that are too wide, and the paragraphs of comments that begin with a forbidden word, by the number
+/// of the line. `published` has the texts of the API document, whose words belong to the contract.
+fn unreadable(text: &str, published: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let (mut begins, mut is_code) = (true, false);
+    for (number, line) in text.lines().enumerate() {
+        let mut report = |fault: String| found.push(format!("{}: {fault}", number + 1));
+        if line.chars().count() > WIDTH {
+            report(format!("{} columns", line.chars().count()));
+        }
+        let Some(comment) = line.trim_start().strip_prefix("//") else {
+            (begins, is_code) = (true, false);
+            continue;
+        };
+        let comment = comment.trim_start_matches(['/', '!']).trim();
+        is_code ^= comment.starts_with("```");
+        let first = comment.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+        let is_published = || published.contains(&comment.replace('"', "\\\""));
+        if begins && !is_code && FORBIDDEN_FIRST_WORDS.contains(&first) && !is_published() {
+            report(comment.to_owned());
+        }
+        begins = comment.is_empty();
+    }
+    found
+}
+
+#[test]
+fn lines_fit_and_comments_begin_with_their_subject() {
+    let wide = format!("/// {}\n", "é".repeat(116)) + &format!("    // {}", "x".repeat(114));
+    assert_eq!(unreadable(&wide, ""), ["2: 121 columns"]);
+    let text = "/// What it is.\n///\n/// As before.\n// One more\n// Such\nfn f() {\n    //! Once.\n}\n// One row.\n";
+    assert_eq!(unreadable(text, "\"One row.\""), ["1: What it is.", "3: As before."]);
+    assert_eq!(unreadable("/// Code:\n///\n/// ```\n///\n/// One::of()\n/// ```\n", ""), [""; 0]);
+    let published = std::fs::read_to_string(root().join("api/openapi.json")).expect("the API document");
+    let mut found = Vec::new();
+    for path in sources(&root().join("crates")) {
+        let text = std::fs::read_to_string(&path).expect("a source file");
+        found.extend(unreadable(&text, &published).into_iter().map(|fault| format!("{}:{fault}", path.display())));
+    }
+    assert!(found.is_empty(), "wrap these lines, and begin comments with their subject:\n{}", found.join("\n"));
+}

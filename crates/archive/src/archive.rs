@@ -1,5 +1,5 @@
-//! The stored artefact: one mesh in f64 with all data that the download formats need. The mesh of a cable net has vertices
-//! and no triangles; the net is in the line sets.
+//! The stored artefact: one mesh in f64 with all data that the download formats need. The mesh of a cable net has
+//! vertices and no triangles; the net is in the line sets.
 //!
 //! The bytes are the magic `\x89PLATEAU`, the version as a little-endian u32, [`Contents`] in the format of the library
 //! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding ones,
@@ -23,7 +23,8 @@ const CHECKSUM_BYTES: usize = 32;
 pub const CABLES: &str = "cables";
 /// Name of the unsigned mean curvature of vertices.
 pub const MEAN_CURVATURE: &str = "mean_curvature";
-/// Name of the slack of a proven lower bound of the area: how far the bound is from being tight at a vertex, from 0 to 1.
+/// Name of the slack of a proven lower bound of the area: how far the bound is from being tight at a vertex, from 0 to
+/// 1.
 pub const LOWER_BOUND_SLACK: &str = "lower_bound_slack";
 
 /// A quantity with a number for each vertex, for each triangle, or for each line of a set, such as a force.
@@ -46,8 +47,8 @@ impl Attribute {
         Self { name: name.into(), unit: unit.into(), range: [0.0, largest], values }
     }
 
-    /// Ends the range at the smallest value that at least this share of the values does not exceed, but not below `least`,
-    /// so that neither a few large values nor the errors of a mesh decide about the colours.
+    /// Ends the range at the smallest value that at least this share of the values does not exceed, but not below
+    /// `least`, so that neither a few large values nor the errors of a mesh decide about the colours.
     #[must_use]
     pub fn ending_at_percentile(mut self, share: f64, least: f64) -> Self {
         let mut sorted = self.values.clone();
@@ -132,8 +133,8 @@ pub struct Contents {
     pub proof: Option<String>,
 }
 
-/// Largest distance from zero, in extents of the mesh, at which f32 coordinates are exact enough: rounding moves a vertex
-/// by at most a 100,000th of the extent.
+/// Largest distance from zero, in extents of the mesh, at which f32 coordinates are exact enough: rounding moves a
+/// vertex by at most a 100,000th of the extent.
 const FAR: f64 = 168.0;
 
 /// Returns the corners of the bounding box.
@@ -169,7 +170,8 @@ impl Contents {
         middle(&self.mesh.vertices)
     }
 
-    /// Returns true if the mesh is so far from zero, compared with its size, that f32 coordinates would be visibly wrong.
+    /// Returns true if the mesh is so far from zero, compared with its size, that f32 coordinates would be visibly
+    /// wrong.
     #[must_use]
     pub fn is_far_from_zero(&self) -> bool {
         let (low, high) = bounds(&self.mesh.vertices);
@@ -201,8 +203,8 @@ impl Archive {
     /// Validates contents. Time is linear in their size.
     ///
     /// # Errors
-    /// Returns [`Defect::Contents`] if there is no vertex, or neither a triangle nor a cable, an index is out of range, a number is not
-    /// finite, lists do not match, the statistics are not JSON, or a name is invalid.
+    /// Returns [`Defect::Contents`] if there is no vertex, or neither a triangle nor a cable, an index is out of range,
+    /// a number is not finite, lists do not match, the statistics are not JSON, or a name is invalid.
     pub fn new(contents: Contents) -> Result<Self, Defect> {
         check(&contents).map_err(Defect::Contents)?;
         Ok(Self(contents))

@@ -97,8 +97,8 @@ impl MeshFormat {
     /// Writes the mesh in this format. Time and memory are linear in the mesh's size.
     ///
     /// # Errors
-    /// Returns [`Error`] if the format cannot hold this mesh (a coordinate exceeds f32, or the file exceeds the format's
-    /// 4 GiB), or if the mesh does not have what it is to be coloured by.
+    /// Returns [`Error`] if the format cannot hold this mesh (a coordinate exceeds f32, or the file exceeds the
+    /// format's 4 GiB), or if the mesh does not have what it is to be coloured by.
     pub fn encode_with(self, archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         match self {
             Self::Glb => gltf::to_glb(archive, choices),

@@ -4,8 +4,9 @@
 //! Primitives of points and lines are left out, because the files that this crate writes have lines beside the surface.
 //! Vertices with equal coordinates become one vertex, because files repeat vertices whose normals differ.
 //!
-//! The bytes may be anything. Memory is a small multiple of their number, because every count is compared with the bytes
-//! that are there, and with the limit of the caller, before anything is read. Nothing outside of the file is opened.
+//! The bytes may be anything. Memory is a small multiple of their number, because every count is compared with the
+//! bytes that are there, and with the limit of the caller, before anything is read. Nothing outside of the file is
+//! opened.
 
 use std::collections::HashMap;
 
@@ -23,8 +24,8 @@ use crate::units::{Unit, UpAxis};
 const HEADER_BYTES: usize = 12;
 /// Largest number of nodes from a root of the scene to a mesh, so that no file can exhaust the stack.
 const MOST_LEVELS: usize = 64;
-/// Largest size of a file's document, and largest number of objects in it. An object of two bytes takes hundreds of bytes of
-/// memory once it is read. The data of meshes are outside of the document.
+/// Largest size of a file's document, and largest number of objects in it. An object of two bytes takes hundreds of
+/// bytes of memory once it is read. The data of meshes are outside of the document.
 const MOST_DOCUMENT_BYTES: usize = 16 << 20;
 const MOST_OBJECTS: usize = 100_000;
 
@@ -49,12 +50,12 @@ fn invalid<T>(detail: impl Into<String>) -> Result<T, Refusal> {
     Err(Refusal::Invalid(detail.into()))
 }
 
-/// Reads the triangles of a binary glTF file, in this unit and with this axis up. `most` is the largest number of vertices
-/// and of triangles, counted before equal vertices become one.
+/// Reads the triangles of a binary glTF file, in this unit and with this axis up. `most` is the largest number of
+/// vertices and of triangles, counted before equal vertices become one.
 ///
 /// # Errors
-/// Returns [`Refusal::Invalid`] for a file that is not binary glTF 2.0, that needs an extension or another file, or that
-/// has strips, fans, sparse accessors, numbers that are not finite, or references beyond what is there.
+/// Returns [`Refusal::Invalid`] for a file that is not binary glTF 2.0, that needs an extension or another file, or
+/// that has strips, fans, sparse accessors, numbers that are not finite, or references beyond what is there.
 pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangles, Refusal> {
     // The crate subtracts the header from the length that the file states.
     let stated = file.get(8..HEADER_BYTES).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);

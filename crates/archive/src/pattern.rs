@@ -15,7 +15,7 @@ pub struct Pattern {
     pub pieces: Vec<Piece>,
 }
 
-/// One unrolled strip.
+/// An unrolled strip.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Piece {
     /// Text printed on the piece, such as `strip 1`.

@@ -1,5 +1,5 @@
-//! The cable net of jax_fdm's `cablenet.md`: a square of 10 with two opposite corners lifted by 5, forces of 20 on the rim
-//! and equal lengths inside, no force density below 0.1.
+//! The cable net of jax_fdm's `cablenet.md`: a square of 10 with two opposite corners lifted by 5, forces of 20 on the
+//! rim and equal lengths inside, no force density below 0.1.
 //!
 //! `cargo bench -p plateau-film --bench cable_net` measures with criterion; `-- --case CELLS` fits once and prints the
 //! figures as one JSON line. `benches/cable_net_peers.py` compares them with jax_fdm's.
@@ -56,7 +56,8 @@ fn print_case(cells: u32) {
     };
     let (forces, lengths) = (range(true, &found.forces), range(false, &found.lengths));
     println!(
-        "{{\"bench\":\"cable_net\",\"cells\":{cells},\"edges\":{},\"seconds\":{seconds:.4},\"iterations\":{},\"loss\":{:.6e},\
+        "{{\"bench\":\"cable_net\",\"cells\":{cells},\"edges\":{},\"seconds\":{seconds:.4},\"iterations\":{},\
+         \"loss\":{:.6e},\
          \"force\":[{:.4},{:.4}],\"length\":[{:.4},{:.4}]}}",
         net.edges.len(),
         found.iterations,

@@ -62,7 +62,8 @@ fn case(name: &str, triangles: usize) {
     let statistics = last.expect("one run at least");
     let stability = statistics.stability.expect("checked in solved");
     println!(
-        "{{\"bench\":\"minimal_surface\",\"problem\":\"{name}\",\"triangles\":{},\"seconds\":{least:.4},\"iterations\":{},\
+        "{{\"bench\":\"minimal_surface\",\"problem\":\"{name}\",\"triangles\":{},\"seconds\":{least:.4},\
+         \"iterations\":{},\
          \"area\":{:.9},\"residual\":{:.2e},\"morse_index\":{},\"lowest_eigenvalue\":{:.6},\"peak_mb\":{:.0}}}",
         statistics.triangles,
         statistics.iterations,

@@ -1,8 +1,8 @@
 //! Processor time of films in loops of many points.
 //!
 //! `cargo run --release -p plateau-film --example long_loops` prints the table of `docs/VALIDATION.md`. A number behind
-//! `--` is the number of points of each loop in place of 50,000, and a word behind it selects the loops whose name contains
-//! it. Times are processor times of this process (on Linux; elsewhere elapsed time).
+//! `--` is the number of points of each loop in place of 50,000, and a word behind it selects the loops whose name
+//! contains it. Times are processor times of this process (on Linux; elsewhere elapsed time).
 
 use plateau_film::minimal_surface::{BoundarySampling, Options, Resolution, solve};
 use plateau_mesh::{DVec2, DVec3, Execution};

@@ -2,7 +2,8 @@
 //!
 //! [`solve`] takes a [`Net`]: points, the cables between them, supports and loads. Without targets the force densities
 //! give the shape by linear equations (Schek 1974). With forces and lengths that cables are to have, the densities are
-//! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held too.
+//! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held
+//! too.
 //!
 //! ```
 //! use plateau_film::cable_net::{Edge, Net, Options, solve};
@@ -88,8 +89,8 @@ impl CableNet {
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular
-/// to working precision, that collapses, or whose targets leave cables slack; [`Error::Interrupted`] on cancel. A deadline
-/// returns the shape of the last step.
+/// to working precision, that collapses, or whose targets leave cables slack; [`Error::Interrupted`] on cancel. A
+/// deadline returns the shape of the last step.
 pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet, Error> {
     check(net, options)?;
     let fitted = fitting::fit(net, options, exec)?;
@@ -167,8 +168,8 @@ fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
         return Ok(());
     }
     let slack: Vec<usize> = (0..slack.len()).filter(|&k| slack[k]).collect();
-    let detail = "the targets leave some cables no force; change their targets, or give a least force density, which keeps \
-                  every cable in tension";
+    let detail = "the targets leave some cables no force; change their targets, or give a least force density, which \
+                  keeps every cable in tension";
     refuse("slack_cable", detail, &slack, "would be slack")
 }
 
@@ -180,8 +181,9 @@ pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
     options::check(net, options)
 }
 
-/// Number of bytes of memory per edge: most of it for the factor of a step, with six unknowns at every vertex. Square grids
-/// took 6,100 bytes at 20,000 edges and 6,900 at 105,000. The rest is a margin, because the factor of other nets fills in more.
+/// Number of bytes of memory per edge: most of it for the factor of a step, with six unknowns at every vertex. Square
+/// grids took 6,100 bytes at 20,000 edges and 6,900 at 105,000. The rest is a margin, because the factor of other nets
+/// fills in more.
 const BYTES_PER_EDGE: f64 = 12_000.0;
 
 /// Estimates the memory that solving takes. A net has no triangles.

@@ -36,7 +36,7 @@ pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
-/// One energy over the vertices of a body.
+/// An energy over the vertices of a body.
 ///
 /// The three functions must belong together: the gradient is the derivative of the value, the second derivative that of
 /// the gradient. The tests of every term compare them with finite differences.

@@ -1,8 +1,8 @@
 //! Films and nets: minimal surfaces, tensile structures and cable nets.
 //!
-//! [`minimal_surface`] finds surfaces of least area between boundary loops (Chen, Cai and Zheng; Liu and Wang; Bento and
-//! Cavalcanti). [`tensile_structure`] finds films with cables, pressure and weight in equilibrium, and [`cable_net`] nets
-//! of cables without a film. All of them stand on [`energy`] and [`equilibrium`].
+//! [`minimal_surface`] finds surfaces of least area between boundary loops (Chen, Cai and Zheng; Liu and Wang; Bento
+//! and Cavalcanti). [`tensile_structure`] finds films with cables, pressure and weight in equilibrium, and
+//! [`cable_net`] nets of cables without a film. All of them stand on [`energy`] and [`equilibrium`].
 //!
 //! ```
 //! use plateau_film::minimal_surface::{Options, Resolution, solve};

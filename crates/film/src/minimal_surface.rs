@@ -78,10 +78,11 @@ use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pin
 ///
 /// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
 /// arguments, to the byte, and turns, moves and scales with them up to rounding. Neighbouring points that are equal,
-/// or nearer than 1e-9 of the boundary's radius, are merged, with the warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal
-/// surfaces, and which one comes out follows from the initial mesh. A surface whose solver did not meet its own rule is
-/// returned with `converged: false` and the warning `not_converged`, at a deadline too. A film of least area whose
-/// solver met its own rule above the tolerance carries the warning `not_minimal`.
+/// or nearer than 1e-9 of the boundary's radius, are merged, with the warning `merged_points`. The least found is a
+/// *local* one: a boundary may bound several minimal surfaces, and which one comes out follows from the initial mesh. A
+/// surface whose solver did not meet its own rule is returned with `converged: false` and the warning `not_converged`,
+/// at a deadline too. A film of least area whose solver met its own rule above the tolerance carries the warning
+/// `not_minimal`.
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours

@@ -2,8 +2,8 @@
 //! balance.
 //!
 //! [`solve`] takes a [`Structure`] and a resolution and returns a mesh with the forces in its cables and at its
-//! supports. A film with nothing but fixed boundaries is a minimal surface; every further effect is a term of one energy
-//! or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
+//! supports. A film with nothing but fixed boundaries is a minimal surface; every further effect is a term of one
+//! energy or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
 //!
 //! ```text
 //! E = Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V + weights        volumes and lengths as constraints where given
@@ -11,10 +11,13 @@
 //!
 //! ```
 //! use plateau_film::minimal_surface::Resolution;
-//! use plateau_film::tensile_structure::{      Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,  };
+//! use plateau_film::tensile_structure::{
+//!     Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,
+//! };
 //! use plateau_mesh::{DVec3, Execution};
 //!
-//! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius 10.
+//! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius
+//! // 10.
 //! let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
 //! let cable = |k: usize| Cable {
 //!     name: format!("edge {k}"),
@@ -142,14 +145,14 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
     error
 }
 
-/// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it. Sails and halls
-/// took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles. A larger value refuses more requests.
+/// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it. Sails and
+/// halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles. A larger value refuses more requests.
 const BYTES_PER_TRIANGLE: f64 = 5_000.0;
 /// Number of bytes of memory per triangle of a mesh on which an edge slides: the triangle and its share of the tree.
 const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
 
-/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the layers
-/// over the boundaries before form finding ([`minimal_surface::estimate`]).
+/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the
+/// layers over the boundaries before form finding ([`minimal_surface::estimate`]).
 #[must_use]
 pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));

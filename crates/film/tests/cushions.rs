@@ -93,7 +93,7 @@ fn two_equal_layers_are_a_lens() {
         let [(_, top), (bottom, _)] = heights(&lens)[..] else { panic!() };
         let error = 0.08 * edge_length * edge_length;
         assert!((top - height).abs() < error && (bottom + height).abs() < error, "{top} {bottom} {height}");
-        // What presses on one layer presses on the other: nothing is left for the supports but the pull of the films.
+        // The pressure acts on both layers: the supports bear only the pull of the films.
         let balance = lens.statistics.balance.unwrap();
         assert!(balance.loads.length() < 1e-9 && balance.reactions.length() < 1e-9, "{balance:?}");
     }
@@ -150,7 +150,7 @@ fn the_layer_between_two_chambers_has_the_radius_of_their_difference() {
     }
     println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
     assert!(errors.iter().all(|errors| order(errors) > 1.7), "{errors:?}");
-    // One chamber by its pressure, the other by its volume.
+    // The first chamber has a pressure, the other a volume.
     let mixed = [Pressure::Constant(0.2), Pressure::Volume(volumes[1])];
     let result = found(&cushion(circle(48), &[1.0; 3], &mixed), 0.6);
     assert!((result.statistics.chambers[1].pressure - 0.15).abs() < 2e-3, "{:?}", result.statistics.chambers);
@@ -191,8 +191,8 @@ fn assert_only_the_edge_is_shared(cushion: &TensileStructure) {
 
 #[test]
 fn layers_come_apart_in_a_neck_that_is_narrower_than_an_edge() {
-    // A long film of width b under a pressure p is an arc of radius σ / p, which is b² p / (8 σ) high. Edges longer than
-    // the width leave a single row of vertices in the neck.
+    // A long film of width b under a pressure p is an arc of radius σ / p, which is b² p / (8 σ) high. Edges longer
+    // than the width leave a single row of vertices in the neck.
     let arc = 0.6 * 0.6 * 0.1 / 8.0;
     for (edge_length, off) in [(2.0, 0.5), (1.0, 0.5), (0.2, 0.1)] {
         let cushion = found(&cushion(dumbbell(), &[1.0, 1.0], &[Pressure::Constant(0.1)]), edge_length);

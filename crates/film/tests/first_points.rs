@@ -151,7 +151,8 @@ fn a_boundary_has_no_first_point_of_its_own() {
             let share = (most - least) / allowed;
             worst = worst.max(share);
             println!(
-                "{kind} {number} at {triangles}: {points} points, {least:.9} to {most:.9}, {share:.3} of what is allowed"
+                "{kind} {number} at {triangles}: {points} points, {least:.9} to {most:.9}, {share:.3} of what is \
+                 allowed"
             );
             if share.is_nan() || share > 1.0 {
                 faults.push(format!(

@@ -40,8 +40,8 @@ fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// Checks that the mesh is a manifold whose boundary loops are the given ones: the input points in order, exactly (a merged
-/// point nearly), and added points on the segments.
+/// Checks that the mesh is a manifold whose boundary loops are the given ones: the input points in order, exactly (a
+/// merged point nearly), and added points on the segments.
 fn valid(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let topology = surface.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), given.len());
@@ -644,8 +644,8 @@ fn loops_that_share_a_point_are_told_so() {
     assert!(surface.warnings.iter().all(|warning| warning.code != "shared_points"));
 }
 
-/// A boundary of 50,000 points took 17 s: its mesh was laid out eleven times, the first ones with ten times the triangles
-/// that were asked for, and each thin triangle was looked at once for every change around it.
+/// A boundary of 50,000 points took 17 s: its mesh was laid out eleven times, the first ones with ten times the
+/// triangles that were asked for, and each thin triangle was looked at once for every change around it.
 #[test]
 fn a_long_loop_takes_work_in_proportion_to_its_points() {
     let points = 6_000;

@@ -76,8 +76,8 @@ fn with(method: LiuWang, interior_vertices: usize) -> Options {
     Options { method: Method::LiuWang(method), ..Options::new(Resolution::InteriorVertices(interior_vertices)) }
 }
 
-/// The objective of the paper's formula, and the same without the curvatures at boundary vertices, which is the default.
-/// The latter vanishes at its minimum, so that it is solved to where only rounding is left.
+/// The objective of the paper's formula, and the same without the curvatures at boundary vertices, which is the
+/// default. The latter vanishes at its minimum, so that it is solved to where only rounding is left.
 fn liu_wang(boundary: &[DVec3], interior_vertices: usize, seed: u64) -> [MinimalSurface; 2] {
     [(true, 1e-6), (false, 1e-15)].map(|(boundary_curvature, tolerance)| {
         let options = with(LiuWang { boundary_curvature, tolerance, seed }, interior_vertices);
@@ -151,8 +151,8 @@ fn nine_sets_of_scherks_surface() {
 fn the_membrane_of_nine_points_with_four_inside_becomes_nearly_minimal() {
     let [_, surface] = liu_wang(&membrane(), 4, 1);
     assert!(surface.statistics.objective_value < 1e-6);
-    // Their H, which is normal, vanishes. The reported curvature has a tangential part too, which the layout of the four
-    // points decides. The fairing spreads them evenly, not so that it vanishes.
+    // Their H, which is normal, vanishes. The reported curvature has a tangential part too, which the layout of the
+    // four points decides. The fairing spreads them evenly, not so that it vanishes.
     assert!(surface.statistics.mean_curvature.mean < 1.5e-2);
 }
 

@@ -1,5 +1,5 @@
-//! Random boundaries of awkward kinds: each has a film that is converged and right, by figures computed here, or is refused
-//! by name.
+//! Random boundaries of awkward kinds: each has a film that is converged and right, by figures computed here, or is
+//! refused by name.
 
 use plateau_film::minimal_surface::{
     InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, solve,
@@ -180,8 +180,8 @@ fn residual(mesh: &Mesh, fixed: &[bool], radius: f64) -> f64 {
     (0..n).filter(|&v| !fixed[v]).map(at).fold(0.0, f64::max)
 }
 
-/// Number of negative eigenvalues of the area's second derivatives along the vertex normals, by elimination of the dense
-/// matrix (Sylvester's law of inertia).
+/// Number of negative eigenvalues of the area's second derivatives along the vertex normals, by elimination of the
+/// dense matrix (Sylvester's law of inertia).
 fn morse_index(mesh: &Mesh, fixed: &[bool]) -> usize {
     let mut normal = vec![DVec3::ZERO; mesh.vertices.len()];
     for &t in &mesh.triangles {

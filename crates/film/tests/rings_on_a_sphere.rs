@@ -1,5 +1,5 @@
-//! Rings that face outwards on a sphere, as many as twelve: their connected film, against the film that their convex hull
-//! relaxes to.
+//! Rings that face outwards on a sphere, as many as twelve: their connected film, against the film that their convex
+//! hull relaxes to.
 
 use plateau_film::minimal_surface::{InitialMesh, MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Error, Execution, Mesh};

@@ -566,7 +566,7 @@ fn around_z() -> WarpDirection {
     WarpDirection::Radial { point: DVec3::ZERO, axis: DVec3::Z }
 }
 
-/// As [`found`], without a stability, which a woven film does not have.
+/// Returns the same as [`found`] without a stability, which a woven film does not have.
 fn found_woven(structure: &Structure, edge_length: f64) -> TensileStructure {
     let result = solve(structure, &Options::new(Resolution::EdgeLength(edge_length)), &Execution::default()).unwrap();
     let statistics = &result.statistics;

@@ -136,8 +136,9 @@ fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
     }
 }
 
-/// Input: the example rings-14-pinkall-polthier, whose tolerance is 0. Symptom: two exact discs with a residual of 4e-12
-/// had the warning `not_minimal`. Rule: a tolerance below what rounding allows is met by a residual within rounding.
+/// Input: the example rings-14-pinkall-polthier, whose tolerance is 0. Symptom: two exact discs with a residual of
+/// 4e-12 had the warning `not_minimal`. Rule: a tolerance below what rounding allows is met by a residual within
+/// rounding.
 #[test]
 fn a_residual_of_rounding_is_no_warning_at_the_tolerance_zero() {
     for (height, minimal) in [(14.0, true), (12.0, false)] {

@@ -1,7 +1,7 @@
 //! Reads requests of 10, 1,000 and 200,000 points, right ones and wrong ones.
 //!
-//! `cargo bench -p plateau-forms --bench reading` measures with criterion; `-- --case` reads each a few times and prints
-//! the medians as one JSON line, with the time of the first refusal in the process, which compiles schemas.
+//! `cargo bench -p plateau-forms --bench reading` measures with criterion; `-- --case` reads each a few times and
+//! prints the medians as one JSON line, with the time of the first refusal in the process, which compiles schemas.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_forms::json;

@@ -1,10 +1,11 @@
-//! Blocks of a visual program, such as Grasshopper's: named inputs of which a request is made, and outputs of its result.
+//! Blocks of a visual program, such as Grasshopper's: named inputs of which a request is made, and outputs of its
+//! result.
 
 use serde::Serialize;
 use serde_json::Value;
 
-/// A block that makes requests of a kind. Its last inputs, with which a tolerance and any further field can be given, are
-/// added by the host.
+/// A block that makes requests of a kind. Its last inputs, with which a tolerance and any further field can be given,
+/// are added by the host.
 #[derive(Debug)]
 pub struct Block {
     /// Name in kebab case.
@@ -38,8 +39,8 @@ pub struct Input {
     /// Smallest number of values of a list. `None` for an input that takes one value.
     pub at_least: Option<u32>,
     pub default: Option<Preset>,
-    /// JSON Pointer to the field of the request that the value becomes as it is. Without one, the host has a recipe for the
-    /// block, which uses the value.
+    /// JSON Pointer to the field of the request that the value becomes as it is. Without one, the host has a recipe for
+    /// the block, which uses the value.
     pub field: Option<&'static str>,
 }
 

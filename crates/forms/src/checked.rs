@@ -1,4 +1,4 @@
-//! What a kind's request must be able to do, and the functions through which the table of kinds reaches it.
+//! The trait of a kind's request, and the functions through which the table of kinds reaches it.
 
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
@@ -66,7 +66,8 @@ pub(crate) struct Types {
     #[cfg(feature = "explain")]
     pub statistics: TypeSchema,
     pub has_source: bool,
-    /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is refused.
+    /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is
+    /// refused.
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
     /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,

@@ -6,7 +6,7 @@
 //!
 //! | schemars writes | the document has | because otherwise |
 //! | --- | --- | --- |
-//! | `default` | `x-default`, and a sentence in the description | openapi-typescript makes the field required, and other generators send every default |
+//! | `default` | `x-default`, and a sentence in the description | clients make the field required or always send it |
 //! | `default: null` | nothing | the default of a field without null violates its own type |
 //! | `oneOf` of `const` | `enum`, with `x-enum-descriptions` | openapi-generator cannot parse a value |
 //! | `true` as a schema | `{}` | openapi-python-client writes nothing at all |
@@ -165,7 +165,10 @@ const SHAPES: [Shape; 3] = [
     },
     Shape {
         name: "Polyline",
-        schema: || json!({ "type": "array", "items": reference("Point"), "minItems": 2, "description": "Points in order." }),
+        schema: || {
+            json!({ "type": "array", "items": reference("Point"), "minItems": 2,
+            "description": "Points in order." })
+        },
     },
     Shape {
         name: "Polygon",

@@ -574,7 +574,8 @@ mod tests {
 
     #[test]
     fn each_violation_of_an_object_has_its_pointer_and_a_phrase() {
-        let schema = json!({ "type": "object", "required": ["name", "units"], "additionalProperties": false, "properties": {
+        let required = ["name", "units"];
+        let schema = json!({ "type": "object", "required": required, "additionalProperties": false, "properties": {
             "a/b~": { "type": "integer", "minimum": -1, "maximum": 1e50 },
             "edge_length": { "type": ["number", "null"], "exclusiveMinimum": 0, "exclusiveMaximum": 180 },
             "name": { "type": "string", "minLength": 1, "maxLength": 3 },
@@ -628,7 +629,8 @@ mod tests {
     #[test]
     fn the_type_of_the_value_chooses_the_branch_of_a_union() {
         let made = json!({ "type": "string", "enum": ["auto", "disk"] });
-        let given = json!({ "type": "object", "required": ["vertices"], "properties": { "vertices": { "type": "array", "items": { "type": "number" } } } });
+        let numbers = json!({ "type": "array", "items": { "type": "number" } });
+        let given = json!({ "type": "object", "required": ["vertices"], "properties": { "vertices": numbers } });
         let found = |value| errors(json!({ "anyOf": [made, given, { "type": "boolean" }] }), value);
         for valid in [json!("disk"), json!({ "vertices": [1] }), json!(true)] {
             assert_eq!(found(valid), [""; 0]);

@@ -12,15 +12,15 @@ use std::hash::{Hash, Hasher};
 #[derive(Clone, Copy)]
 pub struct Kind(&'static Entry);
 
-/// What the hosts need to know of a kind.
+/// The description of a kind that the hosts use.
 pub(crate) struct Entry {
     /// Name in snake case, as requests have it in their field `kind`.
     pub name: &'static str,
     /// Path that accepts requests of this kind.
     pub path: &'static str,
-    /// What requests of this kind ask for, as a phrase with a verb.
+    /// The aim of requests of this kind, as a phrase with a verb.
     pub summary: &'static str,
-    /// What this kind finds, as part of the list with which the service introduces itself to a language model.
+    /// The result of this kind, as part of the list with which the service introduces itself to a language model.
     pub finds: &'static str,
     pub units: Units,
     /// The blocks that make requests of this kind in a visual program. Jobs are named after the first.

@@ -1,5 +1,6 @@
 //! The table of the kinds of requests. Each kind is a folder with its types, its checks, its way to the solver and its
-//! words, and two lines here: its module and its place in the table. The service and the command line offer every kind of the table.
+//! words, and two lines here: its module and its place in the table. The service and the command line offer every kind
+//! of the table.
 
 #[cfg(feature = "cable-net")]
 pub mod cable_net;

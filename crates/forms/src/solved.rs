@@ -97,8 +97,9 @@ pub enum Signal {
 
 /// Warns of a mesh whose STL file is not in the request's coordinates.
 pub(crate) fn far_from_zero(archive: &Archive) -> Option<Warning> {
-    let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its coordinates: \
-        STL files are relative to `origin` of the statistics, unless they are asked for with `origin=given`";
+    let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its \
+        coordinates: STL files are relative to `origin` of the statistics, unless they are asked for with \
+        `origin=given`";
     let warning = || Warning { code: Warning::FAR_FROM_ZERO.into(), detail: detail.into(), values: BTreeMap::new() };
     archive.contents().is_far_from_zero().then(warning)
 }
@@ -156,8 +157,8 @@ pub(crate) fn archive(contents: Contents) -> Result<Archive, Error> {
 /// Length of the longest arrow of a reaction, as a fraction of the radius of the mesh.
 const LONGEST_ARROW: f64 = 0.25;
 
-/// Returns an arrow for each support and its force on the structure, from the support in the direction of the force. The
-/// longest arrow has [`LONGEST_ARROW`] of the radius of the vertices.
+/// Returns an arrow for each support and its force on the structure, from the support in the direction of the force.
+/// The longest arrow has [`LONGEST_ARROW`] of the radius of the vertices.
 pub(crate) fn reactions(
     supports: Vec<(DVec3, DVec3)>,
     vertices: &[DVec3],

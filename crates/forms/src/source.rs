@@ -63,8 +63,8 @@ impl Source {
     }
 }
 
-/// The host's way to find the result of the job with an identifier. If there is none, the answer is the reason as a phrase
-/// without a subject, such as `is still running`.
+/// The host's way to find the result of the job with an identifier. If there is none, the answer is the reason as a
+/// phrase without a subject, such as `is still running`.
 pub type Find<'a> = &'a dyn Fn(&str) -> Result<Source, String>;
 
 /// Finds no source, for hosts without jobs.

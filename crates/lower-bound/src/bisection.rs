@@ -9,8 +9,8 @@
 //! Vertices lie on a lattice whose points are exact in f64: coordinates, differences of neighbours and midpoints carry
 //! no rounding, nor do reflections at a plane of symmetry.
 //!
-//! Where the boundary has planes of symmetry (`symmetry`), the box lies on one side of each of them, and the mesh stands for its
-//! mirror images too.
+//! Where the boundary has planes of symmetry (`symmetry`), the box lies on one side of each of them, and the mesh
+//! stands for its mirror images too.
 
 use super::symmetry::Mirrors;
 use glam::DVec4;
@@ -35,7 +35,7 @@ pub(super) const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 
 pub(super) const BEST: usize = 0;
 pub(super) const CENTRAL: usize = 1;
 
-/// What an edge of the mesh carries.
+/// The values on an edge of the mesh.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     /// The vertex that bisected it.
@@ -44,7 +44,7 @@ pub(super) struct Edge {
     pub circulation: [f64; 2],
 }
 
-/// What a tetrahedron carries at each of its four vertices, in the tetrahedron's order.
+/// The values at the four vertices of a tetrahedron, in the tetrahedron's order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Nodal {
     /// The curls of the two fields.
@@ -121,8 +121,8 @@ pub(super) struct BisectionMesh {
 }
 
 impl BisectionMesh {
-    /// The smallest grid of about cubic cells around the points, or around their mirror images on one side of the planes of
-    /// symmetry, with a zero field.
+    /// The smallest grid of about cubic cells around the points, or around their mirror images on one side of the
+    /// planes of symmetry, with a zero field.
     pub fn around(points: impl Iterator<Item = DVec3> + Clone, mirrors: Mirrors) -> Result<Self, TooFarAway> {
         let mirrored = mirrors.axes();
         let low = points.clone().fold(DVec3::INFINITY, DVec3::min);
@@ -206,8 +206,8 @@ impl BisectionMesh {
         }
     }
 
-    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere. With planes of
-    /// symmetry it is the vector's part that is symmetrical.
+    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere. With
+    /// planes of symmetry it is the vector's part that is symmetrical.
     pub fn set_constant_curl(&mut self, curl: DVec3) {
         let curl = self.mirrors.symmetrical(curl);
         let (origin, vertices) = (self.origin, &self.vertices);
@@ -396,8 +396,8 @@ impl BisectionMesh {
         self.nodes[node as usize].children = first_child;
     }
 
-    /// The leaf that holds a point of the box or its mirror image, and the image's barycentric coordinates there; the nearest
-    /// one for a point outside.
+    /// The leaf that holds a point of the box or its mirror image, and the image's barycentric coordinates there; the
+    /// nearest one for a point outside.
     pub fn locate(&self, point: DVec3) -> (u32, [f64; 4]) {
         let local = (self.reflect(point, self.flips(point)) - self.origin) / (self.step * f64::from(self.cell));
         let mut cell = [0u32; 3];

@@ -10,17 +10,17 @@
 //! with a pair (t, u) for each v: the vectors -u are the dual surface, and t are their areas. Both (1, v) and (t, u)
 //! lie in the cone of vectors whose first coordinate is not less than the length of the other three. The method follows
 //! the central path on which their Jordan product is (μ, 0), by steps of Newton's method in the scaling of Nesterov and
-//! Todd, with Mehrotra's predictor and corrector (Andersen, Roos, Terlaky, *On implementing a primal-dual interior-point
-//! method for conic quadratic optimization*, 2003). Every iterate satisfies |v| < 1, so that each gives a bound, g·a / max |v|,
-//! and the best is kept. Once the dual constraint holds, the circulation is Σ (t + u·v) below the optimum of the mesh at
-//! most.
+//! Todd, with Mehrotra's predictor and corrector (Andersen, Roos, Terlaky, *On implementing a primal-dual
+//! interior-point method for conic quadratic optimization*, 2003). Every iterate satisfies |v| < 1, so that each gives
+//! a bound, g·a / max |v|, and the best is kept. Once the dual constraint holds, the circulation is Σ (t + u·v) below
+//! the optimum of the mesh at most.
 //!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it three or four times: for the predictor,
 //! the corrector, and corrections of its centrality (Gondzio, *Multiple centrality corrections in a primal-dual method
-//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central path. A
-//! finer mesh starts from an early iterate of the coarser one, because the last one lies at the cones' boundary. It is
-//! interpolated and centred (`recentre`). Newton's method on z (1 - |v|²) = μ with one multiplier z for each v needed about
-//! twice as many steps.
+//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central
+//! path. A finer mesh starts from an early iterate of the coarser one, because the last one lies at the cones'
+//! boundary. It is interpolated and centred (`recentre`). Newton's method on z (1 - |v|²) = μ with one multiplier z for
+//! each v needed about twice as many steps.
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
@@ -30,8 +30,8 @@ use plateau_mesh::{DVec3, Execution};
 
 /// Part of the way to the boundary of a cone that a step may go at most.
 const LARGEST_PART: f64 = 0.98;
-/// Largest |v| at the start on the first mesh. A start nearer to 1 needs more steps, because the first of them are short:
-/// 0.3 and 0.5 needed the same number, 0.8 a fifth more and 0.95 half as many more.
+/// Largest |v| at the start on the first mesh. A start nearer to 1 needs more steps, because the first of them are
+/// short: 0.3 and 0.5 needed the same number, 0.8 a fifth more and 0.95 half as many more.
 const START: f64 = 0.5;
 /// The next mesh starts from the first iterate whose gap is at most this fraction of the film's area. On four films
 /// fractions from 0.1 to 0.5 needed the same number of steps within two.
@@ -167,7 +167,7 @@ impl Scaling {
 /// A direction of Newton's method.
 #[derive(Debug)]
 struct Direction {
-    /// What the changes of the dual vectors aim at.
+    /// The targets of the changes of the dual vectors.
     aims: Vec<[Spin; 4]>,
     field: Vec<f64>,
     curl: Vec<[DVec3; 4]>,
@@ -233,8 +233,8 @@ impl Linearisation<'_> {
     }
 }
 
-/// Chooses the first coordinate t of every dual vector (t, u) so that the norms of (1, v) and (t, u) have the product that
-/// they have on the central path. The dual constraint concerns u only, so that it holds as before.
+/// Chooses the first coordinate t of every dual vector (t, u) so that the norms of (1, v) and (t, u) have the product
+/// that they have on the central path. The dual constraint concerns u only, so that it holds as before.
 ///
 /// Interpolation to a finer mesh leaves some vectors almost at the boundary of their cone, and each of these would keep
 /// the first steps short.
@@ -282,8 +282,8 @@ fn complementarity(curl: &[[DVec3; 4]], dual: &[[Spin; 4]]) -> f64 {
 }
 
 impl<'a> Level<'a> {
-    /// Starts from the best field that the mesh carries, or from its central field and that field's dual vectors if `warm`.
-    /// `film_area` is an upper bound of the optimum.
+    /// Starts from the best field that the mesh carries, or from its central field and that field's dual vectors if
+    /// `warm`. `film_area` is an upper bound of the optimum.
     pub fn new(space: &'a Space, mesh: &BisectionMesh, form: &'a [f64], film_area: f64, warm: bool) -> Self {
         let mut field = space.field(mesh, BEST);
         let mut curl = space.curl(&field);
@@ -321,13 +321,13 @@ impl<'a> Level<'a> {
         (field.clone(), dual.iter().map(|at| at.map(|x| x.rest.extend(x.first))).collect())
     }
 
-    /// How far the circulation is at most below the optimum of this mesh, once the dual constraint holds. Until then the
-    /// film's area times the residual's remaining fraction is added, which is an estimate.
+    /// How far the circulation is at most below the optimum of this mesh, once the dual constraint holds. Until then
+    /// the film's area times the residual's remaining fraction is added, which is an estimate.
     pub fn gap(&self) -> f64 {
         self.complementarity + self.infeasibility * self.film_area
     }
 
-    /// One step of Newton's method. `storage` is the memory of the factor.
+    /// Makes one step of Newton's method. `storage` is the memory of the factor.
     ///
     /// # Errors
     /// The error of the factorisation, or an interruption, which leaves the iterate as it was.

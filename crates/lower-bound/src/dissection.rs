@@ -1,5 +1,5 @@
-//! A fill-reducing order of the unknowns by nested dissection of the tetrahedra (George, *Nested dissection of a regular
-//! finite element mesh*, 1973).
+//! A fill-reducing order of the unknowns by nested dissection of the tetrahedra (George, *Nested dissection of a
+//! regular finite element mesh*, 1973).
 //!
 //! A plane cuts a set of tetrahedra into two by their centroids. The unknowns that both parts have separate them: they
 //! are eliminated after all others of the set, and each part is cut again. On these meshes the factor has 0.5 to 0.7
@@ -63,7 +63,7 @@ pub(super) fn order(
     Ok(dissection.order)
 }
 
-/// What is placed so far.
+/// The order so far.
 #[derive(Debug)]
 struct Dissection<'a> {
     rows_of: &'a [[u32; UNKNOWNS]],

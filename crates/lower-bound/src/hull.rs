@@ -1,9 +1,9 @@
 //! Half-spaces that hold the boundary, and the tetrahedra that lie beyond one of them.
 //!
 //! The nearest-point projection onto a convex set lengthens nothing. It maps a surface to one in the convex set with no
-//! more area, and leaves the boundary as it is if the boundary lies in the set. So only surfaces in the intersection of the
-//! half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others are 5 to 30% of all.
-//! They cost nothing, and the curl may have any length there.
+//! more area, and leaves the boundary as it is if the boundary lies in the set. So only surfaces in the intersection of
+//! the half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others are 5 to 30%
+//! of all. They cost nothing, and the curl may have any length there.
 
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 
 /// Directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
 const DIRECTIONS: usize = 600;
-/// A tetrahedron lies beyond a half-space if it does so by this fraction of the boundary's size. The margin is large for
-/// the roundings (differences of coordinates are rounded once), and small for the tetrahedra.
+/// A tetrahedron lies beyond a half-space if it does so by this fraction of the boundary's size. The margin is large
+/// for the roundings (differences of coordinates are rounded once), and small for the tetrahedra.
 const MARGIN: f64 = 1e-6;
 
 /// Products of a direction with a point between two looks at the caller's signal: about a millisecond of work.
@@ -29,8 +29,9 @@ pub(super) struct Hull {
 }
 
 impl Hull {
-    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry the polygons' mirror images
-    /// are among the polygons: a tetrahedron beyond one of the half-spaces then has mirror images beyond its mirror image.
+    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry the polygons'
+    /// mirror images are among the polygons: a tetrahedron beyond one of the half-spaces then has mirror images beyond
+    /// its mirror image.
     ///
     /// # Errors
     /// An interruption by the caller.
@@ -70,8 +71,8 @@ impl Hull {
         self.half_spaces.iter().position(beyond)
     }
 
-    /// The directions of the half-spaces that have tetrahedra beyond them, and these tetrahedra, each with the direction's
-    /// number.
+    /// The directions of the half-spaces that have tetrahedra beyond them, and these tetrahedra, each with the
+    /// direction's number.
     pub fn beyond(&self, tetrahedra: &[[DVec3; 4]]) -> (Vec<DVec3>, Vec<[u32; 2]>) {
         let (mut directions, mut pairs) = (Vec::new(), Vec::new());
         let mut numbers = vec![None; self.half_spaces.len()];

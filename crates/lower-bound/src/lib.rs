@@ -2,22 +2,22 @@
 //! duality.
 //!
 //! # The theorem
-//! Let Γ be closed polygons in a convex set H inside a box, and A a field on the box with |curl A| <= 1 in H. Every oriented
-//! surface S with boundary Γ has an area of at least ∮_Γ A·dl: inside H by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A
-//! surface that leaves H does no better, because the nearest-point projection onto a convex set lengthens nothing: it
-//! maps S to a surface in H with the same boundary and no more area. The topology of S plays no part; "surface" may be
-//! read as integral current. Surfaces without an orientation (a Möbius film) and films with triple junctions are outside
-//! of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed in all tetrahedra but those that lie
-//! beyond one of them, and at a distance.
+//! Let Γ be closed polygons in a convex set H inside a box, and A a field on the box with |curl A| <= 1 in H. Every
+//! oriented surface S with boundary Γ has an area of at least ∮_Γ A·dl: inside H by Stokes' theorem, ∮_Γ A = ∫_S curl
+//! A·n <= area(S). A surface that leaves H does no better, because the nearest-point projection onto a convex set
+//! lengthens nothing: it maps S to a surface in H with the same boundary and no more area. The topology of S plays no
+//! part; "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with
+//! triple junctions are outside of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed
+//! in all tetrahedra but those that lie beyond one of them, and at a distance.
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
 //! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
 //!
 //! # The computation
-//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. Where the boundary
-//! has planes of symmetry, A need only be known on one side of each, and the box ends there (`symmetry`). The box is
-//! cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
+//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. Where the
+//! boundary has planes of symmetry, A need only be known on one side of each, and the box ends there (`symmetry`). The
+//! box is cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
 //! (`conic`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
 //! inside a tetrahedron. Meshes are nested, so every level takes over the best field of the one before, and an iterate
 //! near the central path to start from. The systems are factorised in an order of nested dissection (`dissection`). At
@@ -54,7 +54,7 @@ use symmetry::Mirrors;
 pub use symmetry::{Frame, Mirror};
 use system::{Stop, System};
 
-/// What is asked for.
+/// Options of [`certify`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// The search ends once the film's area is at most this fraction above the bound.
@@ -94,8 +94,8 @@ pub struct Field {
     pub faces: Vec<[u32; 3]>,
     /// The coefficients of λk w_ij and λi w_jk of each face.
     pub face_values: Vec<[f64; 2]>,
-    /// Outward directions of half-spaces that hold the boundary and its mirror images: d·x is at most the largest d·p of
-    /// their points p.
+    /// Outward directions of half-spaces that hold the boundary and its mirror images: d·x is at most the largest d·p
+    /// of their points p.
     pub half_spaces: Vec<DVec3>,
     /// Tetrahedra that lie beyond one of these half-spaces, with its number. There the curl may have any length.
     pub unconstrained: Vec<[u32; 2]>,
@@ -104,10 +104,10 @@ pub struct Field {
 /// A proven lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
-    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the loops in one of the
-    /// orientations of `fields`.
+    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the loops in one of
+    /// the orientations of `fields`.
     pub area: f64,
-    /// One field for each orientation of the loops that differs by more than a reversal of all; the bound is the least
+    /// A field for each orientation of the loops that differs by more than a reversal of all; the bound is the least
     /// of theirs.
     pub fields: Vec<Field>,
     /// Whether `fields` has all of these orientations, or (beyond [`MOST_LOOPS`]) the film's own alone.
@@ -140,17 +140,18 @@ const MOST_GROWTH: f64 = 100.0;
 const LEAST_GROWTH: f64 = 1.15;
 /// Steps on a mesh at most.
 const MOST_STEPS: u32 = 40;
-/// Steps that the budget must allow for on the finest mesh, whose bound would otherwise stay below that of the mesh before:
-/// this number where half a percent is missing to the film's area, one more for each halving of what is missing, and one
-/// more for each doubling of the leaves beyond [`FEW_LEAVES`], because a large mesh starts farther from its optimum.
+/// Steps that the budget must allow for on the finest mesh, whose bound would otherwise stay below that of the mesh
+/// before: this number where half a percent is missing to the film's area, one more for each halving of what is
+/// missing, and one more for each doubling of the leaves beyond [`FEW_LEAVES`], because a large mesh starts farther
+/// from its optimum.
 const STEPS: f64 = 6.0;
 const FEW_LEAVES: f64 = 1e4;
 /// Steps that are allowed for on a mesh that is left for a finer one.
 const STEPS_BETWEEN: u32 = 4;
 /// Most of these steps.
 const MOST_STEPS_AHEAD: f64 = 24.0;
-/// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
-/// That suffices to see where the dual surface bends.
+/// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's
+/// area. That suffices to see where the dual surface bends.
 const CONVERGED: f64 = 1.0;
 /// The same where the budget allows no finer mesh, so that steps are all that the rest of it can be used for.
 const CONVERGED_AT_LAST: f64 = 0.03;
@@ -159,18 +160,18 @@ const MOST_LEAVES: f64 = 60e3;
 const MOST_ENTRIES: f64 = 60e6;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
-/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates are
-/// fitted to the processor time on meshes of 600 to 60,000 leaves, on one core while the other one was idle.
+/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates
+/// are fitted to the processor time on meshes of 600 to 60,000 leaves, on one core while the other one was idle.
 const FACTORISATION_RATE: f64 = 1.25e-10;
 const PREPARATION_RATE: f64 = 2e-5;
 /// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
 const SOLVE_RATE: f64 = 8e-9;
 const ASSEMBLY_RATE: f64 = 6.5e-6;
 
-/// The entries of the factor grow with this power of the leaves, without planes of symmetry and with them. Between the last two
-/// meshes of 10 s the power was 1.2 to 1.3 and 1.3 to 1.5. Where it is assumed too small, the last mesh is so fine that its steps
-/// end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries after 10 s were a tenth larger in the mean, and a
-/// half at most.
+/// The entries of the factor grow with this power of the leaves, without planes of symmetry and with them. Between the
+/// last two meshes of 10 s the power was 1.2 to 1.3 and 1.3 to 1.5. Where it is assumed too small, the last mesh is so
+/// fine that its steps end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries after 10 s
+/// were a tenth larger in the mean, and a half at most.
 const FILL_POWERS: [f64; 2] = [1.3, 1.5];
 
 /// Upper bound of the memory that [`certify`] takes.
@@ -233,7 +234,7 @@ impl Size {
     }
 }
 
-/// What all searches share.
+/// The data and the budget that all searches share.
 struct Budget<'a> {
     options: &'a Options,
     hull: &'a Hull,
@@ -246,9 +247,9 @@ struct Budget<'a> {
 /// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
 /// bound, and shows where the bound has to be sharp.
 ///
-/// With several loops the bound is the least over all their orientations; beyond [`MOST_LOOPS`] it covers the film's own
-/// orientation alone. `None` if the coordinates are so large for the loops' size that f64 has no digits left for the
-/// mesh, or if the film has no area.
+/// With several loops the bound is the least over all their orientations; beyond [`MOST_LOOPS`] it covers the film's
+/// own orientation alone. `None` if the coordinates are so large for the loops' size that f64 has no digits left for
+/// the mesh, or if the film has no area.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on a cancel. A deadline ends the search with what is proven so far.
@@ -457,8 +458,8 @@ impl Budget<'_> {
 
     /// Constrained leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
     ///
-    /// The finest mesh that the budget affords is found first, together with the meshes on the way to it, so that nothing of
-    /// the budget is left over that is too little for one more mesh.
+    /// The finest mesh that the budget affords is found first, together with the meshes on the way to it, so that
+    /// nothing of the budget is left over that is too little for one more mesh.
     fn next_leaves(&self, size: Size, bound: f64) -> Option<f64> {
         let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
         let steps = |leaves: f64| {
@@ -537,7 +538,7 @@ impl Budget<'_> {
                     interrupted = Err(interruption);
                     break;
                 }
-                // What is proven so far stays proven.
+                // The best field so far proves its bound all the same.
                 Err(Stop::Failed(_)) => break,
             }
             self.spent += a_step;

@@ -1,17 +1,17 @@
 //! The bound as a theorem: upper bounds of |curl A| and a lower bound of ∮A, in interval arithmetic.
 //!
-//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It is
-//! bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
+//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It
+//! is bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
 //!
 //! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Non-negative
 //! weights, not all zero, define an exact point: the weighted mean of the tetrahedron's vertices. Rounded coordinates
 //! therefore describe *another* polygon exactly. It follows the given one within rounding, and each of its pieces lies
 //! in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
 //! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
-//! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
-//! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
-//! bounded too. In a frame of its own the given polygon is known up to intervals, and the bound is divided by what the axes,
-//! which are perpendicular only up to rounding, can add to an area.
+//! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the
+//! polygons (else there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's
+//! area, which is bounded too. In a frame of its own the given polygon is known up to intervals, and the bound is
+//! divided by what the axes, which are perpendicular only up to rounding, can add to an area.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};
@@ -84,8 +84,8 @@ struct Link {
     segment: [IntervalVector; 2],
 }
 
-/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1; `None` if
-/// the tracing lost its way by more than `margin`. The field may be given in a frame of its own.
+/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1;
+/// `None` if the tracing lost its way by more than `margin`. The field may be given in a frame of its own.
 pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,
@@ -169,8 +169,8 @@ fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation:
     sum
 }
 
-/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for; `None` if
-/// the piece may be farther away than `margin`.
+/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for;
+/// `None` if the piece may be farther away than `margin`.
 fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
     let [origin, end] = link.segment;
     let along = end - origin;

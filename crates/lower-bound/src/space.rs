@@ -15,8 +15,8 @@ pub(super) struct Space {
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is left as it is: those that no constrained leaf has, those that vanish, and the edges of
-    /// a spanning tree, which settle the gradient that may be added to the field without changing its curl.
+    /// For each unknown whether it is left as it is: those that no constrained leaf has, those that vanish, and the
+    /// edges of a spanning tree, which settle the gradient that may be added to the field without changing its curl.
     pub gauge: Vec<bool>,
     /// For each vertex the planes of symmetry on which it lies, a bit for each axis.
     planes: Vec<u8>,
@@ -102,8 +102,8 @@ impl Space {
         self.planes_of(vertices) & self.odd_planes != 0
     }
 
-    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole there
-    /// would be fields without a curl that are no gradients, and the system would be singular.
+    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole
+    /// there would be fields without a curl that are no gradients, and the system would be singular.
     pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
         let (edges, faces) = used.split_at(self.edges.len());
@@ -111,7 +111,7 @@ impl Space {
             self.edges.iter().zip(edges).filter(|(_, used)| **used).flat_map(|(edge, _)| *edge).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        // What lies in a plane of symmetry is its own image there.
+        // A vertex, edge or face in a plane of symmetry is its own image there.
         let images = |of: &[u32]| self.images >> self.planes_of(of).count_ones();
         let vertices: usize = vertices.iter().map(|&vertex| images(&[vertex])).sum();
         let edges: usize = self.edges.iter().zip(edges).filter(|(_, used)| **used).map(|(edge, _)| images(edge)).sum();
@@ -134,8 +134,8 @@ impl Space {
         self.edges.len() + 2 * self.faces.len()
     }
 
-    /// Marks the unknowns that no constrained leaf has, those that vanish, and the edges of a spanning tree of the others'
-    /// vertices, shortest numbers first.
+    /// Marks the unknowns that no constrained leaf has, those that vanish, and the edges of a spanning tree of the
+    /// others' vertices, shortest numbers first.
     fn fixed_unknowns(&self) -> Vec<bool> {
         let mut parent: Vec<u32> = (0..self.planes.len() as u32).collect();
         fn root(parent: &mut [u32], mut v: u32) -> u32 {
@@ -165,7 +165,7 @@ impl Space {
         fixed
     }
 
-    /// One of the two fields that the mesh carries.
+    /// Returns one of the two fields that the mesh carries.
     pub fn field(&self, mesh: &BisectionMesh, which: usize) -> Vec<f64> {
         let mut field: Vec<f64> = self.edges.iter().map(|edge| mesh.edges[edge].circulation[which]).collect();
         field.resize(self.count(), 0.0);

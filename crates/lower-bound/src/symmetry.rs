@@ -1,30 +1,32 @@
 //! Planes of symmetry of a boundary that are perpendicular to each other.
 //!
-//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other one (s = -1). The
-//! field s σ*A has the circulation of A and curls of the same lengths, and so has the mean of both, or shorter ones: the
-//! largest circulation is reached by a field that is its own image. This field is known on both sides of the plane if it
-//! is known on one of them. Where s = -1, its tangential component vanishes in the plane.
+//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other one (s =
+//! -1). The field s σ*A has the circulation of A and curls of the same lengths, and so has the mean of both, or shorter
+//! ones: the largest circulation is reached by a field that is its own image. This field is known on both sides of the
+//! plane if it is known on one of them. Where s = -1, its tangential component vanishes in the plane.
 //!
-//! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget affords
-//! finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the given boundary.
+//! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget
+//! affords finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the
+//! given boundary.
 //!
-//! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the mesh has
-//! axes of its own (`Frame`). Other symmetries, like half turns, are not used.
+//! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the
+//! mesh has axes of its own (`Frame`). Other symmetries, like half turns, are not used.
 
 use super::interval::{Interval, IntervalVector};
 use glam::BVec3;
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 
-/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they do after
-/// coordinates of a few metres were rounded to millimetres. A symmetrical field bounds the area of half a film and half its mirror
-/// image together. Where the symmetry holds only roughly, that is the film's own area up to a term of second order.
+/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they
+/// do after coordinates of a few metres were rounded to millimetres. A symmetrical field bounds the area of half a film
+/// and half its mirror image together. Where the symmetry holds only roughly, that is the film's own area up to a term
+/// of second order.
 const TOLERANCE: f64 = 5e-4;
-/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than points,
-/// and the axes are made perpendicular afterwards.
+/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than
+/// points, and the axes are made perpendicular afterwards.
 const PERPENDICULAR: f64 = 1e-3;
-/// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
-/// square.
+/// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise
+/// with its square.
 const MOST_POINTS: usize = 5_000;
 
 /// A plane of symmetry of a field, perpendicular to an axis.
@@ -73,8 +75,8 @@ impl Mirrors {
         1 << self.axes().bitmask().count_ones()
     }
 
-    /// What an integral of the field along a curve is multiplied with for the curve's mirror image; `flips` is -1 along the
-    /// axes that are reflected.
+    /// The factor between the integral of the field along a curve and that along its mirror image; `flips` is -1 along
+    /// the axes that are reflected.
     pub fn sign(&self, flips: DVec3) -> f64 {
         (0..3).filter(|&axis| flips[axis] < 0.0).map(|axis| f64::from(self.signs[axis])).product()
     }
@@ -217,8 +219,8 @@ impl Frame {
         };
         let first = farthest(&|p| p.length_squared());
         let second = farthest(&|p| p.cross(first - middle).length_squared());
-        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or holds
-        // both points.
+        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or
+        // holds both points.
         let tolerance = tolerance(loops);
         let between = |p: DVec3| {
             points().filter_map(move |q| {

@@ -141,8 +141,8 @@ impl System {
         self.rows
     }
 
-    /// Assembles and factorises the matrix for the weights at the four vertices of each constrained leaf: symmetric positive
-    /// definite matrices.
+    /// Assembles and factorises the matrix for the weights at the four vertices of each constrained leaf: symmetric
+    /// positive definite matrices.
     pub fn factorise(
         &mut self,
         space: &Space,
@@ -182,7 +182,7 @@ impl System {
     }
 }
 
-/// One factorised matrix.
+/// A factorised matrix.
 #[derive(Debug)]
 pub(super) struct Factor<'a> {
     row: &'a [u32],

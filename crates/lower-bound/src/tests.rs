@@ -90,7 +90,7 @@ fn bisection_leaves_the_field_as_it_is() {
         let curl = space.curl(&space.field(&mesh, which));
         let largest = curl.iter().flatten().map(|v| v.length()).fold(0.0, f64::max);
         for (nodal, curl) in mesh.nodal.iter().zip(&curl) {
-            // What was interpolated is the curl of the values on the new edges and faces.
+            // The interpolated curl is the curl of the values on the new edges and faces.
             nodal.curl[which].iter().zip(curl).for_each(|(a, b)| assert!(a.distance(*b) < 1e-9 * largest));
         }
         assert!((circulation(&mesh, which) - before[which]).abs() < 1e-9 * before[which].abs().max(1.0));
@@ -396,7 +396,7 @@ fn the_meshes_are_planned_for_the_whole_budget() {
         let options = Options { gap: 0.0, seconds };
         let mut budget =
             Budget { options: &options, hull: &hull, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
-        // As on two rings.
+        // The size of two rings.
         let mut size = Size { entries: 240_000.0, rows: 3_240.0, leaves: 600.0, fill_power };
         let mut meshes = 1;
         budget.spent = size.price(STEPS_BETWEEN);

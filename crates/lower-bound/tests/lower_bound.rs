@@ -51,8 +51,8 @@ fn plane_polygons_have_their_own_area_as_bound() {
     }
 }
 
-/// Closed curves of a few random waves; every third boundary has two of them, and every second one has one or two planes of
-/// symmetry, across the axes or in another direction.
+/// Closed curves of a few random waves; every third boundary has two of them, and every second one has one or two
+/// planes of symmetry, across the axes or in another direction.
 fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut noise = move || {
@@ -236,7 +236,8 @@ fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
         let mirrors: Vec<String> = field.mirrors.iter().map(mirror).collect();
         write!(
             out,
-            "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"frame\":{frame},\"box\":{},\"mirrors\":[{}],\"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
+            "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"frame\":{frame},\"box\":{},\"mirrors\":[{}],\
+             \"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
              \"edge_values\":{edge_values:?},\"faces\":{:?},\"face_values\":{face_values:?},\"half_spaces\":{},\
              \"unconstrained\":{:?}}}",
             if k == 0 { "" } else { "," },
@@ -333,8 +334,8 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     field.unconstrained.push([within, 0]);
     let (confirmed, message) = check(&json(&unbound, 1.0, 1.0), "half-space");
     assert!(!confirmed && message.contains("does not lie beyond"), "{message}");
-    // The field of two rings is reflected at three planes. One reflection is said to keep the sign, or to lie elsewhere, or the field
-    // has a tangential component in its plane.
+    // The field of two rings is reflected at three planes. One reflection is said to keep the sign, or to lie
+    // elsewhere, or the field has a tangential component in its plane.
     assert_eq!(found.fields[0].mirrors.iter().map(|mirror| mirror.sign).collect::<Vec<_>>(), [-1, -1, -1]);
     let mut turned = found.clone();
     turned.fields[0].mirrors[1].sign = 1;

@@ -4,7 +4,7 @@ use crate::film::Film;
 use crate::self_intersections::surfaces_cross;
 use crate::{Execution, Interruption};
 
-/// As [`surfaces_cross`]: an edge of one film pierces the inside of a triangle of the other.
+/// Whether an edge of one film pierces the inside of a triangle of the other ([`surfaces_cross`]).
 ///
 /// # Errors
 /// The interruptions of `exec`.

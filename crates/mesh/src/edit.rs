@@ -54,8 +54,8 @@ impl Topology {
         self.from(previous(half_edge))
     }
 
-    /// The ends of an edge of two triangles, the vertex opposite the half-edge and the vertex opposite its twin; `None` on
-    /// the boundary.
+    /// The ends of an edge of two triangles, the vertex opposite the half-edge and the vertex opposite its twin; `None`
+    /// on the boundary.
     #[must_use]
     #[inline]
     pub fn hinge(&self, half_edge: u32) -> Option<[u32; 4]> {

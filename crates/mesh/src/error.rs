@@ -3,7 +3,7 @@
 use crate::execution::Interruption;
 use std::fmt;
 
-/// One step of a [`Place`]: the name of a field or an index into a list.
+/// A step of a [`Place`]: the name of a field or an index into a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// A field of this name.
@@ -128,7 +128,8 @@ pub struct Warning {
     pub code: &'static str,
     /// Description of the fact.
     pub detail: String,
-    /// Finite figures of the description, by name. Indices count from 0, and lengths are in the unit of the coordinates.
+    /// Finite figures of the description, by name. Indices count from 0, and lengths are in the unit of the
+    /// coordinates.
     pub values: Vec<(&'static str, f64)>,
 }
 
@@ -159,8 +160,8 @@ impl Warning {
         self.with("x", x).with("y", y).with("z", z)
     }
 
-    /// The warning that `count` points were merged with their neighbours, of the given directrix where there are several
-    /// polylines to choose from.
+    /// The warning that `count` points were merged with their neighbours, of the given directrix where there are
+    /// several polylines to choose from.
     pub fn merged_points(count: usize, directrix: Option<usize>) -> Self {
         let place = directrix.map_or(String::new(), |k| format!("directrix {k}: "));
         let merged = if count == 1 {
@@ -175,8 +176,8 @@ impl Warning {
     /// The warning that points were projected onto their plane, from which they were up to `distance` away.
     pub fn projected(what: &str, distance: f64) -> Self {
         let detail = format!(
-            "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in the \
-             unit of the coordinates"
+            "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in \
+             the unit of the coordinates"
         );
         Self::new("projected", detail).with("distance", distance)
     }

@@ -1,8 +1,8 @@
-//! What the subjects of Plateau stand on: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
+//! The basis of the other crates: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
 //!
-//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this one. It
-//! makes no promise of stability: a change that these crates need is made here, whoever else uses it. Parts that only
-//! these crates need are left out of the documentation.
+//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this one.
+//! It makes no promise of stability: a change that these crates need is made here, whoever else uses it. Parts that
+//! only these crates need are left out of the documentation.
 //!
 //! # Glossary
 //! - *Polyline*: points in order, `&[DVec3]`; a closed one does not repeat its first point.

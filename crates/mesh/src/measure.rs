@@ -86,8 +86,8 @@ pub fn edge_lengths(mesh: &Mesh, topology: &Topology) -> Vec<f64> {
         .collect()
 }
 
-/// The angle between two vectors in radians, from 0 to π; 0 where a vector vanishes, never NaN. Unlike the arc cosine of the
-/// dot product, it is exact to rounding near 0 and near π.
+/// The angle between two vectors in radians, from 0 to π; 0 where a vector vanishes, never NaN. Unlike the arc cosine
+/// of the dot product, it is exact to rounding near 0 and near π.
 #[must_use]
 #[inline]
 pub fn angle(u: DVec3, v: DVec3) -> f64 {

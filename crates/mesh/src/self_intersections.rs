@@ -48,7 +48,7 @@ const WORK_PER_TRIANGLE: u64 = 2000;
 /// Pairs of boxes that a check may look at whatever the size of the mesh.
 const LEAST_WORK: u64 = 1 << 20;
 
-/// What is reported about the self-intersections of a mesh that leaves a solver.
+/// The report on the self-intersections of a mesh that leaves a solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SelfIntersectionCheck {
     /// Number of pairs of triangles that intersect; `None` if not all pairs were looked at.
@@ -62,7 +62,7 @@ pub struct SelfIntersectionCheck {
 pub enum Skipped {
     /// It has more triangles than are checked.
     TooManyTriangles,
-    /// So many triangles lie on each other that the pairs are too many to look at.
+    /// The search was given up: too many pairs of triangles lie on each other.
     TooManyPairs,
     /// The deadline passed while the mesh was checked.
     DeadlinePassed,
@@ -116,7 +116,7 @@ pub fn check(
     Ok((check, warning))
 }
 
-/// What a search for self-intersections found.
+/// The result of a search for self-intersections.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SelfIntersections {
     /// Number of pairs of triangles that intersect.
@@ -249,7 +249,7 @@ fn meet(soup: &Soup, one: [u32; 3], other: [u32; 3], stars: &[u32]) -> Option<DV
     match count {
         0 => meet_apart(&a, &b),
         1 => {
-            // What meets beyond the shared vertex reaches the edge opposite it, in one of the triangles.
+            // An intersection beyond the shared vertex reaches the edge opposite it, in one of the triangles.
             let (i, j) = shared[0];
             segment_meets_triangle(a[(i + 1) % 3], a[(i + 2) % 3], &b)
                 .or_else(|| segment_meets_triangle(b[(j + 1) % 3], b[(j + 2) % 3], &a))
@@ -366,8 +366,9 @@ mod tests {
         }
     }
 
-    /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself in
-    /// two vertices that both have. The end is tilted about the line between them, so that it passes through the start.
+    /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself
+    /// in two vertices that both have. The end is tilted about the line between them, so that it passes through the
+    /// start.
     #[test]
     fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
         let over = 8;

@@ -165,10 +165,11 @@ impl Symbolic {
         self.factorise_into(matrix, Vec::new())
     }
 
-    /// As [`factorise`](Self::factorise), in the storage of an earlier factorisation ([`Factorisation::into_storage`]).
+    /// Does the same as [`factorise`](Self::factorise) in the storage of an earlier factorisation
+    /// ([`Factorisation::into_storage`]).
     ///
     /// # Errors
-    /// As [`factorise`](Self::factorise).
+    /// The errors of [`factorise`](Self::factorise).
     pub fn factorise_into<'a>(
         &'a self,
         matrix: &'a SymmetricMatrix,

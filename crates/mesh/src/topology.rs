@@ -49,8 +49,8 @@ impl fmt::Display for Defect {
             Self::RepeatedVertex { triangle } => write!(f, "triangle {triangle} names a vertex twice"),
             Self::NonManifoldEdge { from, to } => write!(
                 f,
-                "the edge between the vertices {from} and {to} has three or more triangles, or two that run along it in the \
-                 same direction"
+                "the edge between the vertices {from} and {to} has three or more triangles, or two that run along it \
+                 in the same direction"
             ),
             Self::NonManifoldVertex { vertex } => {
                 write!(f, "the triangles around vertex {vertex} form more than one fan")
@@ -68,7 +68,7 @@ impl std::error::Error for Defect {}
 pub struct Topology {
     /// The opposite half-edge, or [`NONE`] on the boundary.
     pub twin: Vec<u32>,
-    /// One outgoing half-edge per vertex; for a boundary vertex the outgoing *boundary* half-edge. [`NONE`] if
+    /// An outgoing half-edge of each vertex; for a boundary vertex the outgoing *boundary* half-edge. [`NONE`] if
     /// isolated.
     pub outgoing: Vec<u32>,
     pub(super) triangles: Vec<[u32; 3]>,

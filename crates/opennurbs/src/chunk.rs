@@ -1,7 +1,7 @@
 //! Chunks: a code, a length and that many bytes, all little-endian. Chunks lie in chunks.
 //!
-//! If a code has the bit [`CHECKED`], the last four bytes are the CRC-32 of the chunk's own bytes, which leaves out those
-//! of the chunks inside it. A code with the bit [`SHORT`] has a number in place of the length, and no bytes.
+//! If a code has the bit [`CHECKED`], the last four bytes are the CRC-32 of the chunk's own bytes, which leaves out
+//! those of the chunks inside it. A code with the bit [`SHORT`] has a number in place of the length, and no bytes.
 
 use super::Defect;
 

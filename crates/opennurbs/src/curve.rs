@@ -4,8 +4,8 @@ use super::Defect;
 use plateau_mesh::DVec3;
 use std::f64::consts::FRAC_PI_4;
 
-/// Largest number of times that a Bézier piece is halved. A piece is then a billionth of the curve's, which no tolerance
-/// that a double can hold needs.
+/// Largest number of times that a Bézier piece is halved. A piece is then a billionth of the curve's, which no
+/// tolerance that a double can hold needs.
 const MAX_HALVINGS: u32 = 30;
 /// Default tolerance as a fraction of the diagonal of the curve's box. A circle gets 64 points.
 const DEFAULT_TOLERANCE: f64 = 1.0 / 2000.0;
@@ -49,8 +49,8 @@ struct Sampler {
 }
 
 impl Curve {
-    /// Returns points of the curve in order. No point of the curve is farther than `tolerance` from the polyline through
-    /// them. Points of polylines are returned as they are. A closed curve repeats its first point.
+    /// Returns points of the curve in order. No point of the curve is farther than `tolerance` from the polyline
+    /// through them. Points of polylines are returned as they are. A closed curve repeats its first point.
     ///
     /// # Errors
     /// Returns [`Defect::TooLarge`] if more than `max_points` points are needed.

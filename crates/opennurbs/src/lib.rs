@@ -2,8 +2,8 @@
 //! Hops, Rhino.Compute and rhino3dm exchange geometry in this form.
 //!
 //! An object is a chunk with the identifier of its class, the data of the class and an end mark. [`read`] takes
-//! curves and meshes, and [`mod@write`] makes polyline curves and meshes. [`curve`] turns every curve into a polyline within
-//! a tolerance.
+//! curves and meshes, and [`mod@write`] makes polyline curves and meshes. [`curve`] turns every curve into a polyline
+//! within a tolerance.
 //!
 //! The layouts are those of openNURBS 8 for archives of version 60 (Rhino 6). Later versions read them too. They were
 //! found in the sources of openNURBS and checked against rhino3dm by `scripts/check_hops.py`.

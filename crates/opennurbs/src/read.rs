@@ -268,7 +268,7 @@ impl<'a> Buffer<'a> {
             Content::Raw(bytes) => bytes.to_vec(),
             Content::Deflated(bytes) => {
                 let mut inflated = Vec::new();
-                // One byte more than wanted shows that there is too much.
+                // A byte more than wanted shows that there is too much.
                 let mut limited = flate2::read::ZlibDecoder::new(bytes).take(wanted as u64 + 1);
                 limited.read_to_end(&mut inflated).map_err(|_| Defect::Structure("compressed bytes are damaged"))?;
                 inflated

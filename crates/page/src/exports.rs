@@ -1,4 +1,4 @@
-//! What JavaScript calls, and what the module calls in JavaScript.
+//! The functions that JavaScript calls, and the functions that the module calls in JavaScript.
 //!
 //! Bytes go in through [`plateau_input`], which returns where to write them, and come out as an address and a length.
 //! An address holds until the next call, because memory may move then.

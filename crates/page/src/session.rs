@@ -1,4 +1,4 @@
-//! One request after the other, and the files of the last result.
+//! A session: one request after the other, and the files of the last result.
 
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
@@ -12,8 +12,8 @@ use plateau_forms::source::no_jobs;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-/// Limits of one request: the defaults of the service, apart from the memory. A module has at most 4 GiB of memory, so half of
-/// them are left to the request, the result and its files.
+/// Limits of one request: the defaults of the service, apart from the memory. A module has at most 4 GiB of memory, so
+/// half of them are left to the request, the result and its files.
 pub const LIMITS: Limits = Limits {
     points: 200_000,
     triangles: 2_000_000,
@@ -56,8 +56,8 @@ struct Failure<'a> {
 }
 
 impl Session {
-    /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places as in
-    /// the service, where they are at most 50 ms apart. The result replaces that of the request before.
+    /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places
+    /// as in the service, where they are at most 50 ms apart. The result replaces that of the request before.
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         self.archive = None;
         self.answer.clear();

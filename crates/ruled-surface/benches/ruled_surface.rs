@@ -1,9 +1,9 @@
 //! Ruled strips against a plain scalar loop with a table of f64 and byte back pointers, path recovery and allocation
 //! included on both sides, one core.
 //!
-//! `cargo bench -p plateau-ruled-surface --bench ruled_surface` measures; with `-- --record` it prints one JSON line a case
-//! for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the same
-//! run).
+//! `cargo bench -p plateau-ruled-surface --bench ruled_surface` measures; with `-- --record` it prints one JSON line a
+//! case for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the
+//! same run).
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_mesh::{DVec3, Execution};
@@ -173,7 +173,8 @@ fn record() {
             let visited = solve_counting(strip, closed, objective).1 as f64;
             println!(
                 "{{\"bench\":\"{name}/{}\",\"size\":{size},\"ms\":{:.3},\"cells_visited_ratio\":{:.4},\
-                 \"ns_per_visit\":{:.3},\"baseline\":\"scalar_area, open\",\"baseline_ns_per_cell\":{:.3},\"ratio\":{:.3}}}",
+                 \"ns_per_visit\":{:.3},\"baseline\":\"scalar_area, open\",\
+                 \"baseline_ns_per_cell\":{:.3},\"ratio\":{:.3}}}",
                 objective.name(),
                 fastest * 1e3,
                 visited / cells,

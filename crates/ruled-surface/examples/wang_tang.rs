@@ -120,7 +120,8 @@ fn label(row: &Comparison) -> String {
 
 fn table() -> String {
     let mut text = String::from(
-        "| example | objective | area | normal twist | convex bridges | bending energy | curvature variation | normal variation |\n\
+        "| example | objective | area | normal twist | convex bridges | bending energy \
+         | curvature variation | normal variation |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for example in examples() {

@@ -88,8 +88,8 @@ const MOST_CHECKED_TRIANGLES: usize = 200_000;
 /// q_{j+1}, q_j); with normals given (or caps) the faces agree with them (point outwards). Ties: the predecessor by
 /// P-step, on closed strips the smallest start.
 ///
-/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) of the directrix's
-/// radius, are merged (warning `merged_points`). Results do not depend on the processor's vector width.
+/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) of the
+/// directrix's radius, are merged (warning `merged_points`). Results do not depend on the processor's vector width.
 ///
 /// # Errors
 /// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e50, or options do not fit
@@ -169,7 +169,7 @@ fn solve_with(
     Ok(surface)
 }
 
-/// What [`solve`] would say of its arguments before any work (sampling included): linear in the number of points.
+/// Checks the arguments of [`solve`] before any work, sampling included. The time is linear in the number of points.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
@@ -177,8 +177,8 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
     prepare(directrices, options, None, &Execution::default()).map(drop)
 }
 
-/// What [`solve`] will take for directrices with these numbers of points, to which `options.sampling` is applied.
-/// O(directrices).
+/// Estimates the cost of [`solve`] for directrices with these numbers of points, to which `options.sampling` is
+/// applied. O(directrices).
 ///
 /// The triangles are those of the strips, without caps. An open strip visits exactly as many cells; a closed strip may
 /// need fewer or somewhat more. The memory is an upper bound.
@@ -188,10 +188,11 @@ pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     stack::estimate::estimate(&sampled, options)
 }
 
-/// As [`estimate`], for these directrices: an open strip of least area counts only the cells of the corridor to which its
-/// search keeps, often a thousandth of its grid. Other strips count as in [`estimate`].
+/// Estimates the cost for these directrices: an open strip of least area counts only the cells of the corridor to which
+/// its search keeps, often a thousandth of its grid. Other strips count as in [`estimate`].
 ///
-/// Finding the corridors takes about the time that the search itself takes, 0.3 s at most for 50,000 points on either side.
+/// Finding the corridors takes about the time that the search itself takes, 0.3 s at most for 50,000 points on either
+/// side.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].

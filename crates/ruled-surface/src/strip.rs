@@ -1,4 +1,4 @@
-//! One strip between two directrices: objectives, optimal paths and their figures.
+//! A strip between two directrices: objectives, optimal paths and their figures.
 
 pub(crate) mod check;
 pub(crate) mod objective;

@@ -10,7 +10,7 @@ fn given<'a>(points: &'a [plateau_mesh::DVec3], normals: &'a [plateau_mesh::DVec
     Given { points, tangents: None, normals: Some(normals) }
 }
 
-/// What a goal makes of a triangulation's values: less is better, the count first.
+/// The cost that a goal gives a triangulation: less is better, the count first.
 type Measure = fn(&Values) -> (f64, f64);
 
 const GOALS: [(Objective, Option<Secondary>, Measure); 8] = [
@@ -40,7 +40,7 @@ fn check(case: &Case) {
         let path = strip.optimal_path(objective, secondary, 0.0, &execution).unwrap();
         let mut walked: Vec<[usize; 2]> = path.iter().map(|b| b.map(|k| k as usize)).collect();
         if case.closed {
-            // One turn on, with indices that run on.
+            // The next turn, with indices that run on.
             let (m, n) = (case.p.len(), case.q.len());
             walked.push(walked[0]);
             for k in 1..walked.len() {

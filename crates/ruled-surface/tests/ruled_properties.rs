@@ -1,4 +1,4 @@
-//! What must not change a ruled strip's values, what a solve promises its caller, and inputs that nobody means to send.
+//! Changes that leave a ruled strip's values alone, promises of a solve, and inputs that nobody means to send.
 
 mod ruled;
 
@@ -81,24 +81,34 @@ proptest! {
                 ("moved", value(offset(&p), offset(&q)), 1.0, 1e-9),
             ];
             for (what, got, size, tolerance) in others {
-                prop_assert!(close(got[0], plain[0] * size.powi(power[0]), tolerance), "{what} {goal:?}: {got:?} {plain:?}");
+                let expected = plain[0] * size.powi(power[0]);
+                prop_assert!(close(got[0], expected, tolerance), "{what} {goal:?}: {got:?} {plain:?}");
                 // The coupled curvature variation charges the step that enters a bridge: it has a direction.
                 if !(directed && what == "reversed") {
-                    prop_assert!(close(got[1], plain[1] * size.powi(power[1]), tolerance), "{what} {goal:?}: {got:?} {plain:?}");
+                    let expected = plain[1] * size.powi(power[1]);
+                    prop_assert!(close(got[1], expected, tolerance), "{what} {goal:?}: {got:?} {plain:?}");
                 }
             }
         }
     }
 
     #[test]
-    fn a_planar_strip_stays_fully_convex_wherever_it_is(seed in any::<u64>(), angle in 0.0f64..6.0, closed in any::<bool>()) {
+    fn a_planar_strip_stays_fully_convex_wherever_it_is(
+        seed in any::<u64>(),
+        angle in 0.0f64..6.0,
+        closed in any::<bool>(),
+    ) {
         let mut random = Random::new(seed);
         let axis = random.unit();
         let rail = |random: &mut Random, inner: f64| -> Vec<DVec3> {
             (0..random.whole(5, 30)).map(|k| {
                 let along = f64::from(k as u32) * 0.2 + random.between(0.0, 0.1);
                 let y = inner + random.between(-0.2, 0.2);
-                if closed { DVec3::new((1.0 + y) * along.cos(), (1.0 + y) * along.sin(), 0.0) } else { DVec3::new(along, y, 0.0) }
+                if closed {
+                    DVec3::new((1.0 + y) * along.cos(), (1.0 + y) * along.sin(), 0.0)
+                } else {
+                    DVec3::new(along, y, 0.0)
+                }
             }).collect()
         };
         let (p, q) = (rail(&mut random, 0.0), rail(&mut random, 1.0));
@@ -402,7 +412,7 @@ fn rounded_end_contours_are_projected_before_they_are_capped() {
         let stated: f64 = stated.and_then(|number| number.parse().ok()).expect("a distance");
         assert!((stated - moved).abs() < 1e-6 * moved + 1e-12, "{moved} {warnings:?}");
         assert_eq!(vertices[40..70], middle, "a contour without a cap stays");
-        // What was projected is plane, and is capped as it is.
+        // A projected directrix is plane, and is capped as it is.
         let again = [vertices[..40].to_vec(), middle, vertices[70..].to_vec()];
         let again = solved(&again, &options);
         assert_eq!(projected(&again), Vec::<String>::new());
@@ -489,8 +499,8 @@ fn odd_inputs_are_answered_or_refused_but_never_break() {
     }
 }
 
-/// Input: one point at the largest coordinate. Weights that overflow must neither lead a closed search out of its grid nor let
-/// it run on without end.
+/// Input: one point at the largest coordinate. Weights that overflow must neither lead a closed search out of its grid
+/// nor let it run on without end.
 #[test]
 fn one_point_at_the_largest_coordinate_breaks_no_search() {
     let ring = |n: usize, z: f64| -> Vec<DVec3> {

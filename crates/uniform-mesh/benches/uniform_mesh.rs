@@ -1,10 +1,10 @@
-//! Uniform meshes of a square from 1,000 to 1,000,000 nodes, checks and statistics included, one core, beside spade's Delaunay
-//! triangulation of the finished mesh's own nodes, all known beforehand.
+//! Uniform meshes of a square from 1,000 to 1,000,000 nodes, checks and statistics included, one core, beside spade's
+//! Delaunay triangulation of the finished mesh's own nodes, all known beforehand.
 //!
-//! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion; with `-- --record` it prints one JSON line a
-//! case for `benches/results.jsonl` instead (the fastest of several runs, `ratio` to spade's in the same run).
-//! `-- --case OBJECTIVE NODES` meshes once and says how many nodes came out: `benches/uniform_mesh_peers.py` compares its processor
-//! time with Triangle's.
+//! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion; with `-- --record` it prints one
+//! JSON line a case for `benches/results.jsonl` instead (the fastest of several runs, `ratio` to spade's in the same
+//! run). `-- --case OBJECTIVE NODES` meshes once and says how many nodes came out: `benches/uniform_mesh_peers.py`
+//! compares its processor time with Triangle's.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_mesh::{DVec3, Execution};
@@ -53,7 +53,8 @@ fn record() {
             let points: Vec<Point2<f64>> = result.mesh.vertices.iter().map(|p| Point2::new(p.x, p.y)).collect();
             let baseline = fastest(runs, || delaunay(points.clone()));
             println!(
-                "{{\"bench\":\"uniform_mesh/{}\",\"nodes\":{},\"seconds\":{seconds:.4},\"baseline\":\"spade bulk load of the same \
+                "{{\"bench\":\"uniform_mesh/{}\",\"nodes\":{},\"seconds\":{seconds:.4},\
+                 \"baseline\":\"spade bulk load of the same \
                  nodes\",\"baseline_seconds\":{baseline:.4},\"ratio\":{:.3}}}",
                 objective.name(),
                 points.len(),

@@ -1,9 +1,10 @@
 //! Share of the check for self-intersections in the time of a whole solve: films, strips, uniform meshes.
 //!
-//! `cargo run --release -p plateau-uniform-mesh --example self_intersection_cost` prints the table of `docs/VALIDATION.md`.
-//! With a number behind `--` it leaves out the meshes of more triangles than that. Times are processor times of this
-//! process (on Linux; elsewhere elapsed time), the least of three runs, of one from half a million triangles on. The
-//! check is timed on the finished mesh, and repeated on small ones, because the clock ticks every few milliseconds.
+//! `cargo run --release -p plateau-uniform-mesh --example self_intersection_cost` prints the table of
+//! `docs/VALIDATION.md`. With a number behind `--` it leaves out the meshes of more triangles than that. Times are
+//! processor times of this process (on Linux; elsewhere elapsed time), the least of three runs, of one from half a
+//! million triangles on. The check is timed on the finished mesh, and repeated on small ones, because the clock ticks
+//! every few milliseconds.
 
 use plateau_film::minimal_surface;
 use plateau_mesh::self_intersections::{Order, self_intersections};

@@ -81,10 +81,10 @@ pub(super) fn on_polygon(
     finish(result, interrupted, None, polygon.warnings, options, execution)
 }
 
-/// Whether the triangles are proven not to intersect: every triangle is counter-clockwise, exactly. The outline is simple,
-/// because it was triangulated, and its nodes do not move. Every point inside is then covered once, because the number of
-/// triangles that cover a point changes at no edge but the outline's. O(triangles), where the search for intersecting pairs
-/// takes longer than the meshing.
+/// Whether the triangles are proven not to intersect: every triangle is counter-clockwise, exactly. The outline is
+/// simple, because it was triangulated, and its nodes do not move. Every point inside is then covered once, because the
+/// number of triangles that cover a point changes at no edge but the outline's. O(triangles), where the search for
+/// intersecting pairs takes longer than the meshing.
 fn is_embedded(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
     triangles.iter().all(|triangle| {
         let [a, b, c] = triangle.map(|v| points[v as usize].truncate());

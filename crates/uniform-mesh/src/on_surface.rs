@@ -22,8 +22,8 @@ use plateau_mesh::plane::location::Locator;
 use plateau_mesh::{DVec3, Mesh};
 use std::rc::Rc;
 
-/// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the plane.
-/// Beyond it the mesh is made on the surface itself: what the plane makes of ℓ is no longer near ℓ in space.
+/// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the
+/// plane. Beyond it the mesh is made on the surface itself: what the plane makes of ℓ is no longer near ℓ in space.
 const LARGEST_STRAIN: f64 = 0.25;
 
 /// A NURBS patch, meshed and measured. `place` is where it stands in the input.

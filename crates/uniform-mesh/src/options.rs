@@ -1,4 +1,4 @@
-//! What a caller asks for: the domain, the objective and the options.
+//! The domain, the objective and the options.
 
 use super::surface::nurbs::Nurbs;
 use plateau_mesh::DVec3;
@@ -6,10 +6,10 @@ use plateau_mesh::DVec3;
 /// The region or surface to mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
-    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points stay exactly
-    /// where they are given. If they are off the plane of `outer` by more than rounding, but by at most a thousandth of
-    /// its size (twice the largest distance of its points from their mean), they are projected onto it, with the warning
-    /// `projected`. The mesh faces the side from which `outer` runs counter-clockwise.
+    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points stay
+    /// exactly where they are given. If they are off the plane of `outer` by more than rounding, but by at most a
+    /// thousandth of its size (twice the largest distance of its points from their mean), they are projected onto it,
+    /// with the warning `projected`. The mesh faces the side from which `outer` runs counter-clockwise.
     Polygon {
         /// The outer boundary.
         outer: Vec<DVec3>,
@@ -27,7 +27,7 @@ pub enum Domain {
     Boundaries(Vec<Vec<DVec3>>),
 }
 
-/// What is minimised or maximised.
+/// The quantity that is minimised or maximised.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Objective {
     /// Problem 1 of the paper: as few nodes as possible, every edge in [ℓ, 2ℓ].
@@ -49,17 +49,18 @@ impl Objective {
         }
     }
 
-    /// What is minimised or maximised, and what `objective_value` counts.
+    /// The quantity that is minimised or maximised, and what `objective_value` counts.
     #[must_use]
     pub fn description(self) -> &'static str {
         match self {
             Self::FewestNodes => {
-                "The number of nodes, every edge between ℓ and 2ℓ: farthest-point insertion, at most 16/3 of the optimum. \
-                 The objective value is the number of nodes."
+                "The number of nodes, every edge between ℓ and 2ℓ: farthest-point insertion, at most 16/3 of the \
+                 optimum. The objective value is the number of nodes."
             }
             Self::MostEqualEdges => {
-                "The number of edges of length ℓ, every other edge between ℓ and 2ℓ: an equilateral lattice where it fits \
-                 best, farthest-point insertion with visibility in the rim. The objective value is the number of lattice edges."
+                "The number of edges of length ℓ, every other edge between ℓ and 2ℓ: an equilateral lattice where it \
+                 fits best, farthest-point insertion with visibility in the rim. The objective value is the number of \
+                 lattice edges."
             }
         }
     }
@@ -92,7 +93,8 @@ pub enum Optimise {
     /// After that, on polygons too, the inner nodes move until few lengths stand for all members, see
     /// [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
     Lengths {
-        /// Largest number of lengths. Each member is within half the length tolerance of one of them, or as near as found.
+        /// Largest number of lengths. Each member is within half the length tolerance of one of them, or as near as
+        /// found.
         most: usize,
     },
 }
@@ -112,7 +114,7 @@ pub enum Transition {
 pub struct Options {
     /// ℓ, in the caller's unit.
     pub edge_length: f64,
-    /// What is minimised or maximised.
+    /// The quantity that is minimised or maximised.
     pub objective: Objective,
     /// Lengths that differ by no more count as equal, in the caller's unit. `None`: ℓ/1000.
     pub length_tolerance: Option<f64>,

@@ -1,4 +1,4 @@
-//! What a solve returns: the mesh, its members and their figures.
+//! The result of a solve: the mesh, its members and their figures.
 
 use super::statistics::{LengthHistogram, Stage};
 use plateau_mesh::Mesh;
@@ -148,11 +148,11 @@ pub struct UniformMesh {
     /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length; the
     /// warning `not_converged` then says by how much. The mesh is valid all the same.
     pub converged: bool,
-    /// What the caller should know about the result.
+    /// Facts about the result that the caller should know.
     pub warnings: Vec<Warning>,
 }
 
-/// What one number of lengths costs in deviation.
+/// The deviation that a number of lengths costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthsRow {
     /// Number of different lengths.

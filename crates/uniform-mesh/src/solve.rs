@@ -20,14 +20,14 @@ const MOST_NODES: f64 = 5e7;
 /// file. A larger value refuses more requests.
 const BYTES_PER_TRIANGLE: f64 = 600.0;
 
-/// As [`BYTES_PER_TRIANGLE`], on a surface, where the sparse factor comes on top.
+/// Bytes per triangle on a surface, where the sparse factor comes on top.
 const BYTES_PER_TRIANGLE_ON_A_SURFACE: f64 = 1500.0;
 
 /// Number of bytes of memory that the auxiliary mesh and the film take at most, whatever the edge length.
 const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
 
-/// Bounds the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the number of
-/// nodes, which is 1.2 to 1.6 times the number of nodes of the result.
+/// Bounds the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the number
+/// of nodes, which is 1.2 to 1.6 times the number of nodes of the result.
 ///
 /// # Errors
 /// The input errors that [`solve`] would report before meshing.
@@ -68,8 +68,8 @@ fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
     }
 }
 
-/// As [`most_nodes`], of a patch whose area and circumference are measured on a grid. A tenth is added, because chords are
-/// shorter than arcs.
+/// The number of [`most_nodes`] of a patch, whose area and circumference are measured on a grid. A tenth is added,
+/// because chords are shorter than arcs.
 fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<f64, Error> {
     patch.check(&Place::field("domain").then(field))?;
     let n = 24;
@@ -113,7 +113,7 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// What [`solve`] would say of its arguments before any meshing, planarity included: linear in their size.
+/// Checks the arguments of [`solve`] before any meshing, planarity included. The time is linear in their size.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
@@ -134,14 +134,15 @@ pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
 
 /// Meshes the domain.
 ///
-/// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to 2e-9).
-/// On any other valid polygon no edge is longer than 2ℓ, and those shorter than ℓ are listed with the reason. Looks at
-/// `execution` every few thousand triangles or one lattice placement. O(n log n) in practice.
+/// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to
+/// 2e-9). On any other valid polygon no edge is longer than 2ℓ, and those shorter than ℓ are listed with the reason.
+/// Looks at `execution` every few thousand triangles or one lattice placement. O(n log n) in practice.
 ///
 /// # Errors
-/// [`Error::Input`]: values that are not finite, a polygon without area, not planar, self-intersecting or self-touching, a
-/// hole outside, an edge length that asks for more than 5e7 nodes. [`Error::Interrupted`]: cancelled, or the deadline passed
-/// before there was a valid mesh; later the mesh reached so far is returned with `converged` false.
+/// [`Error::Input`]: values that are not finite, a polygon without area, not planar, self-intersecting or
+/// self-touching, a hole outside, an edge length that asks for more than 5e7 nodes. [`Error::Interrupted`]: cancelled,
+/// or the deadline passed before there was a valid mesh; later the mesh reached so far is returned with `converged`
+/// false.
 pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
     check(domain, options)?;
     let mut solved = match domain {

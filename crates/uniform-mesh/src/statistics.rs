@@ -1,8 +1,8 @@
-//! What Katoh, Ohsaki and Xu's Table 1 reports, and what a fabricator asks for.
+//! The figures of Katoh, Ohsaki and Xu's Table 1, and those that a fabricator asks for.
 
 use plateau_mesh::measure::Spread;
 
-/// One group of edges at one stage: a row of Table 1 and a little more.
+/// A group of edges at one stage: a row of Table 1 and a little more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Group {
     /// Count, minimum, mean, maximum, standard deviation (of the whole population).
@@ -25,7 +25,7 @@ impl Group {
     }
 }
 
-/// One stage of a solve, in Table 1's order.
+/// A stage of a solve, in Table 1's order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes`, `optimised_lengths`.
@@ -48,7 +48,8 @@ pub struct LengthHistogram {
 }
 
 impl LengthHistogram {
-    /// Bins of a twentieth of the target length, starting at a multiple of it; wider ones where that would take more than 100.
+    /// Bins of a twentieth of the target length, starting at a multiple of it; wider ones where that would take more
+    /// than 100.
     #[must_use]
     pub fn of(lengths: &[f64], target: f64) -> Self {
         let (low, high) =
@@ -72,10 +73,11 @@ impl LengthHistogram {
     }
 }
 
-/// The least number of lengths into which members can be sorted so that the lengths of one kind differ by at most `tolerance`.
+/// The least number of lengths into which members can be sorted so that the lengths of one kind differ by at most
+/// `tolerance`.
 ///
-/// Greedy from the shortest, which is optimal on a line. O(n log n). Merging neighbours closer than the tolerance instead
-/// would call a continuous spread one length.
+/// Greedy from the shortest, which is optimal on a line. O(n log n). Merging neighbours closer than the tolerance
+/// instead would call a continuous spread one length.
 #[must_use]
 pub fn distinct_lengths(lengths: &[f64], tolerance: f64) -> usize {
     let mut sorted = lengths.to_vec();

@@ -14,7 +14,7 @@ fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<Unifor
     solve(domain, &Options::new(edge_length, objective), &Execution::default())
 }
 
-/// What is wrong with a result, by what holds of every one and by the promises of one that says `converged`.
+/// Returns the first fault of a result, by the promises of every result and by those of a result that says `converged`.
 fn fault(result: &UniformMesh, edge_length: f64) -> Option<String> {
     let topology = match result.mesh.check() {
         Ok(topology) => topology,
@@ -203,8 +203,8 @@ impl Random {
     }
 }
 
-/// A patch whose control points stand on a grid of half a wavelength, up to one wavelength above and below it, and an edge
-/// length for which no edge in range is longer than a tenth of the wavelength.
+/// A patch whose control points stand on a grid of half a wavelength, up to one wavelength above and below it, and an
+/// edge length for which no edge in range is longer than a tenth of the wavelength.
 fn random_patch(seed: u64) -> (Domain, f64) {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
     random.unit();
@@ -236,8 +236,8 @@ fn random_patch(seed: u64) -> (Domain, f64) {
     (Domain::Nurbs(Nurbs { degrees, knots: [knots(0), knots(1)], control_points, weights }), edge_length)
 }
 
-/// The mesh had an edge of 0.50 ℓ along a side, which counted as the work of a corner at its end: it was `converged`. The
-/// patch with the number 285 of the campaign had one of 0.32 ℓ, beside a right angle.
+/// The mesh had an edge of 0.50 ℓ along a side, which counted as the work of a corner at its end: it was `converged`.
+/// The patch with the number 285 of the campaign had one of 0.32 ℓ, beside a right angle.
 #[test]
 fn a_corner_is_no_reason_for_a_short_edge_along_a_side() {
     let (domain, edge_length) = random_patch(77);

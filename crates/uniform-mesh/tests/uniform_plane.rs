@@ -25,8 +25,8 @@ fn cases(usual: u32) -> u32 {
     if std::env::var_os("PLATEAU_LONG").is_some() { 10 * usual } else { usual }
 }
 
-/// A convex polygon with inner angles of 90° or more and sides in [1, 2]: random turning angles, then side lengths that close
-/// it, found by alternating projections.
+/// A convex polygon with inner angles of 90° or more and sides in [1, 2]: random turning angles, then side lengths that
+/// close it, found by alternating projections.
 fn admissible(seed: u64) -> Vec<DVec2> {
     let mut random = SplitMix64::new(seed);
     loop {
@@ -191,7 +191,11 @@ fn points(outline: &[[f64; 2]]) -> Vec<DVec2> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(5), ..ProptestConfig::with_cases(cases(150)) })]
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(5),
+        ..ProptestConfig::with_cases(cases(150))
+    })]
 
     #[test]
     fn concave_polygons_get_valid_meshes_without_long_edges(seed in any::<u64>(), corners in 4usize..30) {
@@ -450,8 +454,8 @@ fn projected_by(result: &UniformMesh) -> Option<f64> {
     Some(distance.parse().expect("a number"))
 }
 
-/// Sloped outlines with a hole, whose coordinates were rounded to a millimetre, in metres and in millimetres, near zero and
-/// at survey coordinates: they are projected by as much as the warning says, and then they are plane.
+/// Sloped outlines with a hole, whose coordinates were rounded to a millimetre, in metres and in millimetres, near zero
+/// and at survey coordinates: they are projected by as much as the warning says, and then they are plane.
 #[test]
 fn sloped_outlines_that_were_rounded_to_a_millimetre_are_projected_and_level_ones_are_not() {
     let mut random = SplitMix64::new(42);

@@ -52,7 +52,7 @@ fn frame(n: usize) -> Vec<DVec3> {
         .collect()
 }
 
-/// What holds of every result: a disk, nothing degenerate or flipped, figures that fit the mesh.
+/// Checks the promises of every result: a disk, nothing degenerate or flipped, figures that fit the mesh.
 fn check(result: &UniformMesh, edge_length: f64) {
     let topology = result.mesh.check().unwrap();
     assert_eq!((topology.boundary_loops().len(), topology.euler_characteristic(), topology.components()), (1, 1, 1));
@@ -118,8 +118,8 @@ fn a_cylinder_unrolls_so_chords_deviate_by_the_square_of_the_length() {
         1.0 - lattice.mean / edge_length
     };
     let (coarse, fine) = (deviation(6.0), deviation(3.0));
-    // An edge at angle a to the hoops falls short by cos⁴a ℓ²/24R²; over the lattice's three directions, however it lies, the
-    // mean of cos⁴a is 3/8.
+    // An edge at angle a to the hoops falls short by cos⁴a ℓ²/24R²; over the lattice's three directions, however it
+    // lies, the mean of cos⁴a is 3/8.
     let expected = |edge_length: f64| 0.375 * edge_length * edge_length / (24.0 * 1600.0);
     assert!((coarse / expected(6.0) - 1.0).abs() < 0.1 && (fine / expected(3.0) - 1.0).abs() < 0.1, "{coarse} {fine}");
     assert!((3.6..4.4).contains(&(coarse / fine)), "{coarse} {fine}");

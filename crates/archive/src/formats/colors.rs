@@ -77,8 +77,8 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// Returns the scale of a file with these line sets. Without a range, it covers 0 and the ranges of the quantity in the
-    /// file. With a range, it starts at 0.
+    /// Returns the scale of a file with these line sets. Without a range, it covers 0 and the ranges of the quantity in
+    /// the file. With a range, it starts at 0.
     ///
     /// # Errors
     /// Returns [`Error::NoQuantity`] if the file does not have the quantity.

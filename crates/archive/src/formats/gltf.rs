@@ -6,18 +6,19 @@
 //!   the same point in the client's unit and axes. With `Origin::Local` the nodes have no translation.
 //! - The scene and the node of the surface repeat the extras, because some programs drop those of the asset.
 //! - The surface is node 0. A mesh without triangles, such as a cable net, has its vertices as `POINTS` there.
-//! - Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that a viewer can switch it on
-//!   and off. Segments with values have separate positions and carry the value at both ends.
+//! - Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that a viewer can switch it
+//!   on and off. Segments with values have separate positions and carry the value at both ends.
 //! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
 //! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
 //!   bound is tight.
 //! - `_MEAN_CURVATURE` is in 1/m. Attributes are clamped to f32.
-//! - A mesh is neutral unless colours are asked for. `COLOR_0` then runs from blue at 0 through green to red, interpolated
-//!   linearly between the stops of `asset.extras.color_range`, whose `max` is in the unit of the job's statistics.
+//! - A mesh is neutral unless colours are asked for. `COLOR_0` then runs from blue at 0 through green to red,
+//!   interpolated linearly between the stops of `asset.extras.color_range`, whose `max` is in the unit of the job's
+//!   statistics.
 //!
-//! The document is built from the types of the crate gltf. They keep a node's translation in f32, so the translations are
-//! put into the JSON value of the finished document.
+//! The document is built from the types of the crate gltf. They keep a node's translation in f32, so the translations
+//! are put into the JSON value of the finished document.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -51,8 +52,8 @@ const WHITE: [f32; 4] = [1.0; 4];
 /// Writes binary glTF: one file that includes the buffer.
 ///
 /// # Errors
-/// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB, and [`Error::NoQuantity`]
-/// if the mesh does not have what it is to be coloured by.
+/// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB, and
+/// [`Error::NoQuantity`] if the mesh does not have what it is to be coloured by.
 pub fn to_glb(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     scene(archive, choices)?.into_glb()
 }
@@ -300,7 +301,8 @@ impl Scene {
         }
     }
 
-    /// Returns the primitive of lines with their own positions, two for each line, and their values at both ends of each.
+    /// Returns the primitive of lines with their own positions, two for each line, and their values at both ends of
+    /// each.
     fn own_lines(
         &mut self,
         ends: &[[f32; 3]],

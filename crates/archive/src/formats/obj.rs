@@ -6,8 +6,8 @@ use super::{Choices, Origin};
 use crate::archive::{Archive, Lines};
 use plateau_mesh::DVec3;
 
-/// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles if there are any, and one
-/// object per line set.
+/// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles if there are any, and
+/// one object per line set.
 #[must_use]
 pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
     let contents = archive.contents();

@@ -1,8 +1,8 @@
 //! A small picture of a mesh as PNG, for clients that cannot show a mesh.
 //!
-//! The mesh is drawn without perspective, from the direction that shows most of it among a few fixed ones. Triangles are
-//! shaded by Lambert's law from both sides, and visible lines are drawn on top. The work is bounded by a linear share
-//! for each triangle and line and by `MAX_SAMPLES`. The arithmetic is f64 without functions of the platform's
+//! The mesh is drawn without perspective, from the direction that shows most of it among a few fixed ones. Triangles
+//! are shaded by Lambert's law from both sides, and visible lines are drawn on top. The work is bounded by a linear
+//! share for each triangle and line and by `MAX_SAMPLES`. The arithmetic is f64 without functions of the platform's
 //! mathematics library, so the same archive gives the same bytes on every machine.
 
 use plateau_mesh::{DVec2, DVec3, Mesh};
@@ -144,16 +144,16 @@ impl View {
         views[best]
     }
 
-    /// Returns the cosine between the light and the normal of the side that the viewer sees, or 0 if that side is turned
-    /// away from the light. The light comes from above and left of the viewer.
+    /// Returns the cosine between the light and the normal of the side that the viewer sees, or 0 if that side is
+    /// turned away from the light. The light comes from above and left of the viewer.
     fn lambert(&self, normal: DVec3) -> f64 {
         let light = (self.towards + 0.5 * self.up - 0.5 * self.right).normalize();
         let seen = if normal.dot(self.towards) < 0.0 { -normal } else { normal };
         seen.dot(light).max(0.0)
     }
 
-    /// Returns the positions in samples from the upper left corner of the canvas. The third coordinate grows towards the
-    /// viewer, and is in units of the mesh's half extent.
+    /// Returns the positions in samples from the upper left corner of the canvas. The third coordinate grows towards
+    /// the viewer, and is in units of the mesh's half extent.
     fn on_canvas(&self, positions: &[DVec3]) -> Vec<DVec3> {
         let projected: Vec<DVec3> =
             positions.iter().map(|p| DVec3::new(p.dot(self.right), -p.dot(self.up), p.dot(self.towards))).collect();
@@ -186,8 +186,8 @@ impl Pen {
     }
 }
 
-/// Calls `visit` with the two vertices of each segment of a line set. Arrows are left out, because a viewer shows them only
-/// when asked.
+/// Calls `visit` with the two vertices of each segment of a line set. Arrows are left out, because a viewer shows them
+/// only when asked.
 fn each_segment(set: &LineSet, mut visit: impl FnMut([u32; 2])) {
     match &set.lines {
         Lines::Segments(pairs) => pairs.iter().for_each(|&pair| visit(pair)),

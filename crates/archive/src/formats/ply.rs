@@ -1,7 +1,7 @@
-//! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the mean
-//! curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows. If colours are asked for,
-//! they are those of glTF. If a lower bound of the area is known, `lower_bound_slack` says where it is not tight. A mesh without triangles, such as
-//! a cable net, has `edge` elements with their values, such as `force`.
+//! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the
+//! mean curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows. If colours are
+//! asked for, they are those of glTF. If a lower bound of the area is known, `lower_bound_slack` says where it is not
+//! tight. A mesh without triangles, such as a cable net, has `edge` elements with their values, such as `force`.
 
 use std::io::Write as _;
 

@@ -1,6 +1,6 @@
 //! Binary STL in the client's axes and unit. The format has only f32 and no origin, so coordinates far from zero lose
-//! digits. A mesh that is too far from zero is therefore written around the middle of its bounding box, unless the client
-//! asks for the given coordinates. OBJ and PLY keep all digits.
+//! digits. A mesh that is too far from zero is therefore written around the middle of its bounding box, unless the
+//! client asks for the given coordinates. OBJ and PLY keep all digits.
 
 use plateau_mesh::DVec3;
 use plateau_mesh::measure;

@@ -16,10 +16,10 @@
 //!
 //! The forces of a fine net's inner cables may add up to many times what the targets let its rim bear. From such
 //! densities the net is drawn together, and steps from there end in a net with cables of almost no length. If the given
-//! densities miss a target by far, each density is therefore first multiplied a few times by F* / F and by ℓ / L*, as far
-//! as there are targets, each time for the shape that the densities before give. Fitting begins with those of the
-//! densities whose loss was the lowest. If the result misses a target by far or leaves a cable slack, fitting begins once
-//! more with the given densities, and the better result counts.
+//! densities miss a target by far, each density is therefore first multiplied a few times by F* / F and by ℓ / L*, as
+//! far as there are targets, each time for the shape that the densities before give. Fitting begins with those of the
+//! densities whose loss was the lowest. If the result misses a target by far or leaves a cable slack, fitting begins
+//! once more with the given densities, and the better result counts.
 //!
 //! # A step
 //!
@@ -37,13 +37,14 @@
 //! dense Jacobian would have a column for each.
 //!
 //! A density at the least one stays there in a step if the gradient would lower it (a projected step: Bertsekas,
-//! *Projected Newton methods for optimization problems with simple constraints*, 1982). A density that a step would take
-//! below the least one ends at the least one.
+//! *Projected Newton methods for optimization problems with simple constraints*, 1982). A density that a step would
+//! take below the least one ends at the least one.
 //!
 //! Sources: Schek, *The force density method for form finding* (1974), for the equations and for least squares with
 //! densities as unknowns; Levenberg and Marquardt's method as in Madsen, Nielsen, Tingleff, *Methods for Non-Linear
-//! Least Squares Problems* (2004); Fresl, Gidak, Vrančić, *Generalized minimal nets in form finding of prestressed cable
-//! nets* (2013), for densities from the targets and the shape before. The sparse form of the step is worked out here.
+//! Least Squares Problems* (2004); Fresl, Gidak, Vrančić, *Generalized minimal nets in form finding of prestressed
+//! cable nets* (2013), for densities from the targets and the shape before. The sparse form of the step is worked out
+//! here.
 
 use super::options::{Net, Options};
 use super::shape::Shape;
@@ -383,8 +384,8 @@ struct Fit {
     value: f64,
 }
 
-/// The densities with the lowest loss among the given ones and those that follow from them by the targets alone. They are
-/// the given ones if these miss no target by far.
+/// The densities with the lowest loss among the given ones and those that follow from them by the targets alone. They
+/// are the given ones if these miss no target by far.
 ///
 /// # Errors
 /// A cancel.

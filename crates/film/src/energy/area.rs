@@ -42,7 +42,7 @@ use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 /// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle (1e-10), so that no valid mesh is changed.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 
-/// One triangle: the edges opposite to its corners, its unit normal and double area (never zero).
+/// A triangle: the edges opposite to its corners, its unit normal and double area (never zero).
 pub(crate) struct Facet {
     pub edges: [DVec3; 3],
     pub normal: DVec3,

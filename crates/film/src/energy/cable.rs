@@ -233,8 +233,8 @@ fn add_length_gradient(segments: &[[u32; 2]], at: &[DVec3], factor: f64, gradien
 /// 1e-4 to 1e-2.
 const SMALL_STRAIN: f64 = 1e-4;
 
-/// What determines the multiplier τ of a cable's length, if the length itself is not given. The force in segment k is
-/// τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
+/// The equation that determines the multiplier τ of a cable's length, if the length is not given. The force in segment
+/// k is τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Equation {
     /// The mean force is this.
@@ -261,7 +261,7 @@ pub enum Equation {
 pub struct CableCondition {
     /// The cable.
     pub cable: Cable,
-    /// What is required of it.
+    /// The equation that the cable has to satisfy.
     pub equation: Equation,
 }
 

@@ -11,14 +11,15 @@
 //! ```
 //!
 //! with the deformation gradient F and the edges e_k of x: a quadratic function of the positions. It follows from
-//! E = ½ A_ref Σ_ij (∇λ_i · S ∇λ_j) x_i·x_j with the gradients ∇λ_i = n × a_i / (2 A_ref) of the corners' hat functions.
-//! At the reference shape the stress is S; for σ_w = σ_f the value and the gradient are those of σ times the area.
-//! Repeating the solve with the result as the next reference shape finds the film of the required stress; with a fixed
-//! reference shape the equilibrium holds at every vertex and in every direction, and the stress is F S Fᵀ / det F.
+//! E = ½ A_ref Σ_ij (∇λ_i · S ∇λ_j) x_i·x_j with the gradients ∇λ_i = n × a_i / (2 A_ref) of the corners' hat
+//! functions. At the reference shape the stress is S; for σ_w = σ_f the value and the gradient are those of σ times the
+//! area. Repeating the solve with the result as the next reference shape finds the film of the required stress; with a
+//! fixed reference shape the equilibrium holds at every vertex and in every direction, and the stress is F S Fᵀ / det
+//! F.
 //!
-//! Lines of force density q have the energy ½ q ℓ² (Schek, *The force density method for form finding*, 1974). Source of
-//! the strategy: Bletzinger, Ramm, *A general finite element approach to the form finding of tensile structures by the
-//! updated reference strategy* (1999); for isotropic stress it is the iteration of Pinkall and Polthier (1993).
+//! Lines of force density q have the energy ½ q ℓ² (Schek, *The force density method for form finding*, 1974). Source
+//! of the strategy: Bletzinger, Ramm, *A general finite element approach to the form finding of tensile structures by
+//! the updated reference strategy* (1999); for isotropic stress it is the iteration of Pinkall and Polthier (1993).
 
 use super::Term;
 use super::area::Facet;

@@ -1,6 +1,7 @@
 //! The weight of a film per area of its found shape.
 //!
-//! With a triangle's area A, the height z of its centroid above the datum, the weight w per area and the unit vector up:
+//! With a triangle's area A, the height z of its centroid above the datum, the weight w per area and the unit vector
+//! up:
 //!
 //! ```text
 //! E = w Σ A z
@@ -8,8 +9,8 @@
 //! ∂²E/∂x_i∂x_j  = w (z ∂²A/∂x_i∂x_j + ⅓ (∂A/∂x_i upᵀ + up (∂A/∂x_j)ᵀ))
 //! ```
 //!
-//! As in a heavy cable, the tension that balances the weight along the surface grows with the height: it is σ + w z
-//! where the film's own tension is σ at the datum. The datum is the mean height of the film and is renewed between
+//! The tension that balances the weight along the surface grows with the height, like that of a heavy cable: it is σ +
+//! w z where the film's own tension is σ at the datum. The datum is the mean height of the film and is renewed between
 //! solves. The derivatives of the area are those of [`area`](super::area).
 
 use super::area::{Area, Facet};
@@ -43,7 +44,7 @@ impl Weight {
         term
     }
 
-    /// What the weight adds to the film's tension in a triangle: w z.
+    /// The part w z of the film's tension in a triangle, which the weight adds.
     #[must_use]
     pub fn tension(&self, triangle: &[u32; 3], at: &[DVec3]) -> f64 {
         self.weight * self.rise(triangle, at)

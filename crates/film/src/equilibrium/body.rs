@@ -279,8 +279,8 @@ impl Body {
         }
     }
 
-    /// One solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the state that
-    /// was reached.
+    /// Runs one solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the
+    /// state that was reached.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -606,7 +606,7 @@ impl Equations for Motion<'_> {
     }
 
     fn work(&self) -> u64 {
-        // One triangle's blocks cost about as much as forty visits.
+        // The blocks of a triangle cost about as much as forty visits.
         40 * self.body.triangles.len() as u64
     }
 }

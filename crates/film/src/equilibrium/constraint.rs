@@ -31,11 +31,11 @@ use plateau_mesh::sparse::{Factorisation, LinearError};
 pub struct Constraint {
     /// The quantity: any energy, with coefficient 1. For the volume that is a pressure of -1.
     pub quantity: Box<dyn Term>,
-    /// What determines its multiplier.
+    /// The condition that determines its multiplier.
     pub by: Determined,
 }
 
-/// What determines the multiplier of a constrained quantity.
+/// The condition that determines the multiplier of a constrained quantity.
 #[derive(Debug)]
 pub enum Determined {
     /// The value that the quantity keeps; not zero.

@@ -4,9 +4,9 @@
 //! E = -τ W          τ = σ cos θ          (Young's relation)
 //! ```
 //!
-//! W is the area of the surface on the left of the edge, as seen from the side to which the surface's normal points, and
-//! σ the film's tension. Where the edge moves by δ across itself along the surface, σ A changes by σ δ cos θ' per length
-//! with the angle θ' between the film and the surface on the left, so that θ' = θ in equilibrium. Source: Finn,
+//! W is the area of the surface on the left of the edge, as seen from the side to which the surface's normal points,
+//! and σ the film's tension. Where the edge moves by δ across itself along the surface, σ A changes by σ δ cos θ' per
+//! length with the angle θ' between the film and the surface on the left, so that θ' = θ in equilibrium. Source: Finn,
 //! *Equilibrium capillary surfaces* (1986), chapter 1.
 //!
 //! W is a sum over the segments from a to b of the edge:
@@ -18,8 +18,8 @@
 //! ```
 //!
 //! with the solid angle Ω of the triangle over the segment and a pole q (Van Oosterom, Strackee 1983). A segment is a
-//! straight line of the plane, a great circle of the sphere, a helix of the cylinder. For ends that do not move W is the
-//! area up to a constant, which is such that W = 0 at the positions at which the term was made.
+//! straight line of the plane, a great circle of the sphere, a helix of the cylinder. For ends that do not move W is
+//! the area up to a constant, which is such that W = 0 at the positions at which the term was made.
 
 use super::freedom::Support;
 use crate::energy::volume::cross_matrix;
@@ -278,7 +278,7 @@ mod tests {
                     let at = |t: f64| circle(radius * libm::sin(t), radius * libm::cos(t));
                     (at(0.7), at(1.9), TAU * radius * radius * (libm::cos(0.7f64) - libm::cos(1.9f64)))
                 }
-                // What lies above the circle is on its left.
+                // The part above the circle is on its left.
                 _ => (circle(radius, 0.4), circle(radius, -0.3), TAU * radius * 0.7),
             };
             let chain: Vec<u32> = (0..count).collect();

@@ -1,8 +1,8 @@
 //! Small dense systems of the constraints.
 //!
-//! A library's kernels use fused multiply-adds where the processor has them, which changes the last bits of a result from
-//! one machine to the next. These systems have one row for each constraint, so that plain loops are fast enough, and their
-//! results have the same bits everywhere.
+//! A library's kernels use fused multiply-adds where the processor has them, which changes the last bits of a result
+//! from one machine to the next. These systems have one row for each constraint, so that plain loops are fast enough,
+//! and their results have the same bits everywhere.
 
 /// P A Q = L U with complete pivoting.
 #[derive(Debug)]
@@ -73,9 +73,15 @@ mod tests {
 
     proptest! {
         #[test]
-        fn solutions_satisfy_their_systems(n in 0usize..12, seed in prop::collection::vec(-1.0..1.0f64, 144), zeros in 0usize..4) {
+        fn solutions_satisfy_their_systems(
+            n in 0usize..12,
+            seed in prop::collection::vec(-1.0..1.0f64, 144),
+            zeros in 0usize..4,
+        ) {
             // Leading zeros need pivots from elsewhere.
-            let entry = |i: usize, j: usize| if i < zeros && j < zeros && zeros < n / 2 { 0.0 } else { seed[i * 12 + j] };
+            let entry = |i: usize, j: usize| {
+                if i < zeros && j < zeros && zeros < n / 2 { 0.0 } else { seed[i * 12 + j] }
+            };
             let right: Vec<f64> = (0..n).map(|i| seed[143 - i]).collect();
             let x = Lu::new(n, entry).solve(&right);
             let size = x.iter().fold(1.0f64, |size, x| size.max(x.abs()));

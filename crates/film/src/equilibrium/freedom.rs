@@ -93,8 +93,8 @@ pub enum Support {
         /// r.
         radius: f64,
     },
-    /// The smooth surface along a mesh ([`Support::mesh`]). II(u, v) = -(u · ∇²f v) ∇f / |∇f|² with the function f whose
-    /// zero the surface is.
+    /// The smooth surface along a mesh ([`Support::mesh`]). II(u, v) = -(u · ∇²f v) ∇f / |∇f|² with the function f
+    /// whose zero the surface is.
     Mesh {
         /// The surface, which all copies of the support share.
         surface: Arc<MeshSurface>,
@@ -155,8 +155,8 @@ impl Support {
         }
     }
 
-    /// The unit normal at a point of a surface: of a sphere and a cylinder outward, of a mesh to the side from which its
-    /// triangles run counter-clockwise. Zero for a curve.
+    /// The unit normal at a point of a surface: of a sphere and a cylinder outward, of a mesh to the side from which
+    /// its triangles run counter-clockwise. Zero for a curve.
     #[must_use]
     pub fn normal(&self, x: DVec3) -> DVec3 {
         match self {

@@ -1,17 +1,17 @@
 //! A smooth surface along a mesh of triangles, on which vertices slide.
 //!
-//! A mesh itself has no tangent plane on its edges: a film that slides on it would stop at the edges, and Newton's method
-//! with it. The surface is the zero of a mean of signed distances instead:
+//! A mesh itself has no tangent plane on its edges: a film that slides on it would stop at the edges, and Newton's
+//! method with it. The surface is the zero of a mean of signed distances instead:
 //!
 //! ```text
 //! f(x) = Σ w_t(x) n_t · (x - c_t) / Σ w_t(x)          w_t(x) = min(A_t, ρ²) (1 - d_t(x)² / ρ²)³₊
 //! ```
 //!
 //! over the triangles t with unit normals n_t, centroids c_t, areas A_t and distances d_t(x) from the point, with the
-//! rounding ρ. f has continuous first derivatives and second derivatives that are continuous but for jumps. A plane mesh
-//! gives its plane exactly. A mesh of a curved surface gives a surface within O(ρ² + h²) of it, h the length of the mesh's
-//! edges. Edges and corners are rounded within ρ of them. Source of such means: Shen, O'Brien, Shewchuk, *Interpolating
-//! and approximating implicit surfaces from polygon soup* (2004), with another weight.
+//! rounding ρ. f has continuous first derivatives and second derivatives that are continuous but for jumps. A plane
+//! mesh gives its plane exactly. A mesh of a curved surface gives a surface within O(ρ² + h²) of it, h the length of
+//! the mesh's edges. Edges and corners are rounded within ρ of them. Source of such means: Shen, O'Brien, Shewchuk,
+//! *Interpolating and approximating implicit surfaces from polygon soup* (2004), with another weight.
 
 use crate::energy::outer;
 use glam::DMat3;
@@ -100,8 +100,8 @@ impl MeshSurface {
     /// The surface along a mesh whose triangles are oriented alike, and the mean of the mesh's vertices.
     ///
     /// # Errors
-    /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is not
-    /// finite, a number of no vertex, a triangle without area, an edge that two triangles run along in the same
+    /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is
+    /// not finite, a number of no vertex, a triangle without area, an edge that two triangles run along in the same
     /// direction, and a rounding that is not above 0.
     pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<(Self, DVec3), InputError> {
         let error = |place: Place, detail: String| Err(InputError::new(place, detail));
@@ -129,8 +129,8 @@ impl MeshSurface {
         }
         if let Some((t, other)) = opposed(vertices, triangles) {
             let detail = format!(
-                "runs along an edge in the same direction as triangle {other}: neighbours must be oriented alike, and an \
-                 edge has two triangles at most"
+                "runs along an edge in the same direction as triangle {other}: neighbours must be oriented alike, and \
+                 an edge has two triangles at most"
             );
             return error(Place::field("triangles").at(t), detail);
         }
@@ -178,8 +178,8 @@ impl MeshSurface {
         count
     }
 
-    /// The point of the surface below or above `x`, along the gradient of f. It differs from the nearest one by terms of
-    /// third order in the distance. Beyond the rounding the nearest point of the mesh takes the place of `x`.
+    /// The point of the surface below or above `x`, along the gradient of f. It differs from the nearest one by terms
+    /// of third order in the distance. Beyond the rounding the nearest point of the mesh takes the place of `x`.
     pub(super) fn nearest(&self, x: DVec3) -> DVec3 {
         let mut p = x;
         for _ in 0..MOST_STEPS {
@@ -209,7 +209,8 @@ impl MeshSurface {
         level.gradient * (-u.dot(level.hessian * v) / squared)
     }
 
-    /// Calls `visit` with each triangle that is nearer than the rounding, its nearest point and that point's derivative.
+    /// Calls `visit` with each triangle that is nearer than the rounding, its nearest point and that point's
+    /// derivative.
     fn visit_near(&self, x: DVec3, visit: &mut dyn FnMut(&Triangle, DVec3, DMat3)) {
         let squared = self.rounding * self.rounding;
         let mut stack = vec![0];

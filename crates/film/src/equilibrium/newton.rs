@@ -322,7 +322,7 @@ mod tests {
     use plateau_mesh::sparse::pattern::Pattern;
     use plateau_mesh::structured::{catenoid, cylinder, helicoid, patch, relax};
 
-    /// One harmonic map of the film from itself, as the solvers begin with.
+    /// Moves the film by one harmonic map from itself. The solvers begin with such a map.
     fn harmonic_step(film: &mut Film) {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let (mut matrix, mut image) = (pattern.matrix(), Vec::new());
@@ -351,8 +351,8 @@ mod tests {
 
     #[test]
     fn beside_a_saddle_of_the_area_a_step_to_a_minimum_goes_down() {
-        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step leads back up to
-        // it, and the line search refuses it.
+        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step leads back up
+        // to it, and the line search refuses it.
         let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let mut direct = Direct::new(pattern.matrix()).unwrap();

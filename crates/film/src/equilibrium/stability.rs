@@ -164,8 +164,8 @@ fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatri
     result
 }
 
-/// The lowest eigenvalue of K x = λ M x from a start vector; `multiply` writes the product of K by its first argument to
-/// the second, and `precondition` applies an approximate positive definite inverse of K in place. `unit` is the
+/// The lowest eigenvalue of K x = λ M x from a start vector; `multiply` writes the product of K by its first argument
+/// to the second, and `precondition` applies an approximate positive definite inverse of K in place. `unit` is the
 /// eigenvalue scale 1/R².
 ///
 /// # Errors

@@ -517,7 +517,7 @@ fn three_cables_meet_at_120_degrees_and_a_point_on_a_circle_finds_the_nearest_pl
     for k in 0..3 {
         assert!((towards(k).dot(towards((k + 1) % 3)) + 0.5).abs() < 1e-9);
     }
-    // One cable from a point in the circle's plane: the nearest point of the circle is on the line through the centre.
+    // A cable from a point in the circle's plane: the nearest point of the circle is on the line through the centre.
     let circle = Support::Circle { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0 };
     let mut body = Body::new(vec![DVec3::new(3.0, 4.0, 0.0), DVec3::new(0.0, 1.0, 0.0)], &nothing, &[]);
     body.supports = vec![circle];

@@ -48,9 +48,9 @@ impl Curvature {
     }
 }
 
-/// For each vertex the largest force that rounding of the coordinates alone can put on it. A triangle's force on a corner
-/// is |n × e| / 2, with e the opposite edge. Moving a corner by δ changes it by up to δ (1 + l / h) / 2, with l the longest
-/// edge and h the altitude over it.
+/// For each vertex the largest force that rounding of the coordinates alone can put on it. A triangle's force on a
+/// corner is |n × e| / 2, with e the opposite edge. Moving a corner by δ changes it by up to δ (1 + l / h) / 2, with l
+/// the longest edge and h the altitude over it.
 fn force_rounding(film: &Film) -> Vec<f64> {
     let largest = film.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let step = ROUNDING * f64::EPSILON * largest;

@@ -12,15 +12,15 @@ const TRIANGLES_PER_POINT: f64 = 12.0;
 /// the mesh. A larger value refuses more requests.
 const BYTES_PER_TRIANGLE: f64 = 1_000.0;
 
-/// As [`BYTES_PER_TRIANGLE`], for the least squares of the mean curvatures. They took 6,740 bytes, because their normal
+/// Bytes per triangle for the least squares of the mean curvatures. They took 6,740 bytes, because their normal
 /// matrix also connects neighbours of neighbours.
 const BYTES_PER_TRIANGLE_OF_LEAST_SQUARES: f64 = 8_000.0;
 
 /// Estimates the triangles of the result and the memory that solving takes. O(points).
 ///
-/// The number of triangles is exact if the request is for a number of triangles. For an edge length it is the area of the fans
-/// from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least a number for
-/// each boundary point. It is right within a small factor unless the boundaries are far apart.
+/// The number of triangles is exact if the request is for a number of triangles. For an edge length it is the area of
+/// the fans from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least a
+/// number for each boundary point. It is right within a small factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate(boundaries: &[Vec<DVec3>], options: &Options) -> Estimate {
     let triangles = triangles(boundaries, options);

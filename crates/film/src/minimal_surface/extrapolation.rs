@@ -1,7 +1,7 @@
 //! Estimates the area of the smooth minimal surface on the same boundary polygon from two meshes (Richardson
 //! extrapolation).
 //!
-//! As long as the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the
+//! If the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the
 //! area of the surface by a multiple of h². With every edge halved the excess is a quarter. The limit is therefore
 //! A_fine - (A_coarse - A_fine) / 3, and the error estimate is the whole correction of the finer area.
 //!

@@ -45,7 +45,7 @@ impl Dirichlet {
         Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
     }
 
-    /// As [`new`](Self::new), for triangles of which more than two may share an edge.
+    /// Does the same as [`new`](Self::new) for triangles of which more than two may share an edge.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -68,10 +68,10 @@ impl Dirichlet {
         self.move_to_minimum(&mut film.vertices, film.topology.triangles())
     }
 
-    /// As [`step`](Self::step), on vertices and triangles.
+    /// Makes the [`step`](Self::step) on vertices and triangles.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// The errors of [`step`](Self::step).
     pub fn move_to_minimum(&mut self, vertices: &mut [DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
         laplacian(&self.pattern, vertices, triangles, &mut self.matrix, &mut self.right_hand_side);
         let factorisation = self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage))?;
@@ -88,9 +88,9 @@ impl Dirichlet {
         Ok(())
     }
 
-    /// As [`step`](Self::step), by conjugate gradients from the present positions. If one of the three coordinates does
-    /// not converge, the step is made by elimination. Returns which of the two it was, or why elimination failed. On an
-    /// error the film stays as it was.
+    /// Makes the [`step`](Self::step) by conjugate gradients from the present positions. If one of the three
+    /// coordinates does not converge, the step is made by elimination. Returns which of the two it was, or why
+    /// elimination failed. On an error the film stays as it was.
     ///
     /// # Errors
     /// The interruptions of `exec`.

@@ -280,8 +280,8 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: Option<&Frame>, 
     match error {
         PlaneError::Interrupted(interruption) => interruption.into(),
         PlaneError::TooManyPoints => {
-            let detail = "the mesh would have more triangles than can be numbered, or many times those asked for; is there \
-                a spike in the boundaries, or are some points much closer together than the rest?";
+            let detail = "the mesh would have more triangles than can be numbered, or many times those asked for; is \
+                there a spike in the boundaries, or are some points much closer together than the rest?";
             Error::input(Place::field("resolution"), detail)
         }
         PlaneError::PointOutside(_) => {

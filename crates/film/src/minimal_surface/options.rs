@@ -61,7 +61,8 @@ impl Objective {
             },
             Self::MinimalDirichletEnergy => Description {
                 name: "minimal_dirichlet_energy",
-                minimises: "the Dirichlet energy ¼ Σ (cot α + cot β) |a'|² of the map from the initial mesh, boundary fixed",
+                minimises: "the Dirichlet energy ¼ Σ (cot α + cot β) |a'|² of the map from the initial mesh, boundary \
+                            fixed",
                 unit: "u²",
                 source: "Pinkall, Polthier 1993, section 2",
             },
@@ -81,7 +82,7 @@ impl Objective {
 pub enum Process {
     /// Every interior vertex moves at once to the area-weighted mean of its neighbours.
     LaplacianFairing,
-    /// One vertex after the other moves towards the least area of its triangles.
+    /// The vertices move one after the other, each towards the least area of its triangles.
     AreaMinimising,
     /// Edges are flipped where that lowers the area.
     EdgeSwapping,
@@ -404,8 +405,8 @@ pub struct Options {
     /// Points and curves inside the surface that do not move.
     pub constraints: Constraints,
     /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which the default
-    /// solver and Pinkall and Polthier's have converged. A film of least area with a larger residual carries the warning
-    /// `not_minimal`.
+    /// solver and Pinkall and Polthier's have converged. A film of least area with a larger residual carries the
+    /// warning `not_minimal`.
     pub tolerance: f64,
     /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.

@@ -74,17 +74,17 @@ fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
     })
 }
 
-/// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. A tolerance below what
-/// rounding allows counts as met where the residual is rounding. The least Dirichlet energy and the least squares have
-/// other objectives than the area.
+/// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. A tolerance below
+/// what rounding allows counts as met where the residual is rounding. The least Dirichlet energy and the least squares
+/// have other objectives than the area.
 fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) -> Option<Warning> {
     let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
     let rule_met = stop_reason.meets_the_rule_of(solver, residual, tolerance);
     let is_missed = measured.residual_beyond_rounding > tolerance;
     (objective == Objective::MinimalArea && rule_met && is_missed).then(|| {
         let detail = format!(
-            "the solver stopped by its own rule ({}) with a residual of {residual:.3e}, above the tolerance {tolerance:.3e}: \
-             a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
+            "the solver stopped by its own rule ({}) with a residual of {residual:.3e}, above the tolerance \
+             {tolerance:.3e}: a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
             stop_reason.name()
         );
         Warning::new("not_minimal", detail).with("residual", residual).with("tolerance", tolerance)

@@ -116,8 +116,8 @@ impl Input {
         let [(owner, number), (k, i)] = first?;
         let others = if count > 1 { format!(" ({} more are shared)", count - 1) } else { String::new() };
         let detail = format!(
-            "is also point {} of boundary {owner}{others}: the mesh has a vertex for each boundary there, so the film only \
-             touches itself",
+            "is also point {} of boundary {owner}{others}: the mesh has a vertex for each boundary there, so the film \
+             only touches itself",
             self.sources[owner][number]
         );
         Some(([k, self.sources[k][i]], detail))

@@ -93,8 +93,8 @@ pub(super) fn solve(
     }
     if let Some(&(_, meeting)) = split.first() {
         let detail = format!(
-            "{meeting} junctions meet in one point ({} such points): in a soap film four do (Plateau's second law). The \
-             film is stationary under motions of its vertices, but splitting the point may lower its area",
+            "{meeting} junctions meet in one point ({} such points): in a soap film four do (Plateau's second law). \
+             The film is stationary under motions of its vertices, but splitting the point may lower its area",
             split.len()
         );
         let warning = Warning::new("junction_point", detail);

@@ -1,4 +1,5 @@
-//! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may do.
+//! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may
+//! do.
 
 use super::catenary::Catenary;
 use super::options::{
@@ -56,7 +57,7 @@ pub(super) struct Model {
     pub contacts: Vec<Contact>,
     pub at_contacts: BTreeSet<u32>,
     pub cables: Vec<energy::Cable>,
-    /// What determines the force of each cable.
+    /// For each cable, the quantity that determines its force.
     pub forces_by: Vec<ForceBy>,
     /// The force of each cable with which form finding begins.
     pub start_forces: Vec<f64>,
@@ -94,7 +95,7 @@ pub(super) struct MovingRing {
     pub vertices: Vec<u32>,
 }
 
-/// What the stresses of a woven film become in a renewal.
+/// The rule by which a renewal chooses the stresses of a woven film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Renewal {
     /// Those of the required ratio that come nearest to the balance within the film.
@@ -105,7 +106,7 @@ pub(super) enum Renewal {
     Required,
 }
 
-/// What determines the force of a cable.
+/// The quantity that determines the force of a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ForceBy {
     /// The law of its energy.
@@ -710,7 +711,7 @@ impl Model {
         Ok(change)
     }
 
-    /// What the rounds of a woven film change: the coordinates of all vertices, and ln m of each vertex of the film
+    /// The unknowns of the rounds of a woven film: the coordinates of all vertices, and ln m of each vertex of the film
     /// times the length of an edge, so that both count alike.
     pub fn unknowns(&self) -> Vec<f64> {
         let mut unknowns: Vec<f64> = self.vertices().iter().flat_map(|p| p.to_array()).collect();
@@ -743,8 +744,8 @@ impl Model {
     }
 }
 
-/// Divides every edge that connects two vertices of the boundaries through the inside at its middle. Two layers over the
-/// same boundaries would both have it, and could not come apart there.
+/// Divides every edge that connects two vertices of the boundaries through the inside at its middle. Two layers over
+/// the same boundaries would both have it, and could not come apart there.
 fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
     let mut on_boundary = vec![false; mesh.vertices.len()];
     boundaries.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);

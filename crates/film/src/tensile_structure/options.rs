@@ -78,7 +78,7 @@ pub struct Weave {
     pub weft: f64,
     /// The field of directions.
     pub direction: WarpDirection,
-    /// What the two stresses hold constant.
+    /// The quantity of the two stresses that is prescribed.
     pub hold: WeaveHold,
 }
 
@@ -98,7 +98,7 @@ pub enum WarpDirection {
     Along(Vec<DVec3>),
 }
 
-/// What the stresses of warp and weft hold constant.
+/// The prescribed quantity of the stresses of warp and weft.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum WeaveHold {
     /// Their ratio. Both vary by a common factor, whose mean over the film is 1, so that the forces within the film can
@@ -122,12 +122,13 @@ pub struct BoundaryPoint {
 /// only what holds a given contact angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sliding {
-    /// What slides.
+    /// The part of a boundary that slides.
     pub part: SlidingPart,
     /// The line or surface on which it slides. Directions and axes are unit vectors.
     pub on: Support,
     /// The angle in radians between the film and the surface on the left of the edge's direction, as seen from the side
-    /// to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None` stands for a right angle.
+    /// to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None` stands for a right
+    /// angle.
     pub contact_angle: Option<f64>,
 }
 
@@ -145,7 +146,7 @@ pub enum SlidingPart {
     },
     /// A whole boundary.
     Boundary(usize),
-    /// One point.
+    /// A single point.
     Point(BoundaryPoint),
 }
 
@@ -221,7 +222,7 @@ pub struct Cable {
     pub name: String,
     /// Where the cable runs.
     pub course: Course,
-    /// What the cable holds constant.
+    /// The prescribed quantity of the cable.
     pub mode: CableMode,
     /// EA, a force. It is needed for [`CableMode::UnstressedLength`]; otherwise it gives the unstressed length.
     pub axial_stiffness: Option<f64>,
@@ -269,7 +270,7 @@ impl Course {
     }
 }
 
-/// What a cable holds constant. Lengths and forces are those of the whole cable.
+/// The prescribed quantity of a cable. Lengths and forces are those of the whole cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CableMode {
     /// The (mean) force.

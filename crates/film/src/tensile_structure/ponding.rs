@@ -40,8 +40,8 @@ pub(super) struct Roof<'a> {
     pub at: &'a [DVec3],
     /// The loops of vertices over which water runs off.
     pub rims: &'a [Vec<u32>],
-    /// The edges along cables across the film, each with its smaller vertex first, sorted. The film has a fold there, so
-    /// the angle between two triangles says nothing about the mesh.
+    /// The edges along cables across the film, each with its smaller vertex first, sorted. The film has a fold there,
+    /// so the angle between two triangles says nothing about the mesh.
     pub folds: &'a [[u32; 2]],
     pub up: DVec3,
 }

@@ -7,7 +7,7 @@ use super::shape::{EdgeReaction, ForceBalance, Reaction};
 use crate::equilibrium::{Freedom, Support};
 use plateau_mesh::DVec3;
 
-/// What holds a vertex.
+/// The support of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Hold<'a> {
     Nothing,

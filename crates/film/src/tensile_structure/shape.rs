@@ -1,4 +1,4 @@
-//! What form finding returns: the shape, the forces in it and its figures.
+//! The result of form finding: the shape, the forces in it and its figures.
 
 use super::options::{BoundaryPoint, WeaveHold};
 use super::ponding::Ponding;
@@ -64,7 +64,7 @@ pub struct Stress {
 /// The stresses of a woven film along warp and weft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeaveStress {
-    /// What the required stresses hold constant.
+    /// The prescribed quantity of the stresses.
     pub hold: WeaveHold,
     /// The stress along the warp.
     pub warp: StressRange,

@@ -57,8 +57,8 @@ pub(super) fn of_all(layers: &[LayerResult]) -> Option<Stress> {
     layers.iter().filter_map(|layer| layer.stress).reduce(widen)
 }
 
-/// The stresses of a layer of the balanced shape, all required stresses those of the reference shape but of an isotropic
-/// film the given tension. `first` is the number of the layer's first triangle.
+/// The stresses of a layer of the balanced shape, all required stresses those of the reference shape but of an
+/// isotropic film the given tension. `first` is the number of the layer's first triangle.
 pub(super) fn stress(
     balance: &Balance,
     film: &FilmStress,

@@ -62,8 +62,8 @@ pub(super) fn warn(
     }
     if let Some(Ponding { depth, place: DVec3 { x, y, z }, .. }) = statistics.ponding {
         let detail = format!(
-            "water would stand up to {depth:.4} deep on the film, deepest at ({x:.4}, {y:.4}, {z:.4}), because it cannot \
-             run off over an edge; its weight would deepen the hollow (ponding)"
+            "water would stand up to {depth:.4} deep on the film, deepest at ({x:.4}, {y:.4}, {z:.4}), because it \
+             cannot run off over an edge; its weight would deepen the hollow (ponding)"
         );
         warnings.push(Warning::new("ponding", detail).with("depth", depth).with_place([x, y, z]));
     }
@@ -71,8 +71,8 @@ pub(super) fn warn(
         let next = chamber.below + 1;
         if next < structure.layers.len() && *volume <= 0.0 {
             let detail = format!(
-                "layer {next} lies in front of layer {}: the volume between them is {volume:.4}, and they do not press on \
-                 each other here as they would in fact; change the pressures",
+                "layer {next} lies in front of layer {}: the volume between them is {volume:.4}, and they do not press \
+                 on each other here as they would in fact; change the pressures",
                 chamber.below
             );
             warnings.push(Warning::new("layers_cross", detail).with_count("layer", next).with("volume", *volume));
@@ -102,8 +102,8 @@ fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
         let farthest = own.map(|(v, _)| surface.distance(at[*v as usize] - *origin)).fold(0.0, f64::max);
         (farthest > BEYOND * surface.rounding()).then(|| {
             let detail = format!(
-                "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on flat \
-                 there; make the mesh larger"
+                "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on \
+                 flat there; make the mesh larger"
             );
             Warning::new("beyond_support", detail).with_count("support", number).with("distance", farthest)
         })

@@ -41,7 +41,7 @@ pub(super) struct StressField {
     weave: Weave,
     /// ln m of each vertex.
     pub factors: Vec<f64>,
-    /// One vertex of each connected part of the film, at which the Poisson equation holds δ before m is scaled.
+    /// A vertex of each connected part of the film, at which the Poisson equation holds δ before m is scaled.
     anchors: Vec<u32>,
 }
 

@@ -47,7 +47,8 @@ pub fn run_all(save: Save) {
             let eliminated = history.iter().find(|row| row.phase != "conjugate_gradients").map(|row| row.iteration);
             let rises = history.windows(2).filter(|pair| pair[1].area >= pair[0].area).count();
             println!(
-                "rules off: elimination first at step {eliminated:?}; {rises} of {} steps do not lower the area; at the end {:.9}",
+                "rules off: elimination first at step {eliminated:?}; {rises} of {} steps do not lower the area; \
+                 at the end {:.9}",
                 history.len(),
                 surface.statistics.area
             );

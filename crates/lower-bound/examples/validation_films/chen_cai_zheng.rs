@@ -50,7 +50,8 @@ fn image<'a>(title: &str, surface: &'a MinimalSurface, red: f64) -> Picture<'a> 
 
 pub fn run_all(save: Save) {
     println!(
-        "| surface | ε₁ = ε₂ | area after step 1 | step 2: area, sweeps, largest curvature | step 3 | limit of the polygon | theirs after step 2, 3 |"
+        "| surface | ε₁ = ε₂ | area after step 1 | step 2: area, sweeps, largest curvature | step 3 \
+         | limit of the polygon | theirs after step 2, 3 |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- |");
     for (name, boundary, triangles, limit, printed) in [
@@ -77,7 +78,7 @@ pub fn run_all(save: Save) {
                 row(&third, "area_minimising"),
             );
             if shown == "1e-6 of the area" {
-                // One range for both images: nine tenths of the vertices before step 3 are below it.
+                // Both images have the same range: nine tenths of the vertices before step 3 are below it.
                 let mut sorted = second.mean_curvature.clone();
                 sorted.sort_by(f64::total_cmp);
                 let red = sorted[sorted.len() * 9 / 10];
@@ -107,7 +108,7 @@ fn loop_of(points: u32, radius: f64, lobes: f64, height: f64) -> Vec<DVec3> {
         .collect()
 }
 
-/// As their Tables 1 and 2: the same numbers of points and triangles. They print no coordinates.
+/// Repeats their Tables 1 and 2 with the same numbers of points and triangles. They print no coordinates.
 fn levels(save: Save) {
     println!("\n| boundary | triangles | area | largest curvature | residual |\n| --- | --- | --- | --- | --- |");
     for (name, boundary, counts) in [

@@ -90,8 +90,8 @@ fn scherk() -> Vec<Case> {
     cases
 }
 
-/// Prints a row for each case: mean errors, the middle one of nine seeded choices of interior points, because the points
-/// influence the solution.
+/// Prints a row for each case: mean errors, the middle one of nine seeded choices of interior points, because the
+/// points influence the solution.
 fn table(cases: &[Case], save: Option<Save>) {
     println!(
         "| surface | least squares | area, to 1e-4 | ratio | area, to 1e-9 | ratio | theirs | all rows | \

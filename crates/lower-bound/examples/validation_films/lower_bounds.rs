@@ -1,5 +1,5 @@
-//! How far each film is at most from the least area over all oriented surfaces with its boundary, for three budgets, and
-//! a plot of what is proven of two rings.
+//! How far each film is at most from the least area over all oriented surfaces with its boundary, for three budgets,
+//! and a plot of what is proven of two rings.
 
 use super::{boundaries, run};
 use plateau_film::minimal_surface::{Method, MinimalSurface, Newton, Options, Resolution, TopologyRule};
@@ -72,7 +72,8 @@ fn plot(proven: &[[f64; 3]]) -> String {
     let y = |area: f64| 290.0 - (area - low) / (high - low) * 260.0;
     let mut svg = String::from(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 520 340\" width=\"520\" font-family=\"sans-serif\" \
-         font-size=\"12\">\n<title>Two rings of radius 1: areas of the films, and the proven range of the least area</title>\n\
+         font-size=\"12\">\n<title>Two rings of radius 1: areas of the films, \
+         and the proven range of the least area</title>\n\
          <rect width=\"520\" height=\"340\" fill=\"#fff\"/>\n",
     );
     for k in 0..=4 {

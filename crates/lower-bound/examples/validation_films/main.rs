@@ -1,9 +1,9 @@
 //! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning
 //! topologies, triple junctions, lower bounds.
 //!
-//! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files there
-//! and prints the tables. A word behind the folder selects a part: `liu-wang`, `lower-bounds` (the gaps for three budgets)
-//! or `proven-range` (the plot of two rings).
+//! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files
+//! there and prints the tables. A word behind the folder selects a part: `liu-wang`, `lower-bounds` (the gaps for three
+//! budgets) or `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
 #[path = "../../../film/tests/boundaries/mod.rs"]

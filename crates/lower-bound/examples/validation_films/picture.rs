@@ -61,7 +61,8 @@ pub fn row(pictures: &[Picture]) -> String {
     let (width, height) = (SIZE * pictures.len() as f64, SIZE + 20.0);
     let _ = writeln!(
         svg,
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" font-family="sans-serif" font-size="12">{}<rect width="100%" height="100%" fill="#fff"/>"##,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+         font-family=\"sans-serif\" font-size=\"12\">{}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>",
         classes()
     );
     for (k, picture) in pictures.iter().enumerate() {

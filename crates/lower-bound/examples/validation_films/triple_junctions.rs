@@ -52,7 +52,8 @@ fn half_discs(azimuths_deg: [f64; 3], m: usize, n: usize, bend: DVec3) -> (Vec<V
 
 pub fn run_all(save: Save) {
     println!(
-        "\n| wires apart | segments | area / R² | 3π/2 - area / R² | junction length / R | departure from 120°, degrees: largest, next to the poles, mean | facets, degrees | residuals |"
+        "\n| wires apart | segments | area / R² | 3π/2 - area / R² | junction length / R \
+         | departure from 120°, degrees: largest, next to the poles, mean | facets, degrees | residuals |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     let mut meshes = Vec::new();
@@ -69,7 +70,8 @@ pub fn run_all(save: Save) {
             let surface = run(&loops, &options);
             if let Some(junctions) = &surface.statistics.junctions {
                 println!(
-                    "| {}° {}° {}° | {m} | {:.6} | {:.6} | {:.6} | {:.1e}, {:.1e}, {:.1e} | {:.2} to {:.2} | {:.0e}, {:.0e} |",
+                    "| {}° {}° {}° | {m} | {:.6} | {:.6} | {:.6} | {:.1e}, {:.1e}, {:.1e} \
+                     | {:.2} to {:.2} | {:.0e}, {:.0e} |",
                     azimuths[1] - azimuths[0],
                     azimuths[2] - azimuths[1],
                     360.0 - azimuths[2],

@@ -51,8 +51,8 @@ impl Departure {
 }
 
 impl Flatness {
-    /// Compares points with the plane of a loop. The size is the diameter of the circle about the loop's mean that holds
-    /// the loop.
+    /// Compares points with the plane of a loop. The size is the diameter of the circle about the loop's mean that
+    /// holds the loop.
     pub fn of(points: impl Iterator<Item = DVec3>, outline: &[DVec3], plane: &Frame) -> Self {
         let (mut largest, mut farthest) = (0.0f64, (0, 0.0));
         for (k, point) in points.enumerate() {

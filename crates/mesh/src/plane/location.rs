@@ -53,8 +53,8 @@ impl Locator {
         ((q.x.max(0.0) as usize).min(self.columns - 1), (q.y.max(0.0) as usize).min(self.rows - 1))
     }
 
-    /// The triangle that holds the point and its barycentric coordinates there; for a point outside the mesh, those of the
-    /// nearest point of the mesh.
+    /// The triangle that holds the point and its barycentric coordinates there; for a point outside the mesh, those of
+    /// the nearest point of the mesh.
     pub fn find(&self, p: DVec2, plane: &[DVec2], triangles: &[[u32; 3]]) -> (u32, [f64; 3]) {
         let (x, y) = self.cell_of(p);
         let mut best: Option<(f64, u32, [f64; 3])> = None;

@@ -20,7 +20,8 @@ pub fn doubled_area(points: impl Iterator<Item = DVec2> + Clone, origin: DVec2) 
     points.zip(next).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum()
 }
 
-/// For each of some points, which are sorted by y, whether it lies inside the closed polygons, by the parity of crossings.
+/// For each of some points, which are sorted by y, whether it lies inside the closed polygons, by the parity of
+/// crossings.
 pub fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
     let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
     for points in loops {
@@ -52,8 +53,8 @@ pub fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
         .collect()
 }
 
-/// Whether a point lies inside a closed polygon, by the parity of crossings with exact predicates. A point on the polygon
-/// may count either way. O(points).
+/// Whether a point lies inside a closed polygon, by the parity of crossings with exact predicates. A point on the
+/// polygon may count either way. O(points).
 #[inline]
 pub fn contains(polygon: &[DVec2], point: DVec2) -> bool {
     let mut inside = false;

@@ -3,9 +3,9 @@
 //!
 //! The first triangulation comes from spade; from then on it is a plain array of triangles in which a point is inserted
 //! by splitting and flipping (Lawson) in constant time on average, because farthest-point insertion always knows the
-//! triangle where it starts. Edges without a twin are the constraints: the region's outline, holes, and slits (edges that
-//! must stay although the region lies on both sides of them). Nothing flips or looks across them.
-//! All decisions use the adaptive predicates of `robust`, so the result is Delaunay exactly, not to a tolerance.
+//! triangle where it starts. Edges without a twin are the constraints: the region's outline, holes, and slits (edges
+//! that must stay although the region lies on both sides of them). Nothing flips or looks across them. All decisions
+//! use the adaptive predicates of `robust`, so the result is Delaunay exactly, not to a tolerance.
 
 use crate::DVec2;
 use crate::topology::{NONE, next, previous};
@@ -27,7 +27,7 @@ pub fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 /// An edge of the first triangulation, with a direction.
 type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 
-/// What a constraint separates.
+/// The kind of border that a constraint is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Border {
     /// A piece of the polygon's outline or of a hole, directed with the domain on its left.
@@ -163,7 +163,7 @@ fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Co
     };
     let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
     label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
-    // One region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
+    // A region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
     // then belongs to a region that was not reached before, one level further in.
     let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
     let mut crossings = VecDeque::new();
@@ -280,7 +280,8 @@ impl Triangulation {
             return (Sight::In(start), 1);
         }
         let eye = (a + b + c) / 3.0;
-        // The way out of the first triangle: the edge whose ends lie right and left of the way, and beyond which the goal lies.
+        // The way out of the first triangle: the edge whose ends lie right and left of the way, and beyond which the
+        // goal lies.
         let corners = [a, b, c];
         let way_out = (0..3).find(|&k| {
             let (u, v) = (corners[k], corners[(k + 1) % 3]);
@@ -308,9 +309,9 @@ impl Triangulation {
         (Sight::Hidden, visited)
     }
 
-    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and flips the edges opposite to it as
-    /// long as `flips` says so of a half-edge ([`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay property).
-    /// Appends the triangles around the new point to `star`.
+    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and flips the edges opposite to
+    /// it as long as `flips` says so of a half-edge ([`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay
+    /// property). Appends the triangles around the new point to `star`.
     pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
         self.points.push(point);
@@ -352,7 +353,8 @@ impl Triangulation {
         [half_edge, next(half_edge), previous(half_edge), previous(across)].map(|h| self.from(h))
     }
 
-    /// Replaces the edge between two triangles by the other diagonal. Both have the half-edge's third corner at corner 2 then.
+    /// Replaces the edge between two triangles by the other diagonal. Both have the half-edge's third corner at corner
+    /// 2 then.
     pub fn flip(&mut self, half_edge: u32) -> [u32; 2] {
         let across = self.twin_of(half_edge);
         let (t, s) = (half_edge / 3, across / 3);

@@ -1,7 +1,7 @@
 //! Where polylines meet: a search for two segments that are nearer to each other than a tolerance.
 //!
-//! Each polyline has a tree of boxes around runs of its segments. Pairs of boxes that are too far apart are left out with
-//! all their segments, and the others are halved. Polylines that stay apart take O(n log n) operations.
+//! Each polyline has a tree of boxes around runs of its segments. Pairs of boxes that are too far apart are left out
+//! with all their segments, and the others are halved. Polylines that stay apart take O(n log n) operations.
 
 use crate::DVec3;
 use crate::execution::{Execution, Interruption};
@@ -76,8 +76,8 @@ impl Run {
     }
 }
 
-/// The first pair of segments that are at most `tolerance` apart and that `counts` accepts. Pairs are tried in the order of
-/// the first polyline's boxes.
+/// The first pair of segments that are at most `tolerance` apart and that `counts` accepts. Pairs are tried in the
+/// order of the first polyline's boxes.
 ///
 /// # Errors
 /// The interruptions of `exec`.

@@ -244,7 +244,7 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     size
 }
 
-/// One half-edge for each edge whose key is above 1, sorted by the key, largest first.
+/// Returns one half-edge for each edge whose key is above 1, sorted by the key, largest first.
 fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
     let topology = &film.topology;
     let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)

@@ -11,8 +11,8 @@ use crate::{DVec3, Error, Execution};
 /// value spreads the vertices in fewer rounds; from 1 on they oscillate.
 const SPREAD: f64 = 0.5;
 
-/// One sheet as a film whose edge (boundary and junctions) is fixed, and for each vertex of the film its number in the
-/// complex. `None` for a sheet that touches itself along a junction.
+/// Returns a sheet as a film whose edge (boundary and junctions) is fixed, and for each vertex of the film its number
+/// in the complex. `None` for a sheet that touches itself along a junction.
 fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Film, Vec<u32>)> {
     let corners = || triangles.iter().map(|&t| complex.triangles[t as usize]);
     let mut numbers: Vec<u32> = corners().flatten().collect();

@@ -21,17 +21,17 @@ use std::collections::BinaryHeap;
 /// A change must raise the smallest angle by at least this much (radians). A larger value ends sooner; without it the
 /// changes could go on by ever smaller gains.
 const LEAST_GAIN: f64 = 0.01;
-/// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle is
-/// known.
+/// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle
+/// is known.
 const ROUNDING: f64 = 1e-12;
 /// Cosine of the largest angle between a changed triangle and the mean of the triangles around it. A smaller value
 /// allows sharper folds.
 const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
-/// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn over,
-/// and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh. A larger
-/// value takes longer there.
+/// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn
+/// over, and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh. A
+/// larger value takes longer there.
 const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
@@ -126,8 +126,8 @@ fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
     double_area / (-u.dot(w)).max(-v.dot(u)).max(-w.dot(v))
 }
 
-/// The smallest angle of some triangles. `None` if one of them leans too far from the direction of all together, or has an
-/// angle whose tangent is below `useful`.
+/// The smallest angle of some triangles. `None` if one of them leans too far from the direction of all together, or has
+/// an angle whose tangent is below `useful`.
 fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3, useful: f64) -> Option<f64> {
     let mut smallest = f64::INFINITY;
     for corners in triangles {
@@ -168,7 +168,7 @@ struct Widening {
     goal: f64,
     /// Sines and cosines of the directions in which a vertex is moved on trial.
     directions: [(f64, f64); DIRECTIONS],
-    /// What is known of each triangle. It is not kept up to date for removed triangles.
+    /// The state of each triangle. It is not kept up to date for removed triangles.
     states: Vec<State>,
     /// The thin triangles by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(Angle, u32)>>,

@@ -81,8 +81,8 @@ impl OwnBox {
     fn directed(normal: DVec3, along: DVec3) -> Self {
         let third = normal.normalize_or(DVec3::Z);
         let across = |v: DVec3| v - third * v.dot(third);
-        // What is left of a direction along the normal is rounding, which may itself lie along the normal. Otherwise it is
-        // taken twice, because the first difference may have lost some of its digits.
+        // The part that is left of a direction along the normal is rounding, which may itself lie along the normal.
+        // Otherwise it is taken twice, because the first difference may have lost some of its digits.
         let left = across(along);
         let is_certain = left.length_squared() > LEAST_ACROSS * along.length_squared();
         let first = if is_certain { across(left.normalize()).normalize() } else { third.any_orthonormal_vector() };
@@ -165,7 +165,7 @@ pub(super) struct Tree {
     slack: f64,
 }
 
-/// What a tree is built over.
+/// The triangles over which a tree is built, and their arrangement.
 pub(super) struct Leaves {
     /// The triangles' numbers.
     pub triangles: Vec<u32>,
@@ -175,11 +175,11 @@ pub(super) struct Leaves {
     pub size: usize,
     /// How far the triangles may be from where their corners say.
     pub margin: f64,
-    /// What will be visited.
+    /// The pairs that walks will visit.
     pub visits: Visits,
 }
 
-/// What a tree is searched for.
+/// The pairs that a walk through a tree visits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Visits {
     /// Pairs of leaves whose boxes along the axes meet.

@@ -3,14 +3,14 @@
 //! A *chart* is a set of triangles that all face one direction and whose boundary, seen along that direction, consists
 //! of polygons that neither cross nor touch, one of which runs counter-clockwise. No two triangles of a chart intersect
 //! (P. Volino, N. Magnenat-Thalmann, *Efficient self-collision detection on smoothly discretized surface animations
-//! using geometrical shape regularity*, Computer Graphics Forum 13, 1994). The proof needs no assumption on the topology:
-//! the number of triangles over a point of the plane is the winding number of the boundary, and one polygon that runs
-//! counter-clockwise, with all others clockwise, winds round no point more than once. A common point of two triangles
-//! would then lie on the boundary of the chart from both sides.
+//! using geometrical shape regularity*, Computer Graphics Forum 13, 1994). The proof needs no assumption on the
+//! topology: the number of triangles over a point of the plane is the winding number of the boundary, and one polygon
+//! that runs counter-clockwise, with all others clockwise, winds round no point more than once. A common point of two
+//! triangles would then lie on the boundary of the chart from both sides.
 //!
-//! Charts are made of patches. A patch faces a direction if the cone of its normals does. Vertices with equal coordinates
-//! count as different ones here. Edges along which such vertices meet are boundaries that touch, so that no chart is found
-//! there, and the exact search decides.
+//! Charts are made of patches. A patch faces a direction if the cone of its normals does. Vertices with equal
+//! coordinates count as different ones here. Edges along which such vertices meet are boundaries that touch, so that no
+//! chart is found there, and the exact search decides.
 //!
 //! A few directions are chosen so that each patch is near one of them. The patches within a wide cone around each
 //! direction form charts, which overlap: neighbours are nearly always together in one of them. A part that lies over
@@ -29,9 +29,9 @@ use std::ops::ControlFlow;
 /// Largest angle between a direction and the normals of its charts: 72 degrees. A larger angle makes the charts overlap
 /// more, and the boundaries that are seen from the side touch more often.
 const CHART: f64 = 0.4 * PI;
-/// How far inside the edge of the cone of one of the directions a patch must lie, as a multiple of the angle that its own
-/// normals differ from their middle, so that the patches beside it are in the same chart. A smaller value needs fewer
-/// directions, and finds no chart for neighbours where the surface bends more than in the patch itself.
+/// How far inside the edge of the cone of one of the directions a patch must lie, as a multiple of the angle that its
+/// own normals differ from their middle, so that the patches beside it are in the same chart. A smaller value needs
+/// fewer directions, and finds no chart for neighbours where the surface bends more than in the patch itself.
 const MARGIN_OF_NEIGHBOURS: f64 = 2.0;
 /// Bounds of this margin: 5 and 32 degrees.
 const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
@@ -48,7 +48,8 @@ const PASSES: usize = 16;
 const BOUNDARY_SHARE: usize = 4;
 /// Number of boundary edges that are checked in any case.
 const FREE_BOUNDARY: usize = 64;
-/// Pairs of boxes for each boundary edge, and for each patch, after which a search gives up. Smooth films take 10 to 60.
+/// Pairs of boxes for each boundary edge, and for each patch, after which a search gives up. Smooth films take 10 to
+/// 60.
 const WORK: u64 = 512;
 /// Distance, in units of the largest coordinate, below which points and edges of a boundary count as touching. Rounding
 /// moves the projected points by less than a tenth of it.
@@ -136,8 +137,8 @@ fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Int
     Ok(directions)
 }
 
-/// The cosine between a patch's axis and a direction above which all its normals are within the charts of the direction,
-/// at least a margin inside. `None` if they differ too much.
+/// The cosine between a patch's axis and a direction above which all its normals are within the charts of the
+/// direction, at least a margin inside. `None` if they differ too much.
 fn least_cosine(patch: &Patch, margin: f64) -> Option<f64> {
     let left = CHART - margin - patch.spread;
     (left > 0.0).then(|| libm::cos(left))
@@ -220,8 +221,8 @@ impl Charts<'_> {
         Ok(outside)
     }
 
-    /// Finds parts of the cells, and returns for each whether it is a chart. The members face the direction, and no other
-    /// patch has a cell.
+    /// Finds parts of the cells, and returns for each whether it is a chart. The members face the direction, and no
+    /// other patch has a cell.
     fn find(&mut self, direction: DVec3, members: &[u32], exec: &Execution<'_>) -> Result<Vec<bool>, Interruption> {
         let mut boundary: Vec<u32> = Vec::new();
         let (mut work, mut triangles) = (0, 0);
@@ -243,8 +244,8 @@ impl Charts<'_> {
         if boundary.len() > triangles / BOUNDARY_SHARE + FREE_BOUNDARY {
             return Ok(Vec::new());
         }
-        // A part that faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one such
-        // polygon, the members are one part.
+        // A part that faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one
+        // such polygon, the members are one part.
         members.iter().for_each(|&p| self.parts[p as usize] = 0);
         let whole = Boundary::new(self, direction, &boundary);
         if whole.has_one_outer_polygon(1) == [true] {

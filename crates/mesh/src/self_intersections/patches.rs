@@ -1,5 +1,5 @@
-//! A surface in patches: connected pieces of a few triangles, each with its box, the cone of its normals, and the patches
-//! on the other sides of its edges.
+//! A surface in patches: connected pieces of a few triangles, each with its box, the cone of its normals, and the
+//! patches on the other sides of its edges.
 //!
 //! Most steps of the search for charts treat patches in place of triangles. Only the first step reads the triangles, in
 //! one pass.
@@ -9,8 +9,8 @@ use super::soup::{LOOK, NONE, clear_normal, power_of_two_above};
 use crate::{DVec3, Execution, Interruption};
 use std::ops::Range;
 
-/// Blocks of triangles are compact if the squares of their extents exceed those of as many equal triangles, which fill a
-/// triangle of their own shape, by less than this factor. A larger value makes larger patches.
+/// Blocks of triangles are compact if the squares of their extents exceed those of as many equal triangles, which fill
+/// a triangle of their own shape, by less than this factor. A larger value makes larger patches.
 const COMPACT: f64 = 2.5;
 
 /// Connected triangles that follow each other in [`Patches::order`].
@@ -201,7 +201,7 @@ impl<'a> Patches<'a> {
     }
 }
 
-/// One triangle of a block.
+/// A triangle of a block.
 struct BlockTriangle {
     number: u32,
     extent: AxisBox,

@@ -12,9 +12,9 @@ pub(super) const NONE: u32 = u32::MAX;
 const FACING: f64 = 1e-7;
 /// The same for the sine of the angle between two edges at a vertex.
 const APART: f64 = 1e-11;
-/// An edge that is in line with a ray lies on its other side if the cosine between them is below minus this. The angle to
-/// the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle of a
-/// triangle.
+/// An edge that is in line with a ray lies on its other side if the cosine between them is below minus this. The angle
+/// to the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle
+/// of a triangle.
 const OPPOSITE: f64 = 1e-3;
 /// The normal of a triangle that has an area but no certain normal: so short that the triangle faces no direction.
 const NO_NORMAL: DVec3 = DVec3::splat(f64::MIN_POSITIVE);
@@ -64,8 +64,8 @@ impl Soup {
     }
 
     /// For each vertex the number of its triangles in the list if no two of them can intersect: they form one fan, all
-    /// of them face the sum of their normals, and seen from there the fan goes round the vertex at most once. Zero where
-    /// that is not certain. The triangles of the list have an area.
+    /// of them face the sum of their normals, and seen from there the fan goes round the vertex at most once. Zero
+    /// where that is not certain. The triangles of the list have an area.
     pub fn embedded_stars(&self, list: &[u32], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
         let mut start = vec![0u32; self.points.len() + 1];
         for &triangle in list {
@@ -173,7 +173,8 @@ impl Soup {
     }
 }
 
-/// Twice the area vector of a triangle, if it is certain that the triangle has an area: with a relative error below 1e-3.
+/// Twice the area vector of a triangle, if it is certain that the triangle has an area: with a relative error below
+/// 1e-3.
 pub(super) fn clear_normal(&[a, b, c]: &[DVec3; 3]) -> Option<DVec3> {
     let (u, v) = (b - a, c - a);
     let normal = u.cross(v);

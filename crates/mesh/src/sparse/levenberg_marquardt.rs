@@ -1,19 +1,20 @@
 //! Levenberg and Marquardt's method: damped Gauss-Newton steps for ½ Σ r² over nodes with N unknowns each.
 //!
-//! Source: Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least Squares Problems* (2004), algorithm 3.16. A step solves
-//! (JᵀJ + μM) δ = -Jᵀr. M is a metric of the problem's own in place of their identity, so that steps need not depend on how
-//! the unknowns are chosen. μ follows the ratio of the gain to what the linear model predicts (Nielsen's rule). Every step
-//! that is kept lowers the energy.
+//! Source: Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least Squares Problems* (2004), algorithm 3.16. A step
+//! solves (JᵀJ + μM) δ = -Jᵀr. M is a metric of the problem's own in place of their identity, so that steps need not
+//! depend on how the unknowns are chosen. μ follows the ratio of the gain to what the linear model predicts (Nielsen's
+//! rule). Every step that is kept lowers the energy.
 
 use super::pattern::BlockPattern;
 use super::{Symbolic, SymmetricMatrix};
 use crate::execution::{Execution, Interruption};
 
-/// Ends a run in which no step lowers the energy: with this damping, in units of the metric, steps are too short to matter.
+/// Ends a run in which no step lowers the energy: with this damping, in units of the metric, steps are too short to
+/// matter.
 const LARGEST_DAMPING: f64 = 1e9;
 const LEAST_DAMPING: f64 = 1e-15;
 
-/// What is minimised over the places of nodes.
+/// A sum of squares that is minimised over the places of nodes.
 pub trait LeastSquares<const N: usize> {
     /// Where a node stands.
     type Place: Clone;
@@ -100,7 +101,7 @@ pub struct Criteria {
     pub change: f64,
     /// 1 makes the criteria absolute where F is small, 0 keeps them relative.
     pub floor: f64,
-    /// So many quiet steps in a row end the run.
+    /// Number of quiet steps in a row that ends the run.
     pub quiet_steps: u32,
     /// A gradient whose entries are at most this times F + `floor` ends the run.
     pub gradient: f64,
@@ -213,7 +214,7 @@ pub fn minimise<const N: usize, P: LeastSquares<N>>(
     (Stop::MaxIterations, energy)
 }
 
-/// What the linear model says that the share s of a step gains: -s (1 - s/2) gᵀδ + ½ s² μ δᵀMδ.
+/// The gain of the share s of a step by the linear model: -s (1 - s/2) gᵀδ + ½ s² μ δᵀMδ.
 fn predicted<const N: usize>(
     step: &[[f64; N]],
     gradient: &[[f64; N]],

@@ -60,7 +60,7 @@ impl Hierarchy {
             0 => self.symbolic.order(),
             _ => self.levels[below - 1].0.order(),
         };
-        // One additional entry receives the contributions to fixed vertices.
+        // An additional entry receives the contributions to fixed vertices.
         let mut coarse = vec![0.0; coarse_order + 1];
         let place = |parent: u32| (parent as usize).min(coarse_order);
         for row in 0..n {

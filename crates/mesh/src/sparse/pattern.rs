@@ -99,8 +99,8 @@ impl Pattern {
         Self { free, row_start, columns, slots }
     }
 
-    /// As [`new`](Self::new), for free vertices on edges of one, two or more triangles: on a junction of sheets, or on
-    /// a boundary.
+    /// Does the same as [`new`](Self::new) for free vertices on edges of one, two or more triangles: on a junction of
+    /// sheets, or on a boundary.
     #[inline]
     pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
         let free = FreeVertices::new(fixed);

@@ -39,7 +39,7 @@ impl FoundPath {
     }
 }
 
-/// One objective's searches on one strip.
+/// The searches for one objective on one strip.
 pub(crate) trait PathSearch {
     fn layers(&self) -> usize;
     fn rows(&self) -> usize;

@@ -13,11 +13,11 @@
 //! in s and in t, so its sign at the square's four bridges decides: where all lean forward, q is ahead and taking the
 //! P-step first never costs more; where all lean back, taking the Q-step first never does.
 //!
-//! So if every square right of a staircase leans forward, a path that strays there can be cut off at the staircase
-//! without growing, and likewise on the left of one where every square leans back. The *corridor* lies between two such
-//! staircases. Boxes around runs of points and edge directions, halved where they leave the sign open, find it in some
-//! multiple of m + n steps on smooth directrices; where the sign stays open in too many places the corridor is the
-//! whole grid.
+//! If every square right of a staircase leans forward, a path that strays there can therefore be cut off at the
+//! staircase without growing, and likewise on the left of one where every square leans back. The *corridor* lies
+//! between two such staircases. Boxes around runs of points and edge directions, halved where they leave the sign open,
+//! find it in some multiple of m + n steps on smooth directrices; where the sign stays open in too many places the
+//! corridor is the whole grid.
 
 use super::pulse::Pulse;
 use super::rails::Rails;

@@ -138,7 +138,7 @@ impl Widest {
         Self::Plain
     }
 
-    /// What this processor has, the narrowest first.
+    /// Lanes that this processor has, the narrowest first.
     #[cfg(test)]
     pub(crate) fn all() -> Vec<Self> {
         #[allow(unused_mut, reason = "other processors have the plain one only")]

@@ -20,7 +20,7 @@ pub(crate) struct Lattice {
 /// Entries beyond both ends of a row of numbers: lanes of a skewed band run over the ends by at most their number.
 const MARGIN: usize = MOST_LANES;
 
-/// What is known along one directrix, each number in a row of its own, `stride` long: one piece of memory.
+/// Quantities along one directrix, each in a row of its own of length `stride`, in one piece of memory.
 #[derive(Debug)]
 pub(crate) struct RailNumbers {
     stride: usize,
@@ -92,9 +92,9 @@ impl RailNumbers {
     }
 }
 
-/// The lanes that start at one position of a rail and at the position before it, of the rail's first `ROWS` rows. All loads
-/// are checked when the window is made, because a check at each of the 22 loads of a step took a twelfth of the time of a
-/// strip of least bending energy.
+/// The lanes that start at one position of a rail and at the position before it, of the rail's first `ROWS` rows. All
+/// loads are checked when the window is made, because a check at each of the 22 loads of a step took a twelfth of the
+/// time of a strip of least bending energy.
 #[derive(Clone, Copy)]
 struct Window<'a, V: Lanes, const ROWS: usize> {
     simd: V::Simd,
@@ -127,8 +127,9 @@ impl<V: Lanes, const ROWS: usize> Window<'_, V, ROWS> {
         const { assert!(BEFORE <= 1) };
         assert!(row < ROWS);
         let start = row * self.stride + self.at - BEFORE;
-        // SAFETY: `BEFORE <= at`, `row < ROWS` and `at + V::WIDTH <= stride`, so the range begins inside its row and ends at
-        // `ROWS * stride` at the latest, and there are as many numbers: `RailNumbers::window` has checked all of this.
+        // SAFETY: `BEFORE <= at`, `row < ROWS` and `at + V::WIDTH <= stride`, so the range begins inside its row and
+        // ends at `ROWS * stride` at the latest, and there are as many numbers: `RailNumbers::window` has checked all
+        // of this.
         V::load(self.simd, unsafe { self.numbers.get_unchecked(start..start + V::WIDTH) })
     }
 }

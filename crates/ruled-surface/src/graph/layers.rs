@@ -1,17 +1,17 @@
 //! The graphs of sections 4 and 5 as kernels: what a cell of the grid of bridges does with its two predecessors.
 //!
-//! One layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the step that led
-//! to it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step that leaves
-//! it. A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the closing
-//! triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's
-//! start without ambiguity.
+//! A graph has one layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the
+//! step that led to it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step
+//! that leaves it. A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the
+//! closing triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed
+//! path's start without ambiguity.
 
 use super::lanes::{Lanes, Vector};
 use super::lattice::{BANK, BandRows, Lattice, NORMAL, POINT, TANGENT};
 use super::sweep::{BitTable, Bounded, Kernel, Score, Seed};
 use super::weight::{self, Wing};
 
-/// What a path has cost so far on every lane: one number, or a count of concave bridges and a number.
+/// The cost of a path so far on every lane: one number, or a count of concave bridges and a number.
 pub(crate) trait PathCost<V: Lanes>: Copy {
     const FIELDS: usize;
     fn of(simd: V::Simd, count: f64, value: f64) -> Self;
@@ -117,11 +117,11 @@ fn keep<V: Lanes>(value: V, lane: usize) -> f64 {
 
 /// The weights of a single-layer graph.
 pub(crate) trait StepWeights<V: Lanes> {
-    /// What is the same along a band.
+    /// Values that are the same along a band.
     type Band: Copy;
     fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
-    /// What arriving by a P-step and by a Q-step costs.
+    /// The costs of arriving by a P-step and by a Q-step.
     fn steps(&self, band: &Self::Band, t: usize) -> [V; 2];
     /// Adds what the bridge itself costs.
     fn bridge(&self, band: &Self::Band, t: usize, value: V) -> V;
@@ -315,7 +315,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     const LAYERS: usize = 2;
     const CARRY: usize = C::FIELDS;
     type Band = BandRows<V>;
-    /// What leaving the bridge by P and by Q has cost.
+    /// The costs of leaving the bridge by P and by Q.
     type State = [C; 2];
     #[inline(always)]
     fn simd(&self) -> V::Simd {
@@ -540,7 +540,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
 }
 
 impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
-    /// What a weighted sum adds to each node besides the curvature variation.
+    /// The terms of a weighted sum at a node besides the curvature variation.
     #[inline(always)]
     fn terms<V: Lanes<Simd = S>>(
         &self,

@@ -14,7 +14,8 @@ pub(crate) struct Rails {
     pub(crate) q: Rail,
     /// A length in the caller's unit is one of ours times this (a power of two).
     pub(crate) unit: f64,
-    /// What rounding the input can move a coordinate by: ulp of the largest |coordinate|, in our unit.
+    /// Largest distance by which rounding of the input moves a coordinate: the ulp of the largest |coordinate|, in our
+    /// unit.
     pub(crate) rounding: f64,
 }
 

@@ -10,7 +10,7 @@ use super::pulse::{CELLS_BETWEEN_LOOKS, Pulse};
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
-/// What a path costs: concave bridges (or 0 where they do not count), then the value.
+/// The cost of a path: concave bridges (or 0 where they do not count), then the value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Score {
     pub(crate) count: f64,
@@ -39,13 +39,13 @@ pub(crate) enum Seed {
     ByQ,
 }
 
-/// One objective on one graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row
+/// An objective on a graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row
 /// above hands down: `CARRY` numbers.
 pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
     type Band: Copy;
-    /// What a row of lanes remembers of the column before.
+    /// The values of the column before that a row of lanes remembers.
     type State: Copy;
     fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
@@ -88,7 +88,7 @@ impl Region {
     }
 }
 
-/// One bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
+/// A bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BitTable {
     layers: usize,
@@ -226,7 +226,7 @@ struct SweepPosition<S> {
     state: S,
 }
 
-/// As much of a sweep as fits between two looks.
+/// A part of a sweep that fits between two looks.
 struct SweepPart<'a, V: Lanes, K: Kernel<V>> {
     kernel: &'a K,
     bands: &'a [BandOf],

@@ -14,7 +14,7 @@ const DEGENERATE_SQUARED: f64 = 1e-28;
 /// over- or underflows.
 const TINY: f64 = 1e-140;
 
-/// One of the triangles at a bridge.
+/// A triangle at a bridge.
 #[derive(Clone, Copy)]
 pub(crate) struct Wing<V: Lanes> {
     pub(crate) bank: Vector<V>,

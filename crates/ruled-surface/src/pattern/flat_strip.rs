@@ -1,8 +1,8 @@
-//! One strip laid flat.
+//! A strip laid flat.
 
 use plateau_mesh::DVec2;
 
-/// One strip in the plane, its lower left corner at the origin, its longer extent mostly along x.
+/// A strip in the plane, its lower left corner at the origin, its longer extent mostly along x.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatStrip {
     /// The two directrices' points, in order.

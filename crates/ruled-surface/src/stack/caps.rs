@@ -8,8 +8,8 @@ use plateau_mesh::plane::triangulation::{Border, Constraint, triangles_inside};
 use plateau_mesh::polyline::merge_near_neighbours;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-/// Projects the points of an end contour onto its plane. Returns `None` if they lie in it already, up to rounding, else the
-/// points and the largest distance by which one was moved. `place` is the place of the contour.
+/// Projects the points of an end contour onto its plane. Returns `None` if they lie in it already, up to rounding, else
+/// the points and the largest distance by which one was moved. `place` is the place of the contour.
 ///
 /// # Errors
 /// [`InputError`] if the contour has no area, or at the farthest point if it is not planar.
@@ -34,8 +34,8 @@ pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec
 
 const WITHOUT_AREA: &str = "flat caps need an end contour with an area";
 
-/// Closes the two ends of a closed stack, whose end contours are plane. A directrix of one point closes its end already.
-/// Leaves the mesh oriented outwards.
+/// Closes the two ends of a closed stack, whose end contours are plane. A directrix of one point closes its end
+/// already. Leaves the mesh oriented outwards.
 ///
 /// # Errors
 /// [`Error::Input`] at `directrices`, k if an end contour crosses itself.

@@ -28,8 +28,8 @@ const ROUNDING: f64 = 1e-9;
 /// Fraction by which the distances of the ends must differ to decide, and cosine of the angle between two area vectors
 /// below which they are perpendicular. Below it a person sees no difference either.
 const EQUAL: f64 = 0.01;
-/// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction. The lobes of
-/// a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.
+/// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction. The lobes
+/// of a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.
 const NO_AREA: f64 = 1e-6;
 
 /// Reverses each directrix in turn where it runs against the one before it.
@@ -66,8 +66,8 @@ pub(crate) fn choose_directions(
     Ok(())
 }
 
-/// Whether the second of two ways to run through a pair of directrices is the right one, and the criterion that says so.
-/// `None` if only the objective can decide.
+/// Whether the second of two ways to run through a pair of directrices is the right one, and the criterion that says
+/// so. `None` if only the objective can decide.
 pub(crate) fn evident_direction(
     ways: &[Rails; 2],
     lanes: Widest,

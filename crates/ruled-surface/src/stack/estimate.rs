@@ -1,16 +1,16 @@
-//! What a solve will take, estimated before the work.
+//! The cost of a solve, estimated before the work.
 
 use super::options::{Direction, Options};
 use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use crate::strip::objective::{Goal, Objective};
 use plateau_mesh::Estimate;
 
-/// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file. A
-/// larger value refuses more requests.
+/// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file.
+/// A larger value refuses more requests.
 const BYTES_PER_POINT: u64 = 2_000;
 
-/// What a stack of directrices with these numbers of points takes. An open strip visits exactly as many cells; a closed
-/// strip may need fewer or somewhat more.
+/// Estimates the cost of a stack of directrices with these numbers of points. An open strip visits exactly as many
+/// cells; a closed strip may need fewer or somewhat more.
 pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     let mut goals = vec![goal];

@@ -31,8 +31,8 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
             let [from, to] = [contact.first, contact.first + 1].map(|k| k % p.len());
             let [from, to] = [from, to].map(|index| prepared.directrices[k].input_point(index));
             let detail = format!(
-                "directrices {k} and {next} cross or touch between the points {from} and {to} of directrix {k}: the strip \
-                 is pinched there"
+                "directrices {k} and {next} cross or touch between the points {from} and {to} of directrix {k}: the \
+                 strip is pinched there"
             );
             let warning = Warning::new("crossing_directrices", detail).with_count("directrix", k);
             warnings.push(warning.with_count("from", from).with_count("to", to));

@@ -1,4 +1,4 @@
-//! What is asked of a stack of strips.
+//! Options of a stack of strips.
 
 use super::sampling::Sampling;
 use crate::strip::objective::{Objective, Secondary};
@@ -7,12 +7,12 @@ use plateau_mesh::DVec3;
 /// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
 pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
 
-/// What to solve. The default: open strips of minimal area, as given.
+/// Options of [`solve`](crate::solve). The default: open strips of minimal area, as given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Directrices are closed polygons; the optimum is over every starting bridge too.
     pub closed: bool,
-    /// What each strip minimises.
+    /// The objective of each strip.
     pub objective: Objective,
     /// With [`Objective::MaximalConvexity`] only.
     pub secondary: Option<Secondary>,
@@ -21,7 +21,7 @@ pub struct Options {
     pub convexity_tolerance: f64,
     /// Whether directrices may be reversed.
     pub direction: Direction,
-    /// What closes the ends of a closed stack.
+    /// The caps at the ends of a closed stack.
     pub caps: Caps,
     /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
     pub normals: Option<Vec<Vec<DVec3>>>,
@@ -87,14 +87,14 @@ impl DirectionCriterion {
     }
 }
 
-/// What closes the ends of a closed stack.
+/// The caps at the ends of a closed stack.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Caps {
     #[default]
     /// The ends stay open.
     None,
-    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that is
-    /// off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the warning
-    /// `projected`.
+    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that
+    /// is off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the
+    /// warning `projected`.
     Flat,
 }

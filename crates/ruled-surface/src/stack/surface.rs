@@ -1,4 +1,4 @@
-//! What a solve gives back.
+//! The result of a solve.
 
 use super::options::DirectionCriterion;
 use crate::pattern::FlatPattern;
@@ -34,7 +34,7 @@ pub struct RuledSurface {
     pub flat_pattern: Option<FlatPattern>,
     /// Pairs of triangles that meet in more than what they share, caps included.
     pub self_intersections: SelfIntersectionCheck,
-    /// What the caller should know about the input or the result.
+    /// Facts about the input or the result that the caller should know.
     pub warnings: Vec<Warning>,
 }
 
@@ -43,7 +43,7 @@ pub struct RuledSurface {
 pub struct Comparison {
     /// The objective that was minimised.
     pub objective: Objective,
-    /// What decided among its optima.
+    /// The secondary objective that decided among its optima.
     pub secondary: Option<Secondary>,
     /// Figures of the whole stack for that optimum.
     pub statistics: Statistics,

@@ -1,4 +1,4 @@
-//! What a caller should know about a result that is optimal all the same.
+//! Warnings about a result, which is optimal all the same.
 
 use super::direction::evident_direction;
 use super::options::DirectionCriterion;

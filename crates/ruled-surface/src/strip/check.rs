@@ -1,4 +1,4 @@
-//! What is wrong with the directrices of a strip, and with what is asked of it.
+//! Errors of the directrices of a strip, and of its options.
 
 use super::objective::{Goal, Objective, Secondary};
 use crate::graph::rails::Given;
@@ -13,7 +13,7 @@ const LARGEST_TOLERANCE: f64 = std::f64::consts::FRAC_PI_4;
 
 pub(crate) const TOO_FEW_CLOSED: &str = "a closed directrix needs three distinct points, or one (an apex)";
 
-/// What is wrong with an objective and what goes with it.
+/// Returns the errors of an objective and of the options that go with it.
 pub(crate) fn goal_errors(
     objective: Objective,
     secondary: Option<Secondary>,
@@ -79,7 +79,7 @@ pub(crate) fn shape_errors(name: &'static str, values: &[&[DVec3]], directrices:
         .collect()
 }
 
-/// What is wrong with the two directrices of a single strip.
+/// Returns the errors of the two directrices of a single strip.
 pub(crate) fn strip_errors(sides: [Given<'_>; 2], closed: bool) -> Vec<InputError> {
     let points = sides.map(|side| side.points);
     let mut errors = value_errors("directrices", &points);

@@ -1,6 +1,6 @@
-//! What can be minimised: names, units, sources. The formulas themselves are in [`weight`](super::weight).
+//! The objectives: names, units, sources. Their formulas are in [`weight`](super::weight).
 
-/// What a strip minimises (or, for [`MaximalConvexity`](Objective::MaximalConvexity), maximises).
+/// The quantity that a strip minimises (or, for [`MaximalConvexity`](Objective::MaximalConvexity), maximises).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Objective {
@@ -65,7 +65,7 @@ impl Weights {
     }
 }
 
-/// What decides among the paths with the most convex bridges, summed over the bridges that are not convex.
+/// The sum over the non-convex bridges that decides among the paths with the most convex bridges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Secondary {
     /// The bending energy at these bridges.
@@ -113,13 +113,14 @@ impl Objective {
         }
     }
 
-    /// What it minimises, for a person.
+    /// The quantity that it minimises, in words for people.
     #[must_use]
     pub fn minimises(&self) -> &'static str {
         match self {
             Self::MinimalArea => "the sum of the triangles' areas",
             Self::MinimalTwist => {
-                "the sum over all bridges of 1 - n_p·n_q, the normals at the bridge's ends across its directrices' tangents"
+                "the sum over all bridges of 1 - n_p·n_q, the normals at the bridge's ends across its \
+                 directrices' tangents"
             }
             Self::MaximalConvexity => "the number of bridges that are not locally convex (it maximises those that are)",
             Self::MinimalBendingEnergy => "the sum over interior bridges of A sin²θ / L², the bending of a thin sheet",

@@ -17,7 +17,7 @@ use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::Interruption;
 use std::marker::PhantomData;
 
-/// What a search is asked for on one strip.
+/// The task of a search on one strip.
 #[derive(Clone, Copy)]
 pub(crate) struct SearchGoal<'a> {
     goal: Goal,

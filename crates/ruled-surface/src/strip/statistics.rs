@@ -41,7 +41,7 @@ pub struct Statistics {
     pub shortest_bridge: f64,
     /// Length of the longest bridge.
     pub longest_bridge: f64,
-    /// What was minimised: for maximal convexity the number of convex bridges.
+    /// Value of the objective; for maximal convexity the number of convex bridges.
     pub objective_value: f64,
     /// Couplings: the secondary summed over the bridges that are not convex.
     pub secondary_value: Option<f64>,
@@ -143,7 +143,7 @@ pub(crate) fn evaluate(
     Ok(sums.evaluation(strip))
 }
 
-/// What the bridges so far add up to, in the strip's own unit. They are added one by one, whatever the width of the
+/// Sums over the bridges so far, in the strip's own unit. Bridges are added one by one, whatever the width of the
 /// lanes.
 struct Sums {
     evaluation: Evaluation,
@@ -154,7 +154,7 @@ struct Sums {
     last_curvature: Vector<f64>,
 }
 
-/// One bridge of a path, as it is added to the sums.
+/// A bridge of a path, as it is added to the sums.
 struct AtBridge {
     convex: bool,
     length: f64,

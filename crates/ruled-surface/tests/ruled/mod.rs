@@ -1,4 +1,4 @@
-//! What the tests of ruled strips share: small random strips, and every functional evaluated as the papers print it
+//! Helpers of the tests of ruled strips: small random strips, and every functional evaluated as the papers print it
 //! (angles, arc tangents, normalised sums), without a formula in common with the solver.
 #![allow(dead_code, reason = "each test file uses its part")]
 
@@ -54,7 +54,7 @@ pub enum Style {
     Integer,
     /// The same in a plane.
     Planar,
-    /// What users send.
+    /// Strips like those that users send.
     Sensible,
 }
 
@@ -99,7 +99,7 @@ pub struct Values {
     pub convex: usize,
     pub bending: f64,
     pub curvature: f64,
-    /// As the triangles are wound, and the other way round.
+    /// For triangles as they are wound, and wound the other way round.
     pub variation: [f64; 2],
     pub concave_bending: f64,
     pub concave_curvature: f64,

@@ -1,19 +1,19 @@
 //! INCREMENT (Katoh, Ohsaki and Xu, section 2; for the rim section 3): farthest-point insertion.
 //!
 //! 1. The region comes with its nodes on the boundary placed (steps 1 and 2 of the paper).
-//! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle from which
-//!    that centre is visible (section 3's distance: infinite to what is hidden).
+//! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle from
+//!    which that centre is visible (section 3's distance: infinite to what is hidden).
 //! 3. Insert the farthest such centre while its distance is ℓ or more.
-//! 4. What remains is the constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is visible
-//!    has a circumradius below ℓ (lemma 1), the edges of one whose centre is hidden behind a boundary edge are no longer
-//!    than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
+//! 4. What remains is the constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is
+//!    visible has a circumradius below ℓ (lemma 1), the edges of one whose centre is hidden behind a boundary edge are
+//!    no longer than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
 //!
 //! Our departures:
-//! - A heap of the triangles' circumradii over a triangulation that changes only around the new node: O(n log n) in practice
-//!   where the paper rebuilds the Voronoi diagram. A triangle's centre stays visible or hidden for good, because insertion
-//!   adds no obstacles, so a hidden one is dropped the first time it comes up.
-//! - The threshold is ℓ(1 + 1e-9). A boundary edge of exactly 2ℓ makes flat triangles whose circumradius is ℓ up to rounding,
-//!   with the centre on the edge; inserting it would give a triangle without area.
+//! - A heap of the triangles' circumradii over a triangulation that changes only around the new node: O(n log n) in
+//!   practice where the paper rebuilds the Voronoi diagram. A triangle's centre stays visible or hidden for good,
+//!   because insertion adds no obstacles, so a hidden one is dropped the first time it comes up.
+//! - The threshold is ℓ(1 + 1e-9). A boundary edge of exactly 2ℓ makes flat triangles whose circumradius is ℓ up to
+//!   rounding, with the centre on the edge; inserting it would give a triangle without area.
 //! - Radii are compared to 2^-30 of themselves, then by the triangle's number, so that rounding does not decide between
 //!   the equal radii of symmetric input.
 
@@ -29,7 +29,8 @@ pub(crate) const SLACK: f64 = 1e-9;
 /// Work between two looks: triangles made or visited.
 const WORK_PER_LOOK: u64 = 4096;
 
-/// Fills the region with nodes until no visible point is 1 + [`SLACK`] or more away from all nodes (lengths in units of ℓ).
+/// Fills the region with nodes until no visible point is 1 + [`SLACK`] or more away from all nodes (lengths in units of
+/// ℓ).
 ///
 /// `expected` is the number of nodes to come, for the progress between `from` and `to`.
 ///

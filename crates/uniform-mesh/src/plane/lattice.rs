@@ -2,21 +2,22 @@
 //!
 //! 1. Overlay a triangular lattice of edge ℓ; keep its nodes inside the domain.
 //! 2. Drop the nodes nearer than ℓ to a node on the boundary.
-//! 3. What is left, with every lattice edge between two kept nodes, is the lattice group; between it and the boundary lies
-//!    the rim, which [`increment`](super::increment) fills.
+//! 3. What is left, with every lattice edge between two kept nodes, is the lattice group; between it and the boundary
+//!    lies the rim, which [`increment`](super::increment) fills.
 //!
 //! Our departures:
-//! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without it lemma 3 fails for boundary edges
-//!   near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses a boundary edge,
-//!   in concave domains and at holes too: if the edges uv and ab crossed, the angles at u and v would be below 90°, so the
-//!   one at a or b above, and with |ua|, |va| >= ℓ the edge uv would be longer than √2 ℓ.
+//! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without it lemma 3 fails for boundary
+//!   edges near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses a
+//!   boundary edge, in concave domains and at holes too: if the edges uv and ab crossed, the angles at u and v would be
+//!   below 90°, so the one at a or b above, and with |ua|, |va| >= ℓ the edge uv would be longer than √2 ℓ.
 //! - Nodes without any lattice edge are dropped: they only constrain the rim.
-//! - The paper takes one placement. We search for the one with the most lattice edges: along every edge direction of the
-//!   boundary with the lattice running through a corner, then a grid of angles and origins, then a pattern search from the
-//!   best few. The boundary's division counts too: pieces of √2 ℓ let the lattice come nearer than pieces of ℓ unless the boundary
-//!   runs along it, so both are searched ([`Division`](super::sides::Division)). One placement costs O(boundary) because a lattice row is a set of free intervals of a line and edges are
-//!   counted from the intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows
-//!   built, not by time, so it is the same on every machine.
+//! - The paper takes one placement. We search for the one with the most lattice edges: along every edge direction of
+//!   the boundary with the lattice running through a corner, then a grid of angles and origins, then a pattern search
+//!   from the best few. The boundary's division counts too: pieces of √2 ℓ let the lattice come nearer than pieces of ℓ
+//!   unless the boundary runs along it, so both are searched ([`Division`](super::sides::Division)). One placement
+//!   costs O(boundary) because a lattice row is a set of free intervals of a line and edges are counted from the
+//!   intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows built, not by
+//!   time, so it is the same on every machine.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -27,7 +28,7 @@ use std::f64::consts::FRAC_PI_3;
 
 /// Height of a lattice row, √3/2.
 const ROW: f64 = 0.866_025_403_784_438_6;
-/// What rounding may take from the distances asked for, in ℓ: lattices aligned with the boundary touch them exactly.
+/// Tolerance for rounding in the least distances, in ℓ: lattices aligned with the boundary touch them exactly.
 const TOUCH: f64 = 1e-10;
 
 /// From how many placements the pattern search starts, in all and at one angle.
@@ -170,7 +171,8 @@ impl Rows {
         self.start.push(self.free.len());
     }
 
-    /// Turns the free intervals into runs of axial indices for a lattice starting at `x`. Calls `row(j, runs)` in order.
+    /// Turns the free intervals into runs of axial indices for a lattice starting at `x`. Calls `row(j, runs)` in
+    /// order.
     fn each_row(&mut self, x: f64, mut each: impl FnMut(i64, &[(i64, i64)])) {
         for row in 0..self.start.len().saturating_sub(1) {
             let j = self.first + row as i64;
@@ -282,7 +284,7 @@ impl Search<'_> {
         self.best.extend(candidate);
     }
 
-    /// One look at the caller per height tried, with the boundary's size as the work.
+    /// Looks at the caller's signal once per height tried, with the boundary's size as the work.
     fn look(&self, (from, to): (f64, f64), execution: &Execution<'_>) -> Result<(), Interruption> {
         execution.look(self.boundary.nodes.len() as u64)?;
         let share = (self.built as f64 / self.budget as f64).min(1.0);
@@ -332,7 +334,8 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .collect()
 }
 
-/// The placement with the most lattice edges that the search finds, and how many, those along the boundary about; `None` if no lattice edge fits.
+/// The placement with the most lattice edges that the search finds, and how many, those along the boundary about;
+/// `None` if no lattice edge fits.
 ///
 /// # Errors
 /// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
@@ -427,8 +430,8 @@ pub(crate) fn search(
     Ok(winner.filter(|&(edges, _)| edges > 0))
 }
 
-/// About how many edges of the finished mesh are lattice edges because the boundary runs on the lattice: pieces of length 1
-/// between two lattice points, and two to the next row for each boundary node on one.
+/// About how many edges of the finished mesh are lattice edges because the boundary runs on the lattice: pieces of
+/// length 1 between two lattice points, and two to the next row for each boundary node on one.
 fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
     let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
     let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);

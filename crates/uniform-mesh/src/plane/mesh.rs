@@ -57,8 +57,8 @@ impl From<Interruption> for Failure {
     }
 }
 
-/// Meshes the domain by that one of the `outlines`, which differ in how its sides are divided, on which the most lattice edges
-/// fit; the first one where none fits. Returns its index too. Progress runs over `span`.
+/// Meshes the domain by that one of the `outlines`, which differ in how its sides are divided, on which the most
+/// lattice edges fit; the first one where none fits. Returns its index too. Progress runs over `span`.
 ///
 /// # Errors
 /// The outline's tangles, or the interruption. A passed deadline returns the valid mesh reached so far.

@@ -13,8 +13,8 @@ use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, mean, merge_near_neighb
 use plateau_mesh::{DVec2, DVec3};
 use std::cell::Cell;
 
-/// Distance below which points lie on one line and sides meet, as a fraction of the polygon's size, where the cause of a
-/// vanishing area is looked for.
+/// Distance below which points lie on one line and sides meet, as a fraction of the polygon's size, where the cause of
+/// a vanishing area is looked for.
 const TOUCHING: f64 = 1e-6;
 
 /// A polygon ready to be meshed.
@@ -163,8 +163,8 @@ impl Polygon {
         ring_place(ring)
     }
 
-    /// No triangulation of the domain with every edge at most 2ℓ has fewer nodes: a triangle covers at most √3 ℓ², a side of
-    /// length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
+    /// No triangulation of the domain with every edge at most 2ℓ has fewer nodes: a triangle covers at most √3 ℓ², a
+    /// side of length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
     pub fn node_lower_bound(&self) -> usize {
         let boundary: f64 = self.sides.lengths().map(|length| (length / 2.0 - 1e-9).ceil().max(1.0)).sum();
         let holes = self.outline.loops.len() as f64 - 1.0;
@@ -182,13 +182,13 @@ fn merge(rings: &[impl AsRef<[DVec3]>]) -> Result<Vec<Merged>, Error> {
     if errors.is_empty() { Ok(merged) } else { Err(Error::Input(errors)) }
 }
 
-/// Number of looks that the search for a crossing may take, which is a quarter of a million pairs of boxes and about 0.1 s.
-/// Zigzags whose boxes all overlap would take time as the square of their number of points, and [`Polygon::new`] also
-/// checks requests before they are queued.
+/// Number of looks that the search for a crossing may take, which is a quarter of a million pairs of boxes and about
+/// 0.1 s. Zigzags whose boxes all overlap would take time as the square of their number of points, and [`Polygon::new`]
+/// also checks requests before they are queued.
 const MOST_LOOKS: u32 = 64;
 
-/// The error for an outer loop whose area vector vanishes: its points lie on one line, or it crosses itself, as a bow-tie
-/// does, and its parts cancel out.
+/// The error for an outer loop whose area vector vanishes: its points lie on one line, or it crosses itself, as a
+/// bow-tie does, and its parts cancel out.
 fn without_area(outer: &Merged) -> Error {
     let points = &outer.points;
     let count = points.len();

@@ -10,10 +10,11 @@ const WHOLE: f64 = 1e-10;
 /// How long the pieces are that a side of 2ℓ or more is split into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Division {
-    /// As near to ℓ as they get: where the domain's own directions fit the lattice's, the lattice goes on to the boundary.
+    /// Members as near to ℓ as possible: where the domain's own directions fit the lattice's, the lattice goes on to
+    /// the boundary.
     Short,
-    /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary that runs
-    /// across the lattice keeps the lattice's nodes at a smaller distance than short pieces do.
+    /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary
+    /// that runs across the lattice keeps the lattice's nodes at a smaller distance than short pieces do.
     Long,
 }
 
@@ -44,7 +45,7 @@ pub(crate) fn is_sharp(edge: DVec2, after: DVec2) -> bool {
     edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0
 }
 
-/// One side, from corner to corner.
+/// A side, from corner to corner.
 #[derive(Clone, Copy, Debug)]
 struct Side {
     /// The corner where it starts.
@@ -106,7 +107,8 @@ impl Sides {
         self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
     }
 
-    /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary nodes.
+    /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary
+    /// nodes.
     pub fn why(&self, edge: [u32; 2], length: f64, nodes: &[DVec2]) -> Why {
         let [Some(&a), Some(&b)] = edge.map(|v| self.stands.get(v as usize)) else { return Why::Unfinished };
         if length > 1.0 {

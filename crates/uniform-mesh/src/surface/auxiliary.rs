@@ -1,16 +1,16 @@
 //! Curved domains (Katoh, Ohsaki and Xu, section 4): patches and films, meshed in the plane and carried back.
 //!
-//! 1. An auxiliary triangulation of the surface: n_u × n_v rectangles of the parameter square, two triangles each; a film's
-//!    own triangles.
+//! 1. An auxiliary triangulation of the surface: n_u × n_v rectangles of the parameter square, two triangles each; a
+//!    film's own triangles.
 //! 2. [`flatten`](super::flatten) it.
 //! 3. Place nodes along the flattened boundary and mesh its inside with the planar algorithm.
-//! 4. Carry the inner nodes back by barycentric coordinates in the auxiliary triangles (eq. 2 and 3), and put them on the
-//!    true surface.
+//! 4. Carry the inner nodes back by barycentric coordinates in the auxiliary triangles (eq. 2 and 3), and put them on
+//!    the true surface.
 //! 5. [`Move`](super::refine_on_surface) the inner nodes.
 //!
-//! Departures: the paper leaves the boundary's nodes open. We divide each side (between corners) into pieces that are equal
-//! along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are in ℓ and
-//! around the surface's centre throughout.
+//! Departures: the paper leaves the boundary's nodes open. We divide each side (between corners) into pieces that are
+//! equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are
+//! in ℓ and around the surface's centre throughout.
 
 use super::flatten;
 use super::nurbs::Nurbs;
@@ -119,8 +119,8 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot be
-    /// laid into the plane then.
+    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot
+    /// be laid into the plane then.
     pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
         let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
@@ -321,12 +321,13 @@ pub(crate) struct Boundary {
     corners: usize,
 }
 
-/// A point between two. A coordinate that both share stays what it is: nodes on one side of a patch must not make triangles.
+/// A point between two. A coordinate that both share stays what it is: nodes on one side of a patch must not make
+/// triangles.
 fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
     a + (b - a) * part
 }
 
-/// One side, sampled: plane position, parameters and way along the surface.
+/// A side, sampled: plane position, parameters and length along the surface.
 struct Line {
     samples: Vec<(f64, DVec2, DVec2)>,
 }
@@ -362,7 +363,7 @@ impl Line {
         (between(p0, p1, part), between(q0, q1, part))
     }
 
-    /// As many pieces as the division asks for, fewer where a chord would get shorter than ℓ in the plane or in space.
+    /// Number of pieces by the division, or fewer where a chord would get shorter than ℓ in the plane or in space.
     fn pieces(&self, surface: &Surface, division: Division) -> u32 {
         let mut count = pieces(self.length(), division);
         while count > 1 {
@@ -387,7 +388,7 @@ fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface
     minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
 }
 
-/// What the film's solver has to say of the boundaries before any work.
+/// Runs the checks of the film's solver on the boundaries, before any work.
 ///
 /// # Errors
 /// Its errors, with places below /domain.

@@ -6,7 +6,7 @@ use crate::report::{Method, SurfaceFit, UniformMesh, Why};
 use plateau_mesh::measure::{self, angles, double_area_vector};
 use std::collections::BTreeSet;
 
-/// What a mesh of a curved surface must keep to be called converged.
+/// Limits that a mesh of a curved surface must keep to be called converged.
 struct Limits {
     /// Difference between the mesh's area and the surface's, as a fraction of the surface's.
     area: f64,

@@ -1,14 +1,14 @@
-//! Flattening (Katoh, Ohsaki and Xu, section 4, step 2, eq. 1): an auxiliary triangulation of the surface is laid into the
-//! plane with the least ½ Σ ((Lᵖ - Lˢ)/Lˢ)² over its edges, Lˢ on the surface and Lᵖ in the plane.
+//! Flattening (Katoh, Ohsaki and Xu, section 4, step 2, eq. 1): an auxiliary triangulation of the surface is laid into
+//! the plane with the least ½ Σ ((Lᵖ - Lˢ)/Lˢ)² over its edges, Lˢ on the surface and Lᵖ in the plane.
 //!
-//! 1. Start from a plane mesh without flipped triangles: the parameters of a patch stretched to its size; for a film the
-//!    projection to its mean plane, or, where that folds over, Tutte's embedding with the longest boundary on a circle and
-//!    the other boundaries filled by one vertex each.
+//! 1. Start from a plane mesh without flipped triangles: the parameters of a patch stretched to its size; for a film
+//!    the projection to its mean plane, or, where that folds over, Tutte's embedding with the longest boundary on a
+//!    circle and the other boundaries filled by one vertex each.
 //! 2. Levenberg and Marquardt on the edge terms.
 //! 3. Refuse what folds over: the planar algorithm needs a plane region.
 //!
-//! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not see
-//! a fold.
+//! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not
+//! see a fold.
 
 use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
 use crate::edges::edges;

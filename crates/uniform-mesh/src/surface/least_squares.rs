@@ -1,5 +1,6 @@
-//! What flattening, the moves of nodes and the sharing of lengths have in common: sums of squared edge terms over points
-//! with two coordinates each, lowered by [`minimise`](levenberg_marquardt::minimise) with a report of every step.
+//! Sums of squared edge terms, which flattening, the moves of nodes and the sharing of lengths have in common, over
+//! points with two coordinates each, lowered by [`minimise`](levenberg_marquardt::minimise) with a report of every
+//! step.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -7,7 +8,7 @@ use plateau_mesh::sparse::levenberg_marquardt::{self, Criteria, LeastSquares, St
 
 /// Damping at the start, in units of the problem's metric. Any value from 1e-4 to 1e-2 gives the same results.
 const DAMPING: f64 = 1e-3;
-/// So many steps in a row that gain less than the tolerance end a run: one alone may be short because of one triangle.
+/// Number of steps in a row below the tolerance that ends a run: a single step may be short because of one triangle.
 const QUIET_STEPS: u32 = 3;
 
 /// The part of a step, at most 1, that takes no triangle more than nine tenths of the way to where it loses its area.

@@ -1,12 +1,12 @@
 //! Fewer distinct lengths: what a workshop asks for, beyond the paper.
 //!
-//! 1. The k lengths that come nearest to all members: k intervals of equal width that cover the sorted lengths, as narrow as
-//!    possible (greedy cover and bisection, exact on a line).
+//! 1. The k lengths that come nearest to all members: k intervals of equal width that cover the sorted lengths, as
+//!    narrow as possible (greedy cover and bisection, exact on a line).
 //! 2. Move the inner nodes on the surface to the least Σ (L - c)², c the middle of the member's interval.
 //! 3. Repeat while the intervals get narrower. The narrowest wins.
 //!
-//! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals are
-//! no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
+//! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals
+//! are no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
 
 use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::report::LengthsRow;
@@ -63,8 +63,8 @@ fn sorted<S: Sheet>(nodes: &OnSurface<'_, S>) -> Vec<f64> {
     lengths
 }
 
-/// Moves the inner nodes until the members have at most `most` lengths, each within half of `tolerance` (in ℓ) of its own, or
-/// as nearly so as found. Returns a row for every number tried (in ℓ); `nodes` are those of the last row.
+/// Moves the inner nodes until the members have at most `most` lengths, each within half of `tolerance` (in ℓ) of its
+/// own, or as nearly so as found. Returns a row for every number tried (in ℓ); `nodes` are those of the last row.
 ///
 /// # Errors
 /// What cut the work short; `nodes` and the rows are then the best so far.

@@ -1,13 +1,14 @@
-//! Moving the inner nodes on the surface (Katoh, Ohsaki and Xu, section 4, last paragraph): the least Σ (L - ℓ)² over the
-//! lattice group, with the parameters of the inner nodes as variables.
+//! Moving the inner nodes on the surface (Katoh, Ohsaki and Xu, section 4, last paragraph): the least Σ (L - ℓ)² over
+//! the lattice group, with the parameters of the inner nodes as variables.
 //!
 //! 1. Levenberg and Marquardt on the members' lengths, measured on the surface itself.
-//! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the bound is
-//!    shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
+//! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the
+//!    bound is shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
 //!
-//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Transition::Free`](crate::Transition::Free)
-//! leaves it out) and the rebuilding of the rim in [`transition`](super::transition); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
-//! the result does not depend on how the patch is parametrised.
+//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2
+//! ([`Transition::Free`](crate::Transition::Free) leaves it out) and the rebuilding of the rim in
+//! [`transition`](super::transition); a step that would flip a triangle in the parameter plane is refused; the damping
+//! is the surface's metric, so that the result does not depend on how the patch is parametrised.
 
 use super::auxiliary::Surface;
 use super::least_squares::{Settings, minimise, step_before_flip};
@@ -26,17 +27,17 @@ const LARGEST_SHIFT: f64 = 0.5;
 const ENOUGH: f64 = 1e-9;
 const ROUNDS: usize = 16;
 const ATTEMPTS: usize = 3;
-/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more the steps
-/// beyond lowered the energy by one or two hundredths, and took four fifths of the time. Meshes of fewer than 600 nodes
-/// never reach it: their rounds end first.
+/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more the
+/// steps beyond lowered the energy by one or two hundredths, and took four fifths of the time. Meshes of fewer than 600
+/// nodes never reach it: their rounds end first.
 const NODE_STEPS: usize = 600_000;
 /// Fewest steps that an attempt may take whatever the number of nodes.
 const FEWEST_STEPS: usize = 30;
 
-/// What a member's length is to be, in ℓ.
+/// The required length of a member, in ℓ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Aim {
-    /// As near to this as possible.
+    /// A length as near to this one as possible.
     At(f64),
     /// Between this and 2.
     Within(f64),
@@ -46,7 +47,8 @@ pub(crate) enum Aim {
 /// Bounds of one optimisation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Maximum number of attempts. Each has wider bounds for the members that the attempt before could not bring into theirs.
+    /// Maximum number of attempts. Each has wider bounds for the members that the attempt before could not bring into
+    /// theirs.
     pub attempts: usize,
     /// Maximum number of multiplier updates per attempt.
     pub rounds: usize,
@@ -357,8 +359,8 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
 /// Moves the inner nodes so that the members come as near to their aims as they get with that effort.
 ///
 /// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
-/// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
-/// did; `nodes` is then the best so far.
+/// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if
+/// anything did; `nodes` is then the best so far.
 pub(crate) fn refine<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     aims: &[Aim],
@@ -419,7 +421,7 @@ impl<S: Sheet> Moving<'_, '_, S> {
         (0..self.active.len()).filter(aimed).map(term).sum()
     }
 
-    /// One run of the method of multipliers from `x`.
+    /// Runs the method of multipliers once, from `x`.
     fn multipliers(
         &mut self,
         x: &mut Vec<S::Place>,

@@ -15,17 +15,18 @@ const COMMON: usize = 8;
 /// Cells along a parameter, at least two a knot span, by which a patch's area is integrated.
 const AREA_CELLS: usize = 48;
 
-/// A NURBS patch without trimming curves. Knot vectors may run over any interval; the parameters u, v here run over \[0, 1\].
+/// A NURBS patch without trimming curves. Knot vectors may run over any interval; the parameters u, v here run over
+/// \[0, 1\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nurbs {
     /// Degree along u and along v.
     pub degrees: [usize; 2],
-    /// Knots along u and along v: not falling, as many as control points plus degree plus one, inner ones repeated at most
-    /// degree times. The patch covers the parameters from knot `degree` to the one that many from the end.
+    /// Knots along u and along v: not falling, as many as control points plus degree plus one, inner ones repeated at
+    /// most degree times. The patch covers the parameters from knot `degree` to the one that many from the end.
     pub knots: [Vec<f64>; 2],
     /// `control_points[i][j]`: i counts along u, j along v.
     pub control_points: Vec<Vec<DVec3>>,
-    /// One positive weight per control point; `None`: all equal.
+    /// A positive weight for each control point; `None` if all are equal.
     pub weights: Option<Vec<Vec<f64>>>,
 }
 

@@ -2,14 +2,16 @@
 //!
 //! 1. [`Net::remesh`]: triangles of about one edge length all over.
 //! 2. The lattice group. A node that moves on a surface has two degrees of freedom, and there are three edges for each
-//!    node, so that at most two thirds of the edges can have one given length. The group takes the edges nearest to ℓ of
-//!    which every node has to serve at most two (a node on a curve one): a system with as many equations as unknowns.
+//!    node, so that at most two thirds of the edges can have one given length. The group takes the edges nearest to ℓ
+//!    of which every node has to serve at most two (a node on a curve one): a system with as many equations as
+//!    unknowns.
 //! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
 //!    other members within [ℓ, 2ℓ].
-//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its time.
-//! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more, and
-//!    the nodes move again: the best mesh of step 4 is one before its last members were mended. Members across a sharp
-//!    corner may then be as short as the distance between its sides at 2ℓ.
+//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its
+//!    time.
+//! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more,
+//!    and the nodes move again: the best mesh of step 4 is one before its last members were mended. Members across a
+//!    sharp corner may then be as short as the distance between its sides at 2ℓ.
 //!
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
@@ -27,8 +29,8 @@ use plateau_mesh::{DVec2, DVec3};
 
 /// The sizes that the remeshing starts from, in ℓ.
 ///
-/// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places take
-/// the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
+/// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places
+/// take the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
 const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
 /// Rounds of moving the nodes and mending members out of range.
@@ -45,11 +47,11 @@ const LONGEST_STEP: f64 = 0.35;
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
 /// Members outside this range, in ℓ, are mended. What is missing from [ℓ, 2ℓ] is left to the next move of the nodes.
 const OUT: (f64, f64) = (0.98, 2.02);
-/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may leave.
-/// Without it nodes are pressed flat against the boundary.
+/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may
+/// leave. Without it nodes are pressed flat against the boundary.
 const THINNEST: f64 = 0.12;
-/// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians) is
-/// split, so that the node may join it.
+/// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians)
+/// is split, so that the node may join it.
 const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
 /// How many nodes the search for a free degree of freedom visits.
 const SEARCH: usize = 300;
@@ -314,7 +316,8 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
     group
 }
 
-/// Half the sum of squares by which the lattice is off ℓ and the other members are outside [ℓ, 2ℓ], the latter ten times.
+/// Half the sum of squares by which the lattice is off ℓ and the other members are outside [ℓ, 2ℓ], the latter ten
+/// times.
 fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     let term = |(&length, &lattice): (&f64, &bool)| {
         let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
@@ -323,7 +326,8 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     nodes.lengths().iter().zip(&nodes.lattice_group).map(term).sum()
 }
 
-/// Splits members that are longer than a range, collapses those that are shorter, and flips. Says whether anything changed.
+/// Splits members that are longer than a range, collapses those that are shorter, and flips. Says whether anything
+/// changed.
 fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;
     let before = net.topology.triangles().to_vec();

@@ -1,12 +1,13 @@
 //! A fine triangulation of a curved surface on which nodes stand and walk.
 //!
-//! A node's place is a triangle and barycentric coordinates ([`Spot`]). Its position is on the true surface: for a patch the
-//! coordinates give the parameters, for a film the facet is the surface. A displacement is a straight walk over the
-//! triangles, unfolded at each edge. Neither needs a plane of parameters, so that closed patches, poles and surfaces that
-//! cannot be flattened are no special cases: seams are sewn up and poles are single vertices of the triangulation.
+//! A node's place is a triangle and barycentric coordinates ([`Spot`]). Its position is on the true surface: for a
+//! patch the coordinates give the parameters, for a film the facet is the surface. A displacement is a straight walk
+//! over the triangles, unfolded at each edge. Neither needs a plane of parameters, so that closed patches, poles and
+//! surfaces that cannot be flattened are no special cases: seams are sewn up and poles are single vertices of the
+//! triangulation.
 //!
-//! Edges on the boundary and on creases (lines where a patch has no common tangent plane) end a walk. They are joined to
-//! curves between corners. A node on a curve has one degree of freedom, the length along it.
+//! Edges on the boundary and on creases (lines where a patch has no common tangent plane) end a walk. They are joined
+//! to curves between corners. A node on a curve has one degree of freedom, the length along it.
 
 use super::nurbs::{Nurbs, unit_normal};
 use crate::edges::topology;
@@ -43,16 +44,16 @@ const GRID: Grid = Grid {
     fewest: 4,
 };
 
-/// A line of a patch with discontinuous derivatives is a crease if the normals on its two sides differ by more than this
-/// angle somewhere, radians.
+/// A line of a patch with discontinuous derivatives is a crease if the normals on its two sides differ by more than
+/// this angle somewhere, radians.
 const CREASE: f64 = 0.35;
 /// A vertex of a curve is a corner if the curve turns by more than this angle, radians.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 /// A sharp corner can be the reason for the length of an edge only if both ends of the edge are nearer to it than this,
 /// in ℓ.
 const NEAR_CORNER: f64 = 3.0;
-/// A sharp corner or a short closed side is the reason for a short edge only if the edge has at least this fraction of the
-/// length that the corner or the side leaves to an edge.
+/// A sharp corner or a short closed side is the reason for a short edge only if the edge has at least this fraction of
+/// the length that the corner or the side leaves to an edge.
 const FORCED: f64 = 0.9;
 /// Points on each side, less one, at which that distance is taken.
 const STEPS_NEAR_CORNER: usize = 8;
@@ -70,7 +71,7 @@ pub(crate) struct Spot {
     pub weights: [f64; 3],
 }
 
-/// What a node may do.
+/// The motion that a node is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Bond {
     /// Move on the surface.
@@ -125,7 +126,7 @@ pub(crate) struct Reference {
     pub area: f64,
 }
 
-/// What a triangulated patch consists of.
+/// The parts of a triangulated patch.
 struct Tessellation {
     mesh: Mesh,
     parameters: Vec<[DVec2; 3]>,
@@ -411,8 +412,8 @@ impl Reference {
         }
     }
 
-    /// Why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the creases are the reason
-    /// only for edges that are as long as they allow; shorter ones are left to [`Why::Curvature`].
+    /// Why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the creases are the
+    /// reason only for edges that are as long as they allow; shorter ones are left to [`Why::Curvature`].
     pub fn why(&self, ends: [Place; 2], length: f64) -> Why {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
         if length > 1.0 || first.is_empty() || second.is_empty() {
@@ -445,8 +446,8 @@ impl Reference {
         self.apart_at_corner(ends, [&first, &second]).filter(|&apart| apart < 1.0)
     }
 
-    /// How far the curves of two nodes are apart at the corner where they meet, infinite if that is not sharp. `None` if
-    /// they meet at none, or the nodes are not near it.
+    /// How far the curves of two nodes are apart at the corner where they meet, infinite if that is not sharp. `None`
+    /// if they meet at none, or the nodes are not near it.
     fn apart_at_corner(&self, ends: [Place; 2], [first, second]: [&[u32]; 2]) -> Option<f64> {
         let points = ends.map(|place| self.point(place.spot));
         let mut least = None;
@@ -464,9 +465,9 @@ impl Reference {
         least
     }
 
-    /// The least distance between two curves that meet at a corner, from ℓ to [`NEAR_CORNER`] away from it along each: no
-    /// node stands nearer to the corner if every edge along the curves is ℓ or longer. Straight curves that meet at an
-    /// angle α are 2 sin(α/2) ℓ apart.
+    /// The least distance between two curves that meet at a corner, from ℓ to [`NEAR_CORNER`] away from it along each:
+    /// no node stands nearer to the corner if every edge along the curves is ℓ or longer. Straight curves that meet at
+    /// an angle α are 2 sin(α/2) ℓ apart.
     fn apart_near(&self, corner: u32, curves: [u32; 2]) -> f64 {
         let [one, other] = curves.map(|c| {
             let curve = &self.curves[c as usize];
@@ -564,8 +565,8 @@ impl Reference {
         Spot { triangle: t, weights: w }
     }
 
-    /// The same point as a spot of every triangle from which a walk may set out: a walk from a curve reaches only the side
-    /// that its triangle lies on.
+    /// The same point as a spot of every triangle from which a walk may set out: a walk from a curve reaches only the
+    /// side that its triangle lies on.
     pub fn sides(&self, spot: Spot) -> Vec<Spot> {
         let Spot { triangle: t, weights: w } = spot;
         let zeros: Vec<usize> = (0..3).filter(|&k| w[k] == 0.0).collect();

@@ -1,12 +1,12 @@
 //! Isotropic remeshing on a surface: from the reference triangulation to triangles of about the wanted edge length.
 //!
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4: collapse short edges,
-//! split long ones, flip, relax tangentially. Here nodes never leave the surface, because they walk on the [`Reference`];
-//! nodes on its curves stay on them, corners stay where they are. An operation that would turn a triangle against the
-//! surface's normals is refused, so that thin sheets and sharp crests are not cut through.
+//! split long ones, flip, relax tangentially. Here nodes never leave the surface, because they walk on the
+//! [`Reference`]; nodes on its curves stay on them, corners stay where they are. An operation that would turn a
+//! triangle against the surface's normals is refused, so that thin sheets and sharp crests are not cut through.
 //!
-//! As in [`remesh`](plateau_film::minimal_surface), edges that are split or collapsed in one pass share no triangle (no
-//! neighbourhood), so that a pass is one rebuild of the triangle list.
+//! Edges that are split or collapsed in one pass share no triangle, like in [`remesh`](plateau_film::minimal_surface)
+//! (no neighbourhood), so that a pass is one rebuild of the triangle list.
 
 use super::reference::{Bond, Place, Reference};
 use plateau_mesh::DVec3;
@@ -31,8 +31,8 @@ struct Remeshing {
     sweeps: usize,
     /// Least cosine between a triangle's normal and the mean of the surface's normals at its corners.
     upright: f64,
-    /// Least altitude of a triangle as a fraction of its longest side. Smaller ones have no direction that could be compared
-    /// with the surface's.
+    /// Least altitude of a triangle as a fraction of its longest side. Smaller ones have no direction that could be
+    /// compared with the surface's.
     thinnest: f64,
     /// Opposite angles may add up to 180° and this much, radians, before the edge flips.
     flat: f64,

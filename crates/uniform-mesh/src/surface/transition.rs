@@ -1,13 +1,14 @@
 //! The rim of a curved mesh once more, on the surface itself.
 //!
-//! The plane's rim keeps [ℓ, 2ℓ] in the plane. Where the surface is stretched against it, and after the lattice has moved, its
-//! edges and nodes no longer fit: members leave the range, and triangles become needles that hold the lattice back.
+//! The plane's rim keeps [ℓ, 2ℓ] in the plane. Where the surface is stretched against it, and after the lattice has
+//! moved, its edges and nodes no longer fit: members leave the range, and triangles become needles that hold the
+//! lattice back.
 //!
 //! 1. Keep the boundary's nodes and the lattice group; drop the nodes that INCREMENT put between them.
-//! 2. Triangulate what lies between in the parameter plane, the lattice's border as constraints; then flip every edge whose
-//!    two opposite angles *on the surface* add up to more than 180°, where the parameter plane allows it.
-//! 3. INCREMENT with distances on the surface: while a triangle's circumradius there is ℓ or more, its circumcentre (by Newton's
-//!    method on the true surface) becomes a node, if it is visible and clear of all others.
+//! 2. Triangulate what lies between in the parameter plane, the lattice's border as constraints; then flip every edge
+//!    whose two opposite angles *on the surface* add up to more than 180°, where the parameter plane allows it.
+//! 3. INCREMENT with distances on the surface: while a triangle's circumradius there is ℓ or more, its circumcentre (by
+//!    Newton's method on the true surface) becomes a node, if it is visible and clear of all others.
 //! 4. Move all inner nodes again ([`refine`]), and repeat from 1 as long as lattice and rim together gain.
 //!
 //! Beyond the paper, which keeps the plane's rim and whose Table 1 shows what it comes to (a member of 13.4 for ℓ = 5).
@@ -26,8 +27,8 @@ use std::collections::BinaryHeap;
 
 /// Opposite angles that add up to 180° and this much, in radians, stay as they are.
 const FLAT: f64 = 1e-7;
-/// How clear of all nodes a new one must be, in ℓ. A little below 1: the triangulation is Delaunay only nearly, and moving
-/// the nodes evens it out.
+/// How clear of all nodes a new one must be, in ℓ. A little below 1: the triangulation is Delaunay only nearly, and
+/// moving the nodes evens it out.
 const CLEAR: f64 = 0.95;
 /// Flips an edge may cause on average before the flipping is given up; a curved surface promises no end.
 const FLIPS_PER_EDGE: usize = 20;
@@ -36,13 +37,14 @@ const WORK_PER_LOOK: u64 = 4096;
 const REBUILDS: usize = 6;
 /// Ends the rebuilding when a round gains less than this part of the misfit, ...
 const ENOUGH_GAIN: f64 = 1e-3;
-/// ... or where there is none to speak of, per member: on a flat patch lengths are off by rounding and by what flattening leaves.
+/// ... or where there is none to speak of, per member: on a flat patch lengths are off by rounding and by what
+/// flattening leaves.
 const NO_MISFIT: f64 = 1e-12;
 /// Weight of a rim member that is out of range, relative to a lattice member.
 const RIM_WEIGHT: f64 = 10.0;
 
-/// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as long as
-/// both together gain. Says whether members have changed, and what cut the work short.
+/// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as
+/// long as both together gain. Says whether members have changed, and what cut the work short.
 pub(crate) fn fit(
     nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
@@ -82,7 +84,8 @@ pub(crate) fn fit(
     (rebuilt, interrupted)
 }
 
-/// How far the lattice is from ℓ and the rim from [ℓ, 2ℓ]: half the sum of squares in ℓ, the rim's [`RIM_WEIGHT`] times.
+/// How far the lattice is from ℓ and the rim from [ℓ, 2ℓ]: half the sum of squares in ℓ, the rim's [`RIM_WEIGHT`]
+/// times.
 fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     let lengths = nodes.lengths();
     let term = |(&length, &lattice): (&f64, &bool)| {
@@ -161,7 +164,7 @@ pub(crate) fn rebuild<'a>(
     Ok(Some(result))
 }
 
-/// What stays: boundary nodes and the lattice group, numbered anew.
+/// The nodes that stay: boundary nodes and the lattice group, numbered anew.
 struct Core {
     /// For each node its number in the old mesh, the boundary's first.
     nodes: Vec<u32>,
@@ -370,7 +373,8 @@ impl Rim<'_> {
     }
 }
 
-/// Whether an edge's opposite angles on the surface add up to more than 180° and the other diagonal is possible in the plane.
+/// Whether an edge's opposite angles on the surface add up to more than 180° and the other diagonal is possible in the
+/// plane.
 fn is_bent(flat: &Triangulation, positions: &[DVec3], half_edge: u32) -> bool {
     let corners = flat.around(half_edge);
     let [a, b, c, d] = corners.map(|v| positions[v as usize]);

@@ -6,8 +6,8 @@
 //! 2. Every edge is halved. A new boundary vertex is the middle one of the input points that its edge skips. Where the
 //!    edge skips none, and points may be added, it is the middle of the edge. In the end every input point is a vertex.
 //! 3. Newton's method in normal heights corrects the finer mesh. Its linear systems are solved by conjugate gradients
-//!    over the nested levels ([`multigrid`](plateau_mesh::sparse::multigrid)). The start deviates by the sagitta of a coarse
-//!    edge, so one or two steps suffice.
+//!    over the nested levels ([`multigrid`](plateau_mesh::sparse::multigrid)). The start deviates by the sagitta of a
+//!    coarse edge, so one or two steps suffice.
 //! 4. Small angles of the corrected mesh are widened where they are, and the mesh is corrected again. Halving keeps
 //!    angles, but where the film bends strongly (at re-entrant corners) each correction makes them smaller.
 //!

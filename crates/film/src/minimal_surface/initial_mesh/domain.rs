@@ -9,9 +9,9 @@ use plateau_mesh::plane::unit_vector;
 use plateau_mesh::{DVec3, polyline};
 use std::f64::consts::TAU;
 
-/// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the plane
-/// in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in which the
-/// points spread most. `None` if all points lie on one line.
+/// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the
+/// plane in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in
+/// which the points spread most. `None` if all points lie on one line.
 pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
     let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
     let origin = polyline::mean(&all);
@@ -120,8 +120,8 @@ impl Directions {
         self.stretch * DVec2::new(direction.dot(self.x), direction.dot(self.y)) / (1.0 - direction.dot(self.pole))
     }
 
-    /// Circles at the places of the boundaries. Each runs as its boundary is seen to run, and starts so that its points lie
-    /// as nearly as they can in the directions in which they are seen.
+    /// Circles at the places of the boundaries. Each runs as its boundary is seen to run, and starts so that its points
+    /// lie as nearly as they can in the directions in which they are seen.
     fn circles(&self, boundaries: &[Vec<DVec3>]) -> Shape {
         let seen: Vec<Vec<DVec2>> =
             boundaries.iter().map(|points| points.iter().map(|&p| self.project(p)).collect()).collect();
@@ -156,8 +156,8 @@ impl Directions {
     }
 }
 
-/// The point nearest to the axes of all boundaries (through the mean, along the area vector), if there is one not farther
-/// out than the boundaries: rings that face outwards on a sphere give its centre.
+/// The point nearest to the axes of all boundaries (through the mean, along the area vector), if there is one not
+/// farther out than the boundaries: rings that face outwards on a sphere give its centre.
 fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
     let mut matrix = DMat3::ZERO;
     let mut right = DVec3::ZERO;

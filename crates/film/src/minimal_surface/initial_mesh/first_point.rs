@@ -14,9 +14,10 @@ const EQUAL: f64 = polyline::SAME_POINT;
 /// The index of a point that the shape of a closed polygon singles out: the point farthest from the mean of the points.
 ///
 /// Among equally far points the distances to the points 1, 2, 4, … places away decide: first the larger and then the
-/// smaller of the two distances in both directions, and in the end the distances ahead. Rotation, translation, scale and
-/// another first point do not change the choice. The other direction changes it only where the distances ahead decide. If
-/// several points are equal in all of this, as the corners of a square are, the first of them is returned. O(n log n).
+/// smaller of the two distances in both directions, and in the end the distances ahead. Rotation, translation, scale
+/// and another first point do not change the choice. The other direction changes it only where the distances ahead
+/// decide. If several points are equal in all of this, as the corners of a square are, the first of them is returned.
+/// O(n log n).
 pub(crate) fn first_point(points: &[DVec3]) -> usize {
     let n = points.len();
     let centre = polyline::mean(points);

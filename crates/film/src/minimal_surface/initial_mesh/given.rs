@@ -85,8 +85,8 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     Ok(film)
 }
 
-/// Whether no edge has more than two triangles, and yet the triangles cannot be turned so that neighbours run along their
-/// edge in opposite directions.
+/// Whether no edge has more than two triangles, and yet the triangles cannot be turned so that neighbours run along
+/// their edge in opposite directions.
 fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
     let mut sides: Vec<([u32; 2], usize, bool)> = Vec::with_capacity(3 * triangles.len());
     for (t, &[a, b, c]) in triangles.iter().enumerate() {

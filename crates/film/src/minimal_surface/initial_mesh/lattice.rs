@@ -36,8 +36,8 @@ impl Source {
 
 /// Sources in a leaf of the tree.
 const LEAF: usize = 4;
-/// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is searched:
-/// beside a boundary of many points thousands may matter to one cell.
+/// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is
+/// searched: beside a boundary of many points thousands may matter to one cell.
 const FEW: usize = 32;
 /// Relative rounding error of a bound, by which a part of the tree must be worse than the best source so far to be left
 /// out.
@@ -88,10 +88,10 @@ impl<'a> Tree<'a> {
         Self { sources, groups, base }
     }
 
-    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. It leaves out
-    /// what is below a group that the walk does not enter.
+    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. It leaves
+    /// out what is below a group that the walk does not enter.
     fn walk(&self, point: DVec2, state: &mut impl Walk) {
-        // One entry for each level, and one more: 2^30 leaves.
+        // An entry for each level, and one more: 2^30 leaves.
         let mut stack = [(1usize, 0.0); 32];
         let mut height = 1;
         stack[0].1 = self.groups[1].distance(point);
@@ -119,7 +119,7 @@ impl<'a> Tree<'a> {
     }
 }
 
-/// What a walk through the tree looks for.
+/// The search that a walk through the tree makes.
 trait Walk {
     /// Whether a group with this least size, at this distance, may hold what is looked for.
     fn enters(&self, size: f64, distance: f64) -> bool;
@@ -239,8 +239,8 @@ impl SizeField<'_> {
         (found.size, found.clearance)
     }
 
-    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point, at which the size and
-    /// the clearance are known.
+    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point, at which the size
+    /// and the clearance are known.
     fn narrowed(
         &self,
         point: DVec2,
@@ -379,7 +379,7 @@ mod tests {
 
     #[test]
     fn pruned_sizes_and_clearances_equal_brute_force() {
-        // One long and one very short source: pruning must keep both where they matter.
+        // A long and a very short source: pruning must keep both where they matter.
         let mut sources = square_sources(1.0, 4);
         sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), 0.003));
         let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };

@@ -60,15 +60,15 @@ const GRADING: f64 = 0.3;
 /// [`GRADING_STEP`] at most this many times: up to 26. A larger value accepts more boundaries.
 const STEEPEST_GRADING: u32 = 11;
 const GRADING_STEP: f64 = 1.5;
-/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a plane
-/// star of 50,000 points. It only decides which growth is tried first.
+/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a
+/// plane star of 50,000 points. It only decides which growth is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
 /// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
 /// estimated, because a layout with the least growth has ten times as many triangles as wanted, and the boundary's own
 /// triangles are taken into account when the next size is chosen. A mesh of so few triangles is not subdivided.
 const DENSE: f64 = 3.0;
-/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better than
-/// too many.
+/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better
+/// than too many.
 const AIM: f64 = 1.01;
 /// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger value gives more even meshes and
 /// takes longer.
@@ -484,8 +484,8 @@ impl Spanning<'_> {
         Ok(best.expect("at least one layout was tried"))
     }
 
-    /// The number of steps of the growth to begin with. The layouts of a dense boundary take longer the slower the sizes
-    /// grow, so that it pays to begin near the growth that is needed.
+    /// The number of steps of the growth to begin with. The layouts of a dense boundary take longer the slower the
+    /// sizes grow, so that it pays to begin near the growth that is needed.
     fn first_grading_step(&self, resolution: Resolution) -> u32 {
         let Resolution::Triangles(count) = resolution else { return 0 };
         if !self.is_dense(resolution) {

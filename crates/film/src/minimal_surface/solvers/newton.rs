@@ -4,7 +4,8 @@
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
 //! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, flips of edges
 //!    that reduce the area open their folds, and it starts again. If triangles are still flipped, or it stalls, step 1
-//!    starts again. If it converges with small angles, these are widened where they are, and it starts again from there.
+//!    starts again. If it converges with small angles, these are widened where they are, and it starts again from
+//!    there.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
 //!    left along its lowest mode.
 

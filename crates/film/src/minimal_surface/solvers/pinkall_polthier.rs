@@ -1,7 +1,8 @@
 //! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules
 //! that keep its triangles sound, so that necks may close.
 //!
-//! 1. Remove degenerate triangles ([`thin_triangles`](plateau_mesh::remesh::thin_triangles)), and record changes of topology.
+//! 1. Remove degenerate triangles ([`thin_triangles`](plateau_mesh::remesh::thin_triangles)), and record changes of
+//!    topology.
 //! 2. Solve once by Pinkall and Polthier: by conjugate gradients from the present positions, with elimination where
 //!    they do not converge, or by elimination alone.
 //! 3. Repeat until the area changes by less than the area tolerance and the rules change nothing.
@@ -249,7 +250,7 @@ mod tests {
             // The run ends above the area of the two discs.
             assert!(film.area() > 2.0 * disc_area(24) * (1.0 + 1e-9));
             let spared = run.history.iter().filter(|row| row.phase == "conjugate_gradients").count();
-            // As in the paper, conjugate gradients fail as the neck closes, and elimination takes over.
+            // Conjugate gradients fail as the neck closes, like in the paper, and elimination takes over.
             let expected = linear_solver == LinearSolver::ConjugateGradients;
             assert_eq!(spared > 0 && spared < run.history.len(), expected);
         }

@@ -294,7 +294,7 @@ fn what_is_no_such_film_is_refused() {
             other => panic!("{other:?}"),
         }
     };
-    // One of the three wires is missing in the request.
+    // The request has two of the three wires only.
     assert!(told(&loops[..1], &mesh).contains("such edges are no segment"));
     let mut moved = loops.clone();
     moved[0][2].x += 1e-3;

@@ -243,8 +243,8 @@ pub(super) fn check_sliding(
                 errors.push(InputError::new(place(), detail));
             } else if surface.triangles_near(points[point] - origin) > MOST_NEAR {
                 let detail = format!(
-                    "reaches more than {MOST_NEAR} triangles from point {point} of boundary {boundary}; make it smaller, \
-                     or the mesh coarser"
+                    "reaches more than {MOST_NEAR} triangles from point {point} of boundary {boundary}; make it \
+                     smaller, or the mesh coarser"
                 );
                 errors.push(InputError::new(
                     Place::field("supports").at(k).then("on").then("mesh").then("rounding"),

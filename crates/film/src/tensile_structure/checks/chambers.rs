@@ -134,11 +134,11 @@ fn check_pressures(structure: &Structure, errors: &mut Vec<InputError>) {
     }
 }
 
-/// The largest pressure that a layer of constant tension can hold: the pressure on the opening's vector area is borne by
-/// the tension along its perimeter and by the cables that end there, |p A| <= σ P + Σ F, with the larger of the
+/// The largest pressure that a layer of constant tension can hold: the pressure on the opening's vector area is borne
+/// by the tension along its perimeter and by the cables that end there, |p A| <= σ P + Σ F, with the larger of the
 /// stresses of warp and weft for σ. Infinite where something that is not known before the solve bears it: several
-/// boundaries, whose openings may balance each other; an edge that moves; stresses that vary along the edge, as those of
-/// a heavy film do; and a cable across the film whose force at its ends is not given.
+/// boundaries, whose openings may balance each other; an edge that moves; stresses that vary along the edge, as those
+/// of a heavy film do; and a cable across the film whose force at its ends is not given.
 fn pressure_limit(structure: &Structure, layer: usize) -> f64 {
     let [points] = &structure.boundaries[..] else { return f64::INFINITY };
     let film = &structure.layers[layer];

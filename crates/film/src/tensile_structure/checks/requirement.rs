@@ -1,4 +1,4 @@
-//! What the checks require of points and vectors, and the errors of those that do not meet it.
+//! Requirements on points and vectors, and the errors of values that do not meet them.
 
 use plateau_mesh::error::InputError;
 use plateau_mesh::polyline;

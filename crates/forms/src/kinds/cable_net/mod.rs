@@ -222,8 +222,8 @@ impl KindRequest for CableNetRequest {
 }
 
 impl CableNetRequest {
-    /// Returns the number of each edge's cable. Edges that no cable lists belong to the cable without a list, if there is
-    /// one.
+    /// Returns the number of each edge's cable. Edges that no cable lists belong to the cable without a list, if there
+    /// is one.
     fn check_cables(&self, errors: &mut Vec<FieldError>) -> Vec<Option<usize>> {
         let mut of_edge = vec![None; self.edges.len()];
         let mut rest = None;

@@ -1,5 +1,5 @@
-//! The mesh of a finished job, enlarged. Only builds for tests have this kind: it shows what a kind needs at least, and that
-//! a kind may begin with the result of a job (docs/adding-a-kind.md).
+//! The mesh of a finished job, enlarged. Only builds for tests have this kind: it shows what a kind needs at least, and
+//! that a kind may begin with the result of a job (docs/adding-a-kind.md).
 
 mod solve;
 

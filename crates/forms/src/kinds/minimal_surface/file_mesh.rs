@@ -1,8 +1,9 @@
-//! The client's own initial mesh as a binary glTF file: from base64 to a mesh whose boundary has the request's coordinates.
+//! The client's own initial mesh as a binary glTF file: from base64 to a mesh whose boundary has the request's
+//! coordinates.
 //!
 //! The numbers of a file are f32, and a mesh has to run through the request's f64 points exactly. So each vertex on the
-//! mesh's boundary that is within the rounding of the file from a point of the request takes the place of that point, and
-//! vertices between two such places move onto the straight line between them.
+//! mesh's boundary that is within the rounding of the file from a point of the request takes the place of that point,
+//! and vertices between two such places move onto the straight line between them.
 
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
@@ -14,8 +15,9 @@ use std::collections::HashMap;
 
 const POINTER: &str = "/initial_mesh/glb";
 
-/// Largest number of bytes of a file, for each triangle that a mesh may have, and for its document. A triangle of a closed
-/// mesh has 12 bytes of indices and half a vertex; a vertex has 12 bytes of position and rarely more than 100 of others.
+/// Largest number of bytes of a file, for each triangle that a mesh may have, and for its document. A triangle of a
+/// closed mesh has 12 bytes of indices and half a vertex; a vertex has 12 bytes of position and rarely more than 100 of
+/// others.
 const BYTES_PER_TRIANGLE: usize = 128;
 const BYTES_OF_DOCUMENT: usize = 16 << 20;
 
@@ -23,8 +25,8 @@ const BYTES_OF_DOCUMENT: usize = 16 << 20;
 /// program that wrote the file has rounded once, and maybe again when it moved the mesh.
 const ROUNDINGS: f64 = 4.0;
 
-/// Largest number of vertices that are compared with one boundary point. Meshes that are finer than the rounding of their
-/// numbers have more, and no solver could use them.
+/// Largest number of vertices that are compared with one boundary point. Meshes that are finer than the rounding of
+/// their numbers have more, and no solver could use them.
 const MOST_NEAR: usize = 64;
 
 /// Reads the mesh of a request with these boundaries, units and axis.
@@ -71,8 +73,8 @@ pub(super) fn at_the_file(rejection: Rejection) -> Rejection {
     }
 }
 
-/// Moves the vertices on the mesh's boundary to the points of the boundaries within the tolerance, and the vertices between
-/// them onto the straight lines. O(n log n) in the number of triangles.
+/// Moves the vertices on the mesh's boundary to the points of the boundaries within the tolerance, and the vertices
+/// between them onto the straight lines. O(n log n) in the number of triangles.
 fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result<(), String> {
     if tolerance <= 0.0 {
         return Ok(());

@@ -31,14 +31,16 @@ static ENTRY: Entry = Entry {
     blocks: &[Block {
         name: "uniform-mesh",
         title: "Uniform Mesh",
-        description: "Mesh with as many equal edges as possible, of a planar region or of the minimal surface in closed curves.",
+        description: "Mesh with as many equal edges as possible, of a planar region or of the \
+                      minimal surface in closed curves.",
         inputs: &[
             Input::list(
                 "Boundaries",
                 "B",
                 Type::Curve,
                 1,
-                "Closed curves: an outline and its holes in one plane or, with Film, the boundaries of a minimal surface.",
+                "Closed curves: an outline and its holes in one plane or, with Film, the boundaries of a minimal \
+                 surface.",
             ),
             Input::required("Edge Length", "L", Type::Number, "Length of as many edges as possible.")
                 .to("/edge_length"),
@@ -130,8 +132,8 @@ pub enum UniformMeshKind {
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
 pub struct Domain {
     /// A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
-    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
-    /// `projected`.
+    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
+    /// warning `projected`.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<Point, 3>")]
     pub polygon: Option<List<Point, 3>>,
@@ -232,8 +234,8 @@ impl Domain {
             return invalid("/domain/holes", "is only allowed with a polygon".into());
         }
         if self.nurbs.as_ref().and_then(|patch| patch.trim_curves.as_ref()).is_some_and(|curves| !curves.is_empty()) {
-            let detail = "trimmed patches are not supported: split the patch along its parameter lines, or give its outline \
-                as `boundaries`";
+            let detail = "trimmed patches are not supported: split the patch along its parameter lines, or give its \
+                outline as `boundaries`";
             return invalid("/domain/nurbs/trim_curves", detail.into());
         }
         Ok(())

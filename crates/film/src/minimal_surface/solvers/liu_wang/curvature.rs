@@ -250,7 +250,9 @@ mod tests {
     proptest! {
         #[test]
         fn the_closed_gradient_agrees_with_finite_differences(
-            points in [point(), point(), point(), point()], flat in any::<bool>(), direction in [point(), point(), point(), point()]
+            points in [point(), point(), point(), point()],
+            flat in any::<bool>(),
+            direction in [point(), point(), point(), point()],
         ) {
             let [p, q, r, mut s] = points;
             if flat {
