@@ -25,8 +25,8 @@ pub struct Warning {
     /// Stable name in snake case.
     pub code: String,
     pub detail: String,
-    /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
-    /// lengths are in the request's unit.
+    /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
+    /// are in the request's unit.
     pub values: BTreeMap<String, f64>,
 }
 

@@ -43,8 +43,7 @@ pub struct CableResult {
     pub force_max: f64,
     /// Sum of the edges' lengths.
     pub length: f64,
-    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial
-    /// stiffness.
+    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
     pub unstressed_length: Option<f64>,
     pub edge_lengths: ValueRange,
     pub force_densities: ValueRange,

@@ -132,8 +132,8 @@ pub enum UniformMeshKind {
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
 pub struct Domain {
     /// A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
-    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
-    /// warning `projected`.
+    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
+    /// `projected`.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<Point, 3>")]
     pub polygon: Option<List<Point, 3>>,
