@@ -1,9 +1,9 @@
 //! Turns the JSON of a request into statistics and an archive.
 //!
-//! [`Request::read`](request::Request::read) reads the bytes of a valid request straight into its type and checks it, and
-//! [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas refuse
-//! (`strict`, [`bounds`]). After them come checks that a schema cannot express, such as too few distinct points. The
-//! last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
+//! [`Request::read`](request::Request::read) reads the bytes of a valid request straight into its type and checks it,
+//! and [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas
+//! refuse (`strict`, [`bounds`]). After them come checks that a schema cannot express, such as too few distinct points.
+//! The last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
 //! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be
 //! (`explain`). Without the feature `explain` only the first wrong value is named.
 //!
@@ -11,7 +11,7 @@
 //! its hosts.
 
 #![forbid(unsafe_code)]
-// What several kinds or features share is unused in a build with a few of them.
+// Code that several kinds or features share is unused in a build with a few of them.
 #![cfg_attr(
     not(all(
         feature = "cable-net",

@@ -30,8 +30,8 @@ pub struct Request {
 #[derive(Debug)]
 pub struct Accepted {
     pub request: Request,
-    /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members, and
-    /// whether they write defaults out or leave them away. [`Request::read_stored`] reads it.
+    /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members,
+    /// and whether they write defaults out or leave them away. [`Request::read_stored`] reads it.
     pub text: Vec<u8>,
 }
 
@@ -67,8 +67,8 @@ impl Request {
     /// Reads a request of a known kind from a JSON value that [`json::parse`](crate::json::parse) made.
     ///
     /// # Errors
-    /// Returns every value that the schema refuses (with the feature `explain`). If there are none, returns all errors of the first check that fails:
-    /// limits, combinations of members, or geometry. There are at most
+    /// Returns every value that the schema refuses (with the feature `explain`). If there are none, returns all errors
+    /// of the first check that fails: limits, combinations of members, or geometry. There are at most
     /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
     pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
         let read = (kind.types().read_value)(value, find, limits).map_err(|rejection| {

@@ -80,7 +80,7 @@ pub struct Certificate {
     pub statement: String,
 }
 
-/// What the search for a lower bound adds to the archive.
+/// The parts of the archive that the search for a lower bound adds.
 #[derive(Debug, Default)]
 pub(super) struct Proof {
     pub slack: Option<Attribute>,

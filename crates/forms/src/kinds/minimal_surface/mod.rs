@@ -58,13 +58,15 @@ static ENTRY: Entry = Entry {
         Block {
             name: "film-from-mesh",
             title: "Film From Mesh",
-            description: "Minimal surface with the topology of a mesh and its naked edges as boundaries. Sheets may meet three by three.",
+            description: "Minimal surface with the topology of a mesh and its naked edges as boundaries. \
+                          Sheets may meet three by three.",
             inputs: &[
                 Input::required(
                     "Mesh",
                     "M",
                     Type::Mesh,
-                    "Initial mesh. Equal vertices are joined, and quadrilaterals are split. Its naked edges stay where they are.",
+                    "Initial mesh. Equal vertices are joined, and quadrilaterals are split. Its naked edges stay \
+                     where they are.",
                 ),
                 OBJECTIVE,
             ],

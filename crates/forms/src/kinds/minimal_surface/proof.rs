@@ -18,7 +18,8 @@ pub(super) fn memory_bytes(boundaries: usize, options: CertifyOptions) -> u64 {
     lower_bound::memory_bytes(boundaries, &options.into())
 }
 
-/// Searches for a lower bound of a film's area and adds its figures to the statistics. A film without a bound gets a warning.
+/// Searches for a lower bound of a film's area and adds its figures to the statistics. A film without a bound gets a
+/// warning.
 ///
 /// # Errors
 /// Fails if the search is cancelled.
@@ -55,8 +56,9 @@ impl From<CertifyOptions> for lower_bound::Options {
 }
 
 impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run along
-    /// the loops in other directions than the film, so that it is compared only with a bound for every orientation.
+    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run
+    /// along the loops in other directions than the film, so that it is compared only with a bound for every
+    /// orientation.
     fn certify(&mut self, found: &LowerBound) {
         self.certificate = Some(Certificate::of(found, self.area));
         if found.every_orientation {
@@ -90,15 +92,15 @@ fn statement(found: &LowerBound, percent: f64, is_large: bool) -> String {
     let unproven = " It is not proven that this film is the global minimum.";
     if !found.every_orientation {
         return format!(
-            "No oriented surface of any topology with this boundary that runs along its loops in the directions of this \
-             film ({}) has an area below {bound}; this film is at most {percent}% above the least area of these surfaces. \
-             Surfaces that run along the loops in other directions may have less area.{unproven}",
+            "No oriented surface of any topology with this boundary that runs along its loops in the directions of \
+             this film ({}) has an area below {bound}; this film is at most {percent}% above the least area of these \
+             surfaces. Surfaces that run along the loops in other directions may have less area.{unproven}",
             directions(&found.reversed_loops)
         );
     }
     let proven = format!(
-        "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most {percent}% \
-         above the global minimum."
+        "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most \
+         {percent}% above the global minimum."
     );
     if is_large { proven + unproven } else { proven }
 }
@@ -113,8 +115,8 @@ impl Certificate {
             format!("with the loops in the directions of the film ({})", directions(&found.reversed_loops))
         };
         let scope = format!(
-            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {directions}. Films \
-             without an orientation (Möbius bands) and films with triple junctions are not included."
+            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {directions}. \
+             Films without an orientation (Möbius bands) and films with triple junctions are not included."
         );
         let bound = found.area;
         let gap = gap(area, bound);
