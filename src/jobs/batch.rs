@@ -83,7 +83,7 @@ impl BatchMeshes {
         self.refuse_more_than(self.service.config().limits.triangles as u64, "take the ZIP")?;
         // The thread comes first, so that scenes that wait for one hold no meshes meanwhile.
         let owner = self.jobs.first().and_then(|(_, row)| row.owner.as_deref());
-        let thread = self.service.reserve_converter(owner, Length::Long).await?;
+        let thread = self.service.converters().reserve(owner, Length::Long).await?;
         let mut parts = Vec::new();
         for (index, row) in &self.jobs {
             if row.status == Status::Succeeded {
@@ -244,7 +244,7 @@ mod tests {
         let row = JobRow { status: Status::Succeeded, ..*row };
         let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None).unwrap();
         let mut reserved = Vec::new();
-        while let Some(reservation) = jobs.reserve_converter(None, Length::Long).now_or_never() {
+        while let Some(reservation) = jobs.converters().reserve(None, Length::Long).now_or_never() {
             reserved.push(reservation.unwrap());
         }
         // Loading a mesh fails from now on.

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::Semaphore;
 
 /// Interval between two looks for callbacks that are due.
-const POLL: Duration = Duration::from_secs(1);
+const POLL: Duration = Duration::from_millis(250);
 /// Number of attempts that may run at once.
 const MAX_CONCURRENT: usize = 16;
 /// Number of attempts that may run at once for one owner, so that one whose receivers are slow leaves room for others.

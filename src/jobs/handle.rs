@@ -1,6 +1,6 @@
 //! The handle of the job service: its start, its shutdown, and what its modules share.
 
-use super::converters::{Converters, Length, Reservation};
+use super::converters::{Converters, Length};
 use super::files::FileCache;
 use super::memory::MemoryBudget;
 use super::progress::Running;
@@ -191,13 +191,8 @@ impl Jobs {
         view::batch(&self.0.config.http.public_base_path, row)
     }
 
-    /// Waits for a converter's thread and reserves it.
-    pub(super) async fn reserve_converter(
-        &self,
-        owner: Option<&str>,
-        length: Length,
-    ) -> Result<Reservation<'_>, JobsError> {
-        self.0.converters.reserve(owner, length).await
+    pub(super) fn converters(&self) -> &Converters {
+        &self.0.converters
     }
 
     /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the async
@@ -206,7 +201,7 @@ impl Jobs {
         &self,
         work: impl FnOnce() -> T + Send + 'static,
     ) -> Result<T, JobsError> {
-        self.reserve_converter(None, Length::Short).await?.run(work).await
+        self.converters().reserve(None, Length::Short).await?.run(work).await
     }
 }
 

@@ -60,7 +60,7 @@ impl Jobs {
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
-        let thread = self.reserve_converter(owner, length(row.statistics.as_deref())).await?;
+        let thread = self.converters().reserve(owner, length(row.statistics.as_deref())).await?;
         // Another conversion may have made the file while this one waited.
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);

@@ -15,6 +15,7 @@ use crate::wire::envelope::Cache;
 use crate::wire::incoming::{Incoming, Waiting};
 use crate::wire::job::Job;
 use bytes::Bytes;
+use plateau_forms::json;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::{FieldError, Rejection};
 use plateau_forms::request::Request;
@@ -93,12 +94,27 @@ async fn read_and_store(
     let inline = body.len() <= INLINE_BYTES;
     // The source of a request is read from the store, for which a thread of the runtime must not wait.
     let inline = inline && !kind.has_source();
+    // A repetition is answered although its source may be gone, so the hash of its body does not depend on the source.
+    let mut body_hash = None;
+    if kind.has_source()
+        && let Some(key) = &from.idempotency_key
+    {
+        let body = body.clone();
+        body_hash = jobs.off_runtime(move || json::parse(&body).ok().map(|value| hash_of(&value))).await?;
+        if let Some(hash) = body_hash
+            && let Some(earlier) = jobs.store().earlier_job(from.owner.as_deref(), kind.name(), key, hash).await?
+        {
+            return answer(jobs, Ok(earlier));
+        }
+    }
     let sources = Sources::new(jobs, from.owner.clone());
     let read = move || {
         let read = Incoming::read(kind, &body, &|id| sources.find(id), &limits);
         let Incoming { request, envelope, text } = read.map_err(|rejection| sources.refused(rejection))?;
         let waits = envelope.cancel_on_disconnect;
-        Ok::<_, JobsError>((new_job(Waiting::of(&request, envelope, text), from), request, waits))
+        let job = new_job(Waiting::of(&request, envelope, text), from);
+        let job = NewJob { body_hash: body_hash.unwrap_or(job.body_hash), ..job };
+        Ok::<_, JobsError>((job, request, waits))
     };
     let (job, request, waits) = if inline { read()? } else { jobs.off_runtime(read).await?? };
     check_callback(jobs, "", job.callback_url.as_deref())?;
@@ -170,7 +186,7 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     };
     let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
     check_callback(jobs, "", callback_url.as_deref())?;
-    let body_hash = hash(value.to_string().as_bytes(), &Map::new());
+    let body_hash = hash_of(&value);
     let Submitter { owner, idempotency_key } = from;
     let mut new_jobs = Vec::with_capacity(requests.len());
     for (index, request) in requests.into_iter().enumerate() {
@@ -228,11 +244,15 @@ fn milliseconds(duration: std::time::Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
 }
 
+/// Returns the hash of a body. The keys of a map are sorted, and integral numbers are integers (see `json::parse`).
+fn hash_of(body: &Value) -> [u8; 32] {
+    hash(body.to_string().as_bytes(), &Map::new())
+}
+
 /// Returns the hash of a request's text and of the members that were taken out of it. A text has only one form.
 fn hash(text: &[u8], members: &Map<String, Value>) -> [u8; 32] {
     let mut hasher = Sha256::new_with_prefix(text);
     if !members.is_empty() {
-        // The keys of a map are sorted, and integral numbers are integers (see `json::parse`).
         hasher.update(Value::Object(members.clone()).to_string());
     }
     hasher.finalize().into()

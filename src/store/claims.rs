@@ -295,16 +295,30 @@ fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
 
 /// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue, or fails them if that happened too
 /// often. Returns the number of these jobs.
-pub(super) fn recover(tx: &mut Tx<'_>, lease_max_ms: i64, options: &StoreOptions) -> Result<usize> {
+///
+/// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has not
+/// renewed its lease since then may have been stopped because of the outage, so its loss is not counted.
+pub(super) fn recover(
+    tx: &mut Tx<'_>,
+    lease_max_ms: i64,
+    outage_ms: Option<i64>,
+    options: &StoreOptions,
+) -> Result<usize> {
     let lost = tx.rows(
         &format!(
-            "SELECT id, attempt, lost_leases + 1 AS lost, worker, progress, losses, now_ms() - started_at AS ran \
+            "SELECT id, attempt, lost_leases, worker, progress, losses, now_ms() - started_at AS ran, \
+             now_ms() - lease_until + lease_ms AS silent \
              FROM jobs WHERE {LEASE_EXPIRED} ORDER BY lease_until LIMIT $2 /* skip locked */"
         ),
         &[lease_max_ms.into(), RECOVERY_STEP.into()],
     )?;
     for row in &lost {
-        let (id, attempt, count): (String, i64, i64) = (row.get("id")?, row.get("attempt")?, row.get("lost")?);
+        let (id, attempt): (String, i64) = (row.get("id")?, row.get("attempt")?);
+        if outage_ms.is_some_and(|ended| row.get::<i64>("silent").is_ok_and(|silent| silent > ended)) {
+            hand_back(tx, &id, attempt)?;
+            continue;
+        }
+        let count = row.get::<i64>("lost_leases")? + 1;
         let losses = format!(
             "{}{}{} was lost after at most {:.1} s, last progress {}\n",
             row.get::<String>("losses")?,

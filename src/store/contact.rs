@@ -22,6 +22,8 @@ struct State {
     /// Start of the contact. `None` if no other process uses the database, so that there was no outage before the start.
     since: Option<Instant>,
     last: Instant,
+    /// End of the last break that began with a failed operation.
+    restored: Option<Instant>,
     /// True from a failed operation to the next successful write. Reads do not end it, because a full disk can be read.
     broken: bool,
 }
@@ -30,7 +32,7 @@ impl Contact {
     /// `alone` says that no other process uses the database.
     pub(super) fn new(lease: Duration, alone: bool) -> Self {
         let now = Instant::now();
-        let state = State { since: (!alone).then_some(now), last: now, broken: false };
+        let state = State { since: (!alone).then_some(now), last: now, restored: None, broken: false };
         Self { pause: if alone { Duration::MAX } else { lease / 2 }, state: Mutex::new(state) }
     }
 
@@ -53,6 +55,9 @@ impl Contact {
                 if state.broken || now.saturating_duration_since(state.last) > self.pause {
                     state.since = Some(now);
                 }
+                if state.broken {
+                    state.restored = Some(now);
+                }
                 state.broken = false;
                 state.last = now;
             }
@@ -62,6 +67,11 @@ impl Contact {
     /// Returns true if the last operation failed, so that only a successful write shows that the contact is back.
     pub(super) fn is_broken(&self) -> bool {
         self.state().broken
+    }
+
+    /// Returns the time since the end of the last outage that this process has seen.
+    pub(super) fn since_outage(&self) -> Option<Duration> {
+        self.state().restored.map(|restored| restored.elapsed())
     }
 
     /// Returns the length of the unbroken contact.

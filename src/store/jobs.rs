@@ -343,7 +343,9 @@ pub(super) fn add(
     options: &StoreOptions,
 ) -> Result<Addition> {
     let prepared = solved.and_then(|(_, result)| result);
-    if let Some(earlier) = earlier_submission(tx, job)? {
+    if let Some(key) = &job.idempotency_key
+        && let Some(earlier) = earlier_job(tx, job.owner.as_deref(), &job.kind, key, &job.body_hash)?
+    {
         tx.drop_file(prepared.and_then(|result| result.file.clone()));
         return Ok(earlier);
     }
@@ -403,11 +405,19 @@ fn owner_column(job: &NewJob) -> Value<'_> {
     job.owner.as_deref().unwrap_or_default().into()
 }
 
-fn earlier_submission(tx: &mut Tx<'_>, job: &NewJob) -> Result<Option<Addition>> {
-    let Some(key) = &job.idempotency_key else { return Ok(None) };
+/// Returns what a submission with this key gets if there was an earlier one.
+pub(super) fn earlier_job(
+    tx: &mut Tx<'_>,
+    owner: Option<&str>,
+    kind: &str,
+    key: &str,
+    body_hash: &[u8; 32],
+) -> Result<Option<Addition>> {
     let text = format!("SELECT {COLUMNS}, body_hash FROM jobs WHERE owner = $1 AND kind = $2 AND idempotency_key = $3");
-    let Some(row) = tx.row(&text, &[owner_column(job), job.kind.as_str().into(), key.into()])? else { return Ok(None) };
-    let same = row.get::<Vec<u8>>("body_hash")? == job.body_hash;
+    let Some(row) = tx.row(&text, &[owner.unwrap_or_default().into(), kind.into(), key.into()])? else {
+        return Ok(None);
+    };
+    let same = row.get::<Vec<u8>>("body_hash")? == body_hash;
     Ok(Some(if same { Addition::Existing(Box::new(JobRow::read(&row)?)) } else { Addition::KeyConflict }))
 }
 

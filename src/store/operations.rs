@@ -43,6 +43,18 @@ impl Store {
         self.write_with(submit).await
     }
 
+    /// Returns what [`Store::add_job`] would return for a repeated idempotency key, or `None` for a new one.
+    pub async fn earlier_job(
+        &self,
+        owner: Option<&str>,
+        kind: &'static str,
+        key: &str,
+        body_hash: [u8; 32],
+    ) -> Result<Option<Addition>> {
+        let (key, owner) = owned(key, owner);
+        self.read(move |tx| jobs::earlier_job(tx, owner.as_deref(), kind, &key, &body_hash)).await
+    }
+
     pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
         let (id, owner) = owned(id, owner);
         self.read(move |tx| jobs::get(tx, &id, owner.as_deref())).await
@@ -318,7 +330,9 @@ impl Store {
         if !lost {
             return Ok((0, waiting));
         }
-        let recovered = self.write_with(move |tx, options| claims::recover(tx, lease_max_ms, options)).await?;
+        let outage_ms = self.inner.contact.since_outage().map(milliseconds);
+        let recovered =
+            self.write_with(move |tx, options| claims::recover(tx, lease_max_ms, outage_ms, options)).await?;
         Ok((recovered, waiting))
     }
 }

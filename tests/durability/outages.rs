@@ -46,6 +46,44 @@ async fn an_outage_everywhere_neither_stops_a_solver_nor_costs_an_attempt() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_worker_killed_during_an_outage_costs_no_attempt() {
+    let Some(postgres) = Postgres::start() else { return };
+    // A single lost lease would fail the job.
+    let cluster = Cluster::new(Some(postgres.database().await))
+        .set("PLATEAU_JOBS__LEASE_MS", 1000)
+        .set("PLATEAU_JOBS__ATTEMPTS_MAX", 1);
+    let server = cluster.serve(0).await;
+    let client = cluster::client();
+    cluster.hold.at("first_progress");
+    let job = server.post(&client, &cluster::film(100, 0)).await;
+    let id = job["id"].as_str().unwrap();
+    let status = async || {
+        let job: Option<serde_json::Value> = match server.get(&client, &format!("/v1/jobs/{id}")).await {
+            found if found.status().is_success() => found.json().await.ok(),
+            _ => None,
+        };
+        job.map_or_else(String::new, |job| job["status"].as_str().unwrap().to_owned())
+    };
+    let mut worker = cluster.worker(1);
+    cluster.hold.reached("first_progress", id).await;
+    postgres.stop();
+    worker.kill().await;
+    tokio::time::sleep(LONGER_THAN_A_LEASE).await;
+    postgres.start_again();
+    until("the job has left the killed worker", async || !["", "running"].contains(&&*status().await)).await;
+    assert_eq!(status().await, "queued");
+    // Without an outage the loss counts.
+    cluster.hold.release_all();
+    cluster.hold.at("first_progress");
+    let mut worker = cluster.worker(1);
+    cluster.hold.reached("first_progress", id).await;
+    // The worker renews its lease.
+    tokio::time::sleep(LONGER_THAN_A_LEASE).await;
+    worker.kill().await;
+    assert_eq!(server.ended_job(&client, id).await["error"]["type"], "/problems/worker-lost");
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn an_outage_of_one_worker_hands_its_job_over_and_costs_no_attempt() {
     let Some(postgres) = Postgres::start() else { return };
     let url = postgres.database().await;

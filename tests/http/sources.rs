@@ -2,6 +2,7 @@
 //! Only its folder and its lines in the table of kinds name it.
 
 use crate::app::{MINIMAL, TestApp, binary, pointers, problem, small_film};
+use crate::hold::until;
 use reqwest::{Method, StatusCode};
 use serde_json::{Value, json};
 
@@ -79,6 +80,28 @@ async fn a_job_that_waits_keeps_the_result_from_which_it_begins() {
     // The deleted job cannot be the source of a further request.
     let refused = problem(app.post(ENLARGEMENTS, &enlargement(&film, 2.0)).await, 404).await;
     assert_eq!(pointers(&refused), ["/source/job"]);
+}
+
+#[tokio::test]
+async fn a_source_that_has_expired_is_410_and_a_repetition_is_answered_all_the_same() {
+    let app = TestApp::start().await;
+    let film = app.solve(MINIMAL, &small_film(0.3)).await;
+    let keyed = async |app: &TestApp, factor: f64| {
+        let request = app.request(Method::POST, ENLARGEMENTS).json(&enlargement(&film, factor));
+        request.header("idempotency-key", "once").header("prefer", "wait=60").send().await.expect("an answer")
+    };
+    let job: Value = keyed(&app, 2.0).await.json().await.expect("JSON");
+    assert_eq!(job["status"], "succeeded", "{job:#}");
+    // A server sweeps when it starts.
+    let (_, folder) = app.stop().await;
+    let app = TestApp::start_in(folder, &[("PLATEAU_STORE__MAX_JOBS", "1")]).await;
+    let this = film["links"]["self"].as_str().expect("a link");
+    until("the film expires", async || app.get(this).await.status() == StatusCode::GONE).await;
+    let refused = problem(app.post(ENLARGEMENTS, &enlargement(&film, 2.0)).await, 410).await;
+    assert_eq!(pointers(&refused), ["/source/job"]);
+    let again: Value = keyed(&app, 2.0).await.json().await.expect("JSON");
+    assert_eq!(again["id"], job["id"]);
+    problem(keyed(&app, 3.0).await, 422).await;
 }
 
 #[tokio::test]

@@ -4,7 +4,7 @@
 //! enum's variant an object with one member. They accept less in one place: 2050.0 is an integer in JSON Schema, but
 //! not in serde. `Strict` wraps a deserializer, and everything below it, so that both agree.
 
-use crate::json::{AnyValue, integral};
+use crate::json::{self, AnyValue, integral};
 use crate::rejection::{FieldError, Rejection};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{
@@ -40,16 +40,7 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
 pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     // The path is tracked only here, because tracking takes as long as reading.
     let Err(error) = serde_path_to_error::deserialize::<_, T>(Strict(value)) else { return Rejection::Invalid(vec![]) };
-    let pointer: String = error
-        .path()
-        .iter()
-        .map(|segment| match segment {
-            serde_path_to_error::Segment::Seq { index } => format!("/{index}"),
-            serde_path_to_error::Segment::Map { key } => format!("/{}", key.replace('~', "~0").replace('/', "~1")),
-            _ => String::new(),
-        })
-        .collect();
-    FieldError::new(pointer, "must have the form that the schema requires").into()
+    FieldError::new(json::pointer(error.path()), "must have the form that the schema requires").into()
 }
 
 /// Visitor of an object that sets members aside. The others make a `T`.
