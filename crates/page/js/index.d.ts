@@ -1,0 +1,64 @@
+/** A progress of a running solver, as an event of a job has it. */
+export interface Progress {
+  fraction: number;
+  phase: string;
+  iteration: number;
+  objective_value: number | null;
+  residual: number | null;
+}
+
+/** A wrong value of a request: a JSON Pointer and what the value must be. */
+export interface FieldError {
+  pointer: string;
+  detail: string;
+}
+
+export interface Warning {
+  code: string;
+  detail: string;
+  values?: Record<string, number>;
+}
+
+export interface Solution {
+  /** Statistics of the request's kind, as a job of the service has them. */
+  statistics: Record<string, unknown>;
+  warnings: Warning[];
+  /** Three coordinates for each vertex in the request's unit and axes, and three vertices for each triangle. */
+  mesh: { vertices: Float64Array; triangles: Uint32Array };
+  /** Writes the result as a file. It fails once a later request has replaced the result. */
+  file(format: 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json'): Promise<Uint8Array>;
+  glb(): Promise<Uint8Array>;
+}
+
+export interface SolveOptions {
+  onProgress?: (progress: Progress) => void;
+  /** Cancels the request. The promise is then rejected with the signal's reason. */
+  signal?: AbortSignal;
+}
+
+export interface Solvers {
+  /**
+   * Solves a request that names its `kind` and has none of the fields that concern a job.
+   *
+   * Rejects with a {@link PlateauError} if the request is refused or has no result.
+   */
+  solve(request: object, options?: SolveOptions): Promise<Solution>;
+  /** Ends the worker. Requests under way are rejected. */
+  close(): void;
+}
+
+export class PlateauError extends Error {
+  ending: 'refused' | 'failed' | 'cancelled';
+  title: string;
+  detail: string;
+  errors: FieldError[];
+}
+
+export interface Options {
+  /** Address of the module, if it does not lie beside this file. */
+  module?: string | URL;
+  /** Makes the worker, for bundlers that need to see the call. */
+  worker?: () => Worker;
+}
+
+export function createSolvers(options?: Options): Solvers;

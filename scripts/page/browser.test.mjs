@@ -1,0 +1,150 @@
+// The package plateau-page in Chromium: results, errors, progress, cancel, and the page that drags a film without a server.
+//
+// CHROMIUM names the browser, PLATEAU_WASM the module (scripts/build-page).
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname } from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch } from '../studio/harness.mjs';
+
+const root = new URL('../../', import.meta.url).pathname;
+const TYPES = { '.html': 'text/html', '.mjs': 'text/javascript', '.js': 'text/javascript', '.wasm': 'application/wasm' };
+const ISOLATED = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp' };
+
+/** Serves the package as a plain file server does. Addresses below /isolated/ make their pages isolated. */
+function serve({ url }, response) {
+  const path = url.replace(/^\/isolated/, '');
+  const file = path === '/page/plateau.wasm'
+    ? process.env.PLATEAU_WASM
+    : path.startsWith('/page/example/three.')
+      ? `${root}web/node_modules/three/build/${path.slice('/page/example/'.length)}`
+      : `${root}crates/page/js/${path.slice('/page/'.length)}`;
+  try {
+    const body = path === '/page/empty.html' ? '<!doctype html>' : readFileSync(file);
+    response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'text/plain', ...(url.startsWith('/isolated') ? ISOLATED : {}) });
+    response.end(body);
+  } catch {
+    response.writeHead(404).end();
+  }
+}
+
+let browser;
+let address;
+const server = createServer(serve);
+before(async () => {
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+  address = `http://127.0.0.1:${server.address().port}`;
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  server.close();
+});
+
+async function open(path) {
+  const page = await browser.newPage({ viewport: { width: 900, height: 600 } });
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && !message.text().includes('favicon') && !message.text().startsWith('Failed to load') && faults.push(message.text()));
+  await page.goto(`${address}${path}`);
+  return { page, faults };
+}
+
+const SADDLE = { kind: 'minimal_surface', boundaries: [[[0, 0, 0], [1, 0, 1], [1, 1, 0], [0, 1, 1]]] };
+/** A film whose solver takes minutes. */
+const LONG = { ...SADDLE, solver: 'vertex_relaxation', area_tolerance: 1e-15, max_iterations: 1_000_000, resolution: { triangles: 20_000 } };
+
+for (const folder of ['/page', '/isolated/page']) {
+  test(`${folder}: a film is solved with progress and files, and a wrong request names its values`, async () => {
+    const { page, faults } = await open(`${folder}/empty.html`);
+    const seen = await page.evaluate(async ({ folder, SADDLE }) => {
+      const { createSolvers, PlateauError } = await import(`${folder}/index.mjs`);
+      const solvers = createSolvers();
+      const phases = [];
+      const first = await solvers.solve(SADDLE, { onProgress: ({ phase }) => phases.push(phase) });
+      const glb = await first.glb();
+      const wrong = await solvers.solve({ ...SADDLE, boundaries: [[[0, 0, 0], [1, 0, null], [1, 1, 0]]] }).catch((error) => error);
+      const late = await first.glb().catch((error) => error.message);
+      const { statistics, mesh } = first;
+      solvers.close();
+      return {
+        isolated: crossOriginIsolated,
+        converged: statistics.converged,
+        counts: [statistics.vertices, mesh.vertices.length / 3, statistics.triangles, mesh.triangles.length / 3],
+        magic: new TextDecoder().decode(glb.subarray(0, 4)),
+        phases: phases.length,
+        wrong: [wrong instanceof PlateauError, wrong.ending, wrong.errors[0].pointer],
+        late,
+      };
+    }, { folder, SADDLE });
+    assert.equal(seen.isolated, folder === '/isolated/page');
+    assert.equal(seen.converged, true);
+    assert.equal(seen.counts[0], seen.counts[1]);
+    assert.equal(seen.counts[2], seen.counts[3]);
+    assert.equal(seen.magic, 'glTF');
+    assert.ok(seen.phases > 0);
+    assert.deepEqual(seen.wrong, [true, 'refused', '/boundaries/0/1/2']);
+    assert.match(seen.late, /a later request has replaced/);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+
+  test(`${folder}: a cancel ends the request under way and one that waits, and the next is solved`, async () => {
+    const { page, faults } = await open(`${folder}/empty.html`);
+    const seen = await page.evaluate(async ({ folder, SADDLE, LONG }) => {
+      const { createSolvers } = await import(`${folder}/index.mjs`);
+      const solvers = createSolvers();
+      const [long, queued] = [new AbortController(), new AbortController()];
+      let begun;
+      const running = new Promise((resolve) => { begun = resolve; });
+      const ended = solvers.solve(LONG, { signal: long.signal, onProgress: begun }).catch((error) => error.name);
+      const waited = solvers.solve(LONG, { signal: queued.signal }).catch((error) => error.name);
+      const last = solvers.solve(SADDLE);
+      await running;
+      queued.abort();
+      long.abort();
+      const names = [await ended, await waited];
+      const { statistics } = await last;
+      solvers.close();
+      const closed = await solvers.solve(SADDLE, { signal: AbortSignal.abort() }).catch((error) => error.name);
+      return { names, converged: statistics.converged, closed };
+    }, { folder, SADDLE, LONG });
+    assert.deepEqual(seen, { names: ['AbortError', 'AbortError'], converged: true, closed: 'AbortError' });
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+}
+
+test('a page of forty lines drags a film without a server', async () => {
+  const { page, faults } = await open('/page/example/index.html');
+  await page.waitForFunction(() => document.title.startsWith('film 1:'));
+  await page.context().setOffline(true);
+  // The corner at (1, -1, 1) on the screen.
+  await page.mouse.move(...await corner(page));
+  await page.mouse.down();
+  for (let step = 1; step <= 60; step += 1) await page.mouse.move(...await below(page, step));
+  await page.mouse.up();
+  await page.waitForFunction(() => Number(document.title.split(' ')[1].replace(':', '')) > 5);
+  if (process.env.SCREENSHOT) await page.screenshot({ path: process.env.SCREENSHOT });
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+let start = null;
+async function corner(page) {
+  // The same camera as the page's.
+  start = await page.evaluate(async () => {
+    const THREE = await import('three');
+    const camera = new THREE.PerspectiveCamera(40, innerWidth / innerHeight, 0.1, 100);
+    camera.up.set(0, 0, 1);
+    camera.position.set(3, -5, 4);
+    camera.lookAt(0, 0, 0.5);
+    camera.updateMatrixWorld();
+    const { x, y } = new THREE.Vector3(1, -1, 1).project(camera);
+    return [(x + 1) / 2 * innerWidth, (1 - y) / 2 * innerHeight];
+  });
+  return start;
+}
+const below = async (page, step) => [start[0], start[1] + step];
