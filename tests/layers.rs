@@ -56,6 +56,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "minimal_surface/harmonic",
             "minimal_surface/initial_mesh",
             "minimal_surface/solved_film",
+            "minimal_surface/touching_boundaries",
             "minimal_surface/solvers",
             "minimal_surface/drivers",
             "minimal_surface/junction_statistics",

@@ -45,6 +45,7 @@ mod run;
 mod solved_film;
 mod solvers;
 mod statistics;
+mod touching_boundaries;
 mod triple_junction;
 
 pub use curvature::Curvature;
@@ -72,6 +73,7 @@ use request::Input;
 use run::Run;
 use solved_film::SolvedFilm;
 use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pinkall_polthier};
+use touching_boundaries::JoinedLoops;
 
 /// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective
 /// least.
@@ -107,19 +109,22 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     }
     let given = options;
     let options = &options.centred(input.centre);
+    let joined = JoinedLoops::of(&input, options, exec).map_err(|error| input.placed_as_given(error))?;
+    let boundaries = joined.as_ref().map_or(&input.centred, |joined| &joined.loops);
     let solved = match &options.method {
         Method::Newton(Newton { topology: TopologyRule::Best, .. }) => {
-            Some(best_topology::solve(&input.centred, options, exec)?)
+            Some(best_topology::solve(boundaries, options, exec)?)
         }
-        Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) => {
-            nested::solve(&input.centred, options, *on_unstable, exec)?
+        // A coarser mesh skips points of the boundaries, and may skip those at which they touch.
+        Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) if joined.is_none() => {
+            nested::solve(boundaries, options, *on_unstable, exec)?
         }
         _ => None,
     };
-    let solved = match solved {
+    let mut solved = match solved {
         Some(solved) => solved,
         None => {
-            let built = initial_mesh::build(&input.centred, options, exec);
+            let built = initial_mesh::build(boundaries, options, exec);
             let (start, kind) = built.map_err(|error| input.placed_as_given(error))?;
             let mut film = start.refined(exec)?;
             let initial_area = film.area();
@@ -127,7 +132,10 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
             SolvedFilm { film, kind, initial_area, run }
         }
     };
-    let surface = finish(input, solved, given)?;
+    if let Some(joined) = &joined {
+        joined.restore(&mut solved, &input);
+    }
+    let surface = finish(input, solved, joined.as_ref(), given)?;
     if matches!(given.method, Method::Newton(Newton { topology: TopologyRule::Fixed, .. })) {
         refuse_lost_film(&surface.statistics)?;
     }

@@ -5,6 +5,7 @@ pub mod flatness;
 pub mod frame;
 pub mod location;
 pub mod polygon;
+pub mod touching;
 pub mod triangulation;
 
 use crate::DVec2;

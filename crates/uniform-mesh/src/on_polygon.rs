@@ -22,7 +22,7 @@ pub(super) fn on_polygon(
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<UniformMesh, Error> {
-    let whole = Polygon::new(outer, holes, options.edge_length)?;
+    let whole = Polygon::new(outer, holes, options.edge_length)?.joined(execution)?;
     let split = |&division: &Division| {
         let mut polygon = whole.clone();
         polygon.split(division);

@@ -4,7 +4,7 @@ use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, LiuWang, Method, MinimalSurface, Newton, OnUnstable, Options, PinkallPolthier,
     Resolution, TopologyRule, VertexRelaxation, solve,
 };
-use plateau_mesh::{DVec3, Error, Execution, Mesh};
+use plateau_mesh::{DVec3, Error, Execution, Mesh, measure};
 use plateau_uniform_mesh as uniform_mesh;
 use plateau_uniform_mesh::{Domain, Objective};
 use std::f64::consts::{PI, TAU};
@@ -180,4 +180,114 @@ fn every_solver_is_judged_by_its_own_rule() {
             assert!(warned(&surface, "not_converged").is_some() && warned(&surface, "not_minimal").is_none());
         }
     }
+}
+
+fn plane(points: &[[f64; 2]]) -> Vec<DVec3> {
+    points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect()
+}
+
+fn shoelace(points: &[DVec3]) -> f64 {
+    let next = points.iter().cycle().skip(1);
+    0.5 * points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>().abs()
+}
+
+/// Three polygons of OGC's test suite. Their holes were covered twice (545.5 for 454.5, 638.5 for 522.5), or no film was
+/// found.
+#[test]
+fn plane_films_whose_holes_touch_cover_the_area_between_them() {
+    let two_holes = [
+        plane(&[[0.0, 0.0], [20.0, 0.0], [20.0, 25.0], [0.0, 25.0]]),
+        plane(&[[3.0, 3.0], [2.0, 12.0], [9.0, 15.0]]),
+        plane(&[[9.0, 21.0], [2.0, 12.0], [7.0, 22.0]]),
+    ];
+    let on_a_side = [
+        plane(&[
+            [1241.0, 887.0],
+            [1257.0, 891.0],
+            [1248.0, 904.0],
+            [1232.0, 911.0],
+            [1212.0, 911.0],
+            [1207.0, 911.0],
+            [1209.0, 900.0],
+            [1219.0, 898.0],
+            [1225.0, 907.0],
+        ]),
+        plane(&[[1212.0, 902.0], [1212.0, 911.0], [1219.0, 909.0]]),
+        plane(&[[1248.0, 891.0], [1239.0, 896.0], [1246.0, 898.0]]),
+    ];
+    let at_a_corner =
+        [plane(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]), plane(&[[0.0, 0.0], [2.0, 1.0], [1.0, 2.0]])];
+    // A point on a slanted side, which is not exact in floating point.
+    let slanted =
+        [plane(&[[0.0, 0.0], [4.0, 1.3], [4.0, 4.0], [0.0, 4.0]]), plane(&[[1.2, 0.39], [2.0, 2.0], [1.0, 2.0]])];
+    for (boundaries, loops) in [(&two_holes[..], 2), (&on_a_side[..], 2), (&at_a_corner[..], 1), (&slanted[..], 1)] {
+        let area = shoelace(&boundaries[0]) - boundaries[1..].iter().map(|hole| shoelace(hole)).sum::<f64>();
+        for topology in [TopologyRule::Fixed, TopologyRule::Free(FreeTopology::default()), TopologyRule::Best] {
+            let surface = spanned(boundaries, &by_topology(topology, 900)).unwrap();
+            assert!((surface.statistics.area / area - 1.0).abs() < 1e-9, "{} for {area}", surface.statistics.area);
+            assert!(surface.statistics.converged);
+            assert_eq!(surface.statistics.boundary_loops, loops);
+            assert_eq!(surface.statistics.self_intersections.pairs, Some(0));
+            for (points, vertices) in boundaries.iter().zip(&surface.input_vertices) {
+                for (&point, &vertex) in points.iter().zip(vertices) {
+                    assert_eq!(surface.mesh.vertices[vertex as usize], point);
+                }
+            }
+        }
+    }
+}
+
+/// The message was to move the boundaries closer together.
+#[test]
+fn plane_boundaries_that_cross_are_refused_where_they_cross() {
+    let boundaries = [
+        plane(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]),
+        plane(&[[1.0, 1.0], [3.0, 1.0], [3.0, 2.0], [1.0, 2.0]]),
+        plane(&[[2.0, 1.5], [2.5, 1.5], [2.5, 3.0]]),
+    ];
+    let Err(Error::NoResult { reason, places, .. }) = spanned(&boundaries, &by_topology(TopologyRule::Fixed, 500))
+    else {
+        panic!("crossing holes bound no region")
+    };
+    assert_eq!(reason, "self_intersecting_boundary");
+    let places: Vec<String> = places.iter().map(|error| error.place.to_string()).collect();
+    assert!(
+        places == ["/boundaries/1/2", "/boundaries/2/1"] || places == ["/boundaries/1/2", "/boundaries/2/2"],
+        "{places:?}"
+    );
+}
+
+/// A hole's point on a slanted side gave an edge of length 0; a hole's side on the outline gave empty triangles.
+#[test]
+fn lattices_see_where_a_hole_touches_a_slanted_side() {
+    let outline = plane(&[[0.0, 0.0], [4.0, 1.0], [4.0, 4.0], [0.0, 4.0]]);
+    let hole = plane(&[[2.0, 0.5], [2.0, 1.5], [1.0, 1.5]]);
+    let area = shoelace(&outline) - shoelace(&hole);
+    let lattice = |outline: Vec<DVec3>, hole: Vec<DVec3>, edge_length: f64, objective: Objective| {
+        let domain = Domain::Polygon { outer: outline, holes: vec![hole] };
+        let options = uniform_mesh::Options::new(edge_length, objective);
+        uniform_mesh::solve(&domain, &options, &Execution::default())
+    };
+    for objective in [Objective::FewestNodes, Objective::MostEqualEdges] {
+        let mesh = lattice(outline.clone(), hole.clone(), 0.5, objective).unwrap();
+        assert!((measure::area(&mesh.mesh) / area - 1.0).abs() < 1e-12);
+        assert!(mesh.lengths.iter().all(|&length| length > 0.1));
+        assert!(mesh.statistics.angles.0 > 0.01);
+    }
+    let outline = plane(&[[3506.0, -2048.0], [7464.0, 402.0], [-2048.0, 2685.0], [-2048.0, -2048.0]]);
+    let hole = plane(&[[-2048.0, -37.0], [1235.0, 747.0], [338.0, -1464.0], [-116.0, -1188.0], [-2048.0, -381.0]]);
+    let Err(Error::Input(errors)) = lattice(outline, hole, 422.3, Objective::FewestNodes) else {
+        panic!("a side on the outline bounds no region")
+    };
+    let places: Vec<String> = errors.iter().map(|error| error.place.to_string()).collect();
+    assert_eq!(places, ["/domain/polygon/2", "/domain/holes/0/4"]);
+}
+
+#[test]
+fn a_fixed_point_outside_is_named() {
+    let outline = [plane(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])];
+    let mut options = Options::new(Resolution::Triangles(200));
+    options.constraints.points = vec![DVec3::new(1.0, 1.0, 0.0), DVec3::new(5.0, 1.0, 0.0)];
+    let Err(Error::Input(errors)) = spanned(&outline, &options) else { panic!("a point lies outside") };
+    assert_eq!(errors[0].place.to_string(), "/constraints/points/1");
 }

@@ -15,7 +15,7 @@ mod spanning;
 mod strip;
 
 use super::estimate::estimate;
-use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
+use super::options::{BoundarySampling, Constraints, InitialMesh, Options, Resolution};
 use barycentres::candidate_mesh;
 use domain::{Shape, best_plane, largest_height};
 use first_point::turned_back;
@@ -24,9 +24,10 @@ use plane_mesh::PlaneError;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::plane::polygon::contains;
 use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
 use plateau_mesh::self_intersections::{Order, self_intersections};
-use plateau_mesh::{DVec3, Error, Execution, Interruption, Place};
+use plateau_mesh::{DVec2, DVec3, Error, Execution, Interruption, Place};
 use spanning::Spanning;
 
 pub(super) use first_point::{first_point, turned};
@@ -138,14 +139,15 @@ fn spanning(
             (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
             // All of them cross themselves: the first one is as good as any.
             (_, Some(first)) => first,
-            (Err(error), None) => return Err(refusal(as_given, error, None, exec)),
+            (Err(error), None) => return Err(refusal((as_given, constraints), error, None, exec)),
         };
         Ok((start, kind))
     };
     match &options.initial_mesh {
         InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
         InitialMesh::Planar => {
-            let start = attempt(Shape::Plane(frame))?.map_err(|error| refusal(as_given, error, Some(&frame), exec))?;
+            let start = attempt(Shape::Plane(frame))?
+                .map_err(|error| refusal((as_given, constraints), error, Some(&frame), exec))?;
             Ok((start, InitialMeshKind::Planar))
         }
         InitialMesh::Disk => curved(),
@@ -158,10 +160,10 @@ fn spanning(
                     Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
                         if flat && boundaries.len() == 1 =>
                     {
-                        return Err(refusal(as_given, error, Some(&frame), exec));
+                        return Err(refusal((as_given, constraints), error, Some(&frame), exec));
                     }
                     Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
-                        return Err(refusal(as_given, error, Some(&frame), exec));
+                        return Err(refusal((as_given, constraints), error, Some(&frame), exec));
                     }
                     _ => {}
                 }
@@ -169,6 +171,11 @@ fn spanning(
             curved()
         }
     }
+}
+
+/// The plane of boundaries that all lie in one, if they do.
+pub(super) fn plane_of(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
+    best_plane(boundaries).filter(|frame| largest_height(frame, boundaries) <= FLAT * extent(boundaries))
 }
 
 fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &Execution) -> Result<Film, Error> {
@@ -275,8 +282,33 @@ fn crossing_places(
     Ok(Vec::new())
 }
 
+/// The first point of the constraints that does not lie inside the boundaries, seen in their plane.
+fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) -> Option<Place> {
+    let loops: Vec<Vec<DVec2>> =
+        boundaries.iter().map(|points| points.iter().map(|&p| frame.project(p)).collect()).collect();
+    let is_outside = |point: &DVec3| {
+        let place = frame.project(*point);
+        let is_on_boundary = boundaries.iter().flatten().any(|p| p == point);
+        !is_on_boundary && loops.iter().filter(|polygon| contains(polygon, place)).count() % 2 == 0
+    };
+    let place = Place::field("constraints");
+    if let Some(k) = constraints.points.iter().position(is_outside) {
+        return Some(place.then("points").at(k));
+    }
+    let curves = constraints.polylines.iter().enumerate();
+    curves
+        .filter_map(|(k, curve)| Some((k, curve.iter().position(is_outside)?)))
+        .next()
+        .map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
+}
+
 /// The error for a domain that has no mesh. `plane` is the plane in which the mesh was made.
-fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: Option<&Frame>, exec: &Execution) -> Error {
+fn refusal(
+    (boundaries, constraints): (&[Vec<DVec3>], &Constraints),
+    error: PlaneError,
+    plane: Option<&Frame>,
+    exec: &Execution,
+) -> Error {
     match error {
         PlaneError::Interrupted(interruption) => interruption.into(),
         PlaneError::TooManyPoints => {
@@ -286,7 +318,8 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: Option<&Frame>, 
         }
         PlaneError::PointOutside(_) => {
             let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";
-            Error::input(Place::field("constraints"), detail)
+            let place = plane.and_then(|frame| outside(boundaries, constraints, frame));
+            Error::input(place.unwrap_or_else(|| Place::field("constraints")), detail)
         }
         PlaneError::TooCoarse { triangles } => {
             let detail =

@@ -6,6 +6,7 @@ use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
+use super::touching_boundaries::JoinedLoops;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::self_intersections::{self, Order};
@@ -143,6 +144,7 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
 pub(super) fn finish(
     input: Input,
     SolvedFilm { film, kind, initial_area, mut run }: SolvedFilm,
+    joined: Option<&JoinedLoops>,
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
     run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
@@ -196,11 +198,15 @@ pub(super) fn finish(
     let boundaries = film.boundaries.clone();
     let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();
+    let centred = joined.map(|_| mesh.vertices.clone());
     for vertex in &mut mesh.vertices {
         *vertex += input.centre;
     }
     for (vertex, &point) in mesh.vertices.iter_mut().zip(input.given.iter().flatten()) {
         *vertex = point;
+    }
+    if let (Some(joined), Some(centred)) = (joined, &centred) {
+        joined.place_added(&mut mesh, centred);
     }
     let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
     Ok(MinimalSurface {

@@ -12,7 +12,7 @@ use crate::topology::{NONE, next, previous};
 use robust::{Coord, incircle, orient2d};
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 fn coord(p: DVec2) -> Coord<f64> {
     Coord { x: p.x, y: p.y }
@@ -74,9 +74,16 @@ pub struct Triangulation {
 /// counter-clockwise, in the triangulation's order. Slits are edges that the triangles must have. O(n log n).
 ///
 /// # Errors
-/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way.
+/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way. A loop
+/// may visit a place several times if its points there have the same coordinates and it does not cross itself
+/// ([`touching`](super::touching)); each of these points is a vertex of its own.
 #[inline]
 pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
+    if let Some(shared) = SharedPlaces::of(points, constraints)? {
+        let mut triangles = triangles_inside(&shared.points, &shared.constraints)?;
+        shared.divide(&mut triangles)?;
+        return Ok(triangles);
+    }
     let faces = Faces::of(points, constraints)?;
     let is_inside = |label: Option<Label>| label.is_some_and(|label| label.depth % 2 == 1);
     // An outline that touches another one, or is given twice, does not separate inside from outside.
@@ -107,14 +114,6 @@ impl Faces {
     /// # Errors
     /// [`Tangle`], except that a loop on the wrong side is not noticed.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        let key = |v: u32| (points[v as usize].x, points[v as usize].y);
-        order.sort_unstable_by(|&a, &b| {
-            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
-        });
-        if let Some(pair) = order.windows(2).find(|pair| points[pair[0] as usize] == points[pair[1] as usize]) {
-            return Err(Tangle::Coincident(pair[0], pair[1]));
-        }
         let mut crossing = None;
         let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
         // Spade refuses coordinates of less than 1e-142, so they become 0.
@@ -196,6 +195,106 @@ fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Co
     }
 }
 
+/// Points of outlines with the same coordinates, as one point each.
+struct SharedPlaces {
+    /// The distinct points, and the constraints between them.
+    points: Vec<DVec2>,
+    constraints: Vec<Constraint>,
+    /// For each distinct point the (first) point that it stands for.
+    first: Vec<u32>,
+    /// For each point that shares its place: the distinct point there, itself, and the distinct points before and after it
+    /// on its loop.
+    copies: Vec<FanVertex>,
+}
+
+#[derive(Clone, Copy)]
+struct FanVertex {
+    place: u32,
+    point: u32,
+    before: u32,
+    after: u32,
+}
+
+impl SharedPlaces {
+    /// `None` if all points are distinct.
+    ///
+    /// # Errors
+    /// [`Tangle::Coincident`] for equal points of which one is not on an outline.
+    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Option<Self>, Tangle> {
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        let at = |v: u32| points[v as usize];
+        let key = |v: u32| (at(v).x, at(v).y);
+        order.sort_unstable_by(|&a, &b| {
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
+        });
+        if order.windows(2).all(|pair| at(pair[0]) != at(pair[1])) {
+            return Ok(None);
+        }
+        // Points are in the order of their numbers, without those that equal an earlier one.
+        let mut leader: Vec<u32> = (0..points.len() as u32).collect();
+        for pair in order.windows(2).filter(|pair| at(pair[0]) == at(pair[1])) {
+            leader[pair[1] as usize] = leader[pair[0] as usize];
+        }
+        let first: Vec<u32> = (0..points.len() as u32).filter(|&v| leader[v as usize] == v).collect();
+        let mut place = vec![0; points.len()];
+        first.iter().enumerate().for_each(|(number, &v)| place[v as usize] = number as u32);
+        (0..points.len()).for_each(|v| place[v] = place[leader[v] as usize]);
+        let moved = |c: &Constraint| Constraint { from: place[c.from as usize], to: place[c.to as usize], ..*c };
+        let [mut before, mut after] = [vec![NONE; points.len()], vec![NONE; points.len()]];
+        for c in constraints.iter().filter(|c| c.border == Border::Outline) {
+            before[c.to as usize] = place[c.from as usize];
+            after[c.from as usize] = place[c.to as usize];
+        }
+        let mut copies = Vec::new();
+        for group in order.chunk_by(|&a, &b| at(a) == at(b)).filter(|group| group.len() > 1) {
+            for &point in group {
+                let [before, after] = [before[point as usize], after[point as usize]];
+                let here = place[point as usize];
+                if [before, after].iter().any(|&v| v == NONE || v == here) || before == after {
+                    return Err(Tangle::Coincident(group[0], group[1]));
+                }
+                copies.push(FanVertex { place: here, point, before, after });
+            }
+        }
+        let constraints = constraints.iter().map(moved).collect();
+        Ok(Some(Self { points: first.iter().map(|&v| at(v)).collect(), constraints, first, copies }))
+    }
+
+    /// Numbers the corners of the triangles by the points. The triangles between a copy's two neighbours get that copy.
+    ///
+    /// # Errors
+    /// [`Tangle::Coincident`] if the copies do not each have a fan of their own, because their loops cross there.
+    fn divide(&self, triangles: &mut [[u32; 3]]) -> Result<(), Tangle> {
+        let places: BTreeSet<u32> = self.copies.iter().map(|copy| copy.place).collect();
+        // For an edge from a shared place to a point the triangle on its left, and its corner there.
+        let mut left_of = BTreeMap::new();
+        for (t, corners) in triangles.iter().enumerate() {
+            for k in (0..3).filter(|&k| places.contains(&corners[k])) {
+                left_of.insert((corners[k], corners[(k + 1) % 3]), (t, k, corners[(k + 2) % 3]));
+            }
+        }
+        triangles.iter_mut().flatten().for_each(|corner| *corner = self.first[*corner as usize]);
+        for copy in &self.copies {
+            // The region is on the left of the loop or on its right.
+            let ends = [(copy.after, copy.before), (copy.before, copy.after)];
+            let fan = ends.into_iter().find_map(|(start, end)| {
+                let (mut fan, mut edge) = (Vec::new(), start);
+                while edge != end {
+                    let &(t, k, next) = left_of.get(&(copy.place, edge))?;
+                    fan.push((t, k));
+                    edge = next;
+                }
+                Some(fan)
+            });
+            let crossing = || Tangle::Coincident(self.first[copy.place as usize], copy.point);
+            for (t, k) in fan.ok_or_else(crossing)? {
+                triangles[t][k] = copy.point;
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Where the straight way from a triangle to a point ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
@@ -210,8 +309,15 @@ impl Triangulation {
     /// the holes, outside the lattice. O(n log n).
     ///
     /// # Errors
-    /// What is wrong with the constraints. Outlines must be disjoint simple loops.
+    /// What is wrong with the constraints. Outlines must be disjoint simple loops, which may touch at points as in
+    /// [`triangles_inside`].
     pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
+        if let Some(mut shared) = SharedPlaces::of(&points, constraints)? {
+            let mut whole = Self::build(std::mem::take(&mut shared.points), &shared.constraints)?;
+            shared.divide(&mut whole.corners)?;
+            whole.points = points;
+            return Ok(whole);
+        }
         let faces = Faces::of(&points, constraints)?;
         let wrong_side = |c: &&Constraint| c.border == Border::Outline && faces.left_of(c).is_none_or(|l| l.depth != 1);
         if let Some(c) = constraints.iter().find(wrong_side) {

@@ -8,8 +8,9 @@ use plateau_mesh::execution::{Execution, Signal};
 use plateau_mesh::plane::flatness::Flatness;
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::polygon::doubled_area;
+use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
 use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
-use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, mean, merge_near_neighbours};
+use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, SAME_POINT, mean, merge_near_neighbours};
 use plateau_mesh::{DVec2, DVec3};
 use std::cell::Cell;
 
@@ -112,6 +113,56 @@ impl Polygon {
         }
         polygon.corner_loops = corner_loops;
         Ok(polygon)
+    }
+
+    /// Joins loops that touch at points, so that each loop bounds the domain on its left.
+    ///
+    /// # Errors
+    /// Sides that cross, or share more than a point. The interruptions of `execution`.
+    pub fn joined(mut self, execution: &Execution<'_>) -> Result<Self, Error> {
+        let rings: Vec<Vec<u32>> = (0..self.corner_loops.len())
+            .map(|ring| (0..self.sources.len() as u32).filter(|&v| self.sources[v as usize].0 == ring).collect())
+            .collect();
+        let at = |nodes: &[DVec2], v: u32| nodes[v as usize];
+        let polygons: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(|&v| at(&self.outline.nodes, v)).collect()).collect();
+        let size = self.positions.iter().map(|p| p.distance(self.positions[0])).fold(0.0, f64::max) / self.unit;
+        let node = |(ring, point): PointOf| rings[ring][point];
+        match meeting(&polygons, SAME_POINT * size, execution)? {
+            Meeting::Apart => {}
+            Meeting::Crossing(sides) => {
+                let [first, second] = sides.map(|side| self.place_of(node(side)));
+                let detail = |other: &Place| format!("the side from this point meets the side from {other}");
+                let [a, b] = [detail(&second), detail(&first)];
+                return Err(Error::Input(vec![InputError::new(first, a), InputError::new(second, b)]));
+            }
+            Meeting::Touching(loops) => {
+                self.corner_loops = Vec::with_capacity(loops.len());
+                for corners in loops {
+                    let mut joined = Vec::with_capacity(corners.len());
+                    for corner in &corners {
+                        let (source, place) = (node(corner.source), node(corner.place));
+                        let there = at(&self.outline.nodes, place);
+                        if corner.added {
+                            joined.push(self.positions.len() as u32);
+                            self.positions.push(self.positions[place as usize]);
+                            self.outline.nodes.push(there);
+                            self.sources.push(self.sources[source as usize]);
+                        } else {
+                            joined.push(source);
+                            self.outline.nodes[source as usize] = there;
+                        }
+                    }
+                    let is_outer = corners.iter().any(|corner| corner.source.0 == 0);
+                    let around = joined.iter().map(|&v| at(&self.outline.nodes, v));
+                    if !is_outer && doubled_area(around, at(&self.outline.nodes, joined[0])) > 0.0 {
+                        joined.reverse();
+                    }
+                    self.corner_loops.push(joined);
+                }
+            }
+        }
+        Ok(self)
     }
 
     /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.

@@ -3,7 +3,7 @@
 use super::lattice::{SizeField, Source};
 use glam::DVec2;
 use plateau_mesh::film::Film;
-use plateau_mesh::plane::polygon::{doubled_area, inside};
+use plateau_mesh::plane::polygon::{contains, doubled_area, inside};
 use plateau_mesh::plane::triangulation::{Border, Constraint, Tangle, triangles_inside};
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::topology::Topology;
@@ -126,10 +126,15 @@ impl PlaneRegion {
     /// The area inside the loops.
     pub fn area(&self) -> f64 {
         let area = |points: &[DVec2]| 0.5 * doubled_area(points.iter().copied(), points[0]).abs();
+        let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let bounds = |points: &Vec<DVec2>| points.iter().fold(empty, |[low, high], &p| [low.min(p), high.max(p)]);
+        let boxes: Vec<[DVec2; 2]> = self.loops.iter().map(bounds).collect();
         let part = |(k, points): (usize, &Vec<DVec2>)| {
-            let others: Vec<Vec<DVec2>> =
-                self.loops.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, l)| l.clone()).collect();
-            let hole = inside(&others, &points[..1])[0];
+            let around = |&l: &usize| {
+                let ([low, high], [own_low, own_high]) = (boxes[l], boxes[k]);
+                l != k && low.cmple(own_low).all() && high.cmpge(own_high).all() && contains(&self.loops[l], points[0])
+            };
+            let hole = (0..self.loops.len()).filter(around).count() % 2 == 1;
             if hole { -area(points) } else { area(points) }
         };
         self.loops.iter().enumerate().map(part).sum()

@@ -1,0 +1,112 @@
+//! Plane boundaries that touch at points: the film between them is bounded by joined loops.
+
+use super::initial_mesh::pins::bits;
+use super::initial_mesh::plane_of;
+use super::options::{InitialMesh, Options};
+use super::request::Input;
+use super::solved_film::SolvedFilm;
+use plateau_mesh::error::InputError;
+use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
+use plateau_mesh::polyline::{self, SAME_POINT};
+use plateau_mesh::{DVec2, DVec3, Error, Execution, Mesh, Place};
+use std::collections::BTreeMap;
+
+/// The joined loops of boundaries that touch, and which of their points are those of the input.
+pub(super) struct JoinedLoops {
+    /// Loops without equal neighbours. Points that touch have the same coordinates.
+    pub loops: Vec<Vec<DVec3>>,
+    /// For each point of the loops its number: the input's points first, then those that were added where a point of
+    /// another boundary lies on a side.
+    numbers: Vec<u32>,
+    /// For the centred position of each added point its position as given.
+    given: BTreeMap<[u64; 3], DVec3>,
+}
+
+impl JoinedLoops {
+    /// `None` if the boundaries do not lie in one plane, or do not touch there.
+    ///
+    /// # Errors
+    /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to connect
+    /// them. The interruptions of `exec`.
+    pub fn of(input: &Input, options: &Options, exec: &Execution) -> Result<Option<Self>, Error> {
+        let boundaries = &input.centred;
+        if boundaries.len() < 2 || !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar) {
+            return Ok(None);
+        }
+        let Some(frame) = plane_of(boundaries) else { return Ok(None) };
+        let flat: Vec<Vec<DVec2>> =
+            boundaries.iter().map(|points| points.iter().map(|&p| frame.project(p)).collect()).collect();
+        let radius = polyline::radius(&boundaries.concat());
+        let joined = match meeting(&flat, SAME_POINT * radius, exec)? {
+            Meeting::Apart => return Ok(None),
+            Meeting::Crossing(sides) if options.keeps_topology() => return Err(crossing(sides)),
+            Meeting::Crossing(_) => return Ok(None),
+            Meeting::Touching(joined) => joined,
+        };
+        let firsts: Vec<usize> = boundaries
+            .iter()
+            .scan(0, |next, points| {
+                *next += points.len();
+                Some(*next - points.len())
+            })
+            .collect();
+        let mut added = input.point_count() as u32;
+        let mut loops = Self { loops: Vec::with_capacity(joined.len()), numbers: Vec::new(), given: BTreeMap::new() };
+        for corners in joined {
+            let at = |(k, i): PointOf| boundaries[k][i];
+            loops.loops.push(corners.iter().map(|corner| at(corner.place)).collect());
+            for corner in corners {
+                let (k, i) = corner.source;
+                loops.numbers.push(if corner.added { added } else { (firsts[k] + i) as u32 });
+                if corner.added {
+                    added += 1;
+                    let (k, i) = corner.place;
+                    loops.given.insert(bits(boundaries[k][i]), input.given[k][i]);
+                }
+            }
+        }
+        Ok(Some(loops))
+    }
+
+    /// A film over the loops with the vertices of the input's points first, in their order and at their places.
+    pub fn restore(&self, solved: &mut SolvedFilm, input: &Input) {
+        let film = &solved.film;
+        let place: Vec<u32> =
+            self.numbers.iter().copied().chain(self.numbers.len() as u32..film.vertices.len() as u32).collect();
+        if let Some(mode) = &mut solved.run.unstable_mode {
+            let before = mode.clone();
+            before.iter().zip(&place).for_each(|(&direction, &v)| mode[v as usize] = direction);
+        }
+        solved.film = film.clone().renumbered(&place);
+        solved
+            .film
+            .vertices
+            .iter_mut()
+            .zip(input.centred.iter().flatten())
+            .for_each(|(vertex, &point)| *vertex = point);
+    }
+
+    /// The points that were added on the boundaries, for a mesh that stands where the input does. `centred` are its
+    /// vertices before they were moved there.
+    pub fn place_added(&self, mesh: &mut Mesh, centred: &[DVec3]) {
+        for (vertex, &point) in mesh.vertices.iter_mut().zip(centred) {
+            if let Some(&given) = self.given.get(&bits(point)) {
+                *vertex = given;
+            }
+        }
+    }
+}
+
+fn crossing([first, second]: [PointOf; 2]) -> Error {
+    let place = |(k, i): PointOf, (l, j): PointOf| {
+        let detail = format!("the side from this point meets the side from point {j} of boundary {l}");
+        InputError::new(Place::field("boundaries").at(k).at(i), detail)
+    };
+    Error::NoResult {
+        reason: "self_intersecting_boundary",
+        detail: "the boundaries lie in one plane and cross there, or share a piece of a side, so that they bound no region; \
+                 move the points apart, or ask for topology best if each boundary has a film of its own"
+            .into(),
+        places: vec![place(first, second), place(second, first)],
+    }
+}
