@@ -111,6 +111,22 @@ fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warn
     })
 }
 
+/// A warning if the mesh has far fewer or more triangles than were asked for.
+fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warning> {
+    let Resolution::Triangles(count) = options.resolution else { return None };
+    let triangles = statistics.triangles;
+    let missed = (triangles as f64 / count as f64 - 1.0).abs() > RESOLUTION_TOLERANCE
+        && !matches!(options.initial_mesh, InitialMesh::Given(_));
+    missed.then(|| {
+        let detail = format!(
+            "the mesh has {triangles} triangles, not {count}: the boundary's own points ask for more, or thin triangles were \
+             removed on the way"
+        );
+        let warning = Warning::new("triangles_missed", detail);
+        warning.with_count("triangles", triangles).with_count("asked", count)
+    })
+}
+
 /// The fixed vertices, sorted by the bits of their (centred) coordinates.
 fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
     let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
@@ -183,6 +199,7 @@ pub(super) fn finish(
         warnings.extend(spanning.warnings());
     }
     warnings.extend(missed_edge_length(&statistics, options));
+    warnings.extend(missed_triangles(&statistics, options));
     if !statistics.converged {
         warnings.push(statistics.not_converged(options.tolerance));
     }

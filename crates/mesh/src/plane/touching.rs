@@ -223,12 +223,21 @@ impl Nodes {
             }
             edges.sort_by(|a, b| b.0.total_cmp(&a.0));
             let turn = std::f64::consts::TAU;
-            for (k, &(angle, comes, v)) in edges.iter().enumerate() {
-                let (after, comes_too, other) = edges[(k + 1) % edges.len()];
-                let between = if k + 1 == edges.len() { angle - after + turn } else { angle - after };
-                if between <= SAME_DIRECTION || comes == comes_too {
-                    return Err([self.side(v, comes), self.side(other, comes_too)]);
-                }
+            let following = |k: usize| edges[(k + 1) % edges.len()];
+            let faulty = |lie_on_each_other: bool| {
+                (0..edges.len()).find(|&k| {
+                    let (between, wraps) = (edges[k].0 - following(k).0, k + 1 == edges.len());
+                    let between = if wraps { between + turn } else { between };
+                    between <= SAME_DIRECTION || (!lie_on_each_other && edges[k].1 == following(k).1)
+                })
+            };
+            if let Some(k) = faulty(true).or_else(|| faulty(false)) {
+                let mut sides = [edges[k], following(k)].map(|(_, comes, v)| self.side(v, comes));
+                sides.sort_unstable();
+                return Err(sides);
+            }
+            for (k, &(_, comes, v)) in edges.iter().enumerate() {
+                let (.., other) = following(k);
                 // The region lies on the left of an edge that comes: clockwise of it, up to the edge that goes.
                 if comes {
                     next[v] = self.following[other];

@@ -281,13 +281,15 @@ impl SharedPlaces {
                 let (mut fan, mut edge) = (Vec::new(), start);
                 while edge != end {
                     let &(t, k, next) = left_of.get(&(copy.place, edge))?;
-                    fan.push((t, k));
+                    fan.push((t, k, edge));
                     edge = next;
                 }
                 Some(fan)
             });
             let crossing = || Tangle::Coincident(self.first[copy.place as usize], copy.point);
-            for (t, k) in fan.ok_or_else(crossing)? {
+            // A fan has one vertex.
+            for (t, k, edge) in fan.ok_or_else(crossing)? {
+                left_of.remove(&(copy.place, edge));
                 triangles[t][k] = copy.point;
             }
         }

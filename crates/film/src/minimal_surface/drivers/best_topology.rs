@@ -14,7 +14,7 @@
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
 use crate::minimal_surface::initial_mesh;
-use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
+use crate::minimal_surface::options::{Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;
@@ -35,6 +35,15 @@ const GAP_RESOLUTION: f64 = 1e-3;
 /// Largest number of times that the gap is halved to find a first film. A larger value finds films over boundaries that
 /// are further apart.
 const HALVINGS: u32 = 8;
+
+/// Least number of triangles of a film for each of its boundary points, unless fewer are asked for altogether.
+const TRIANGLES_PER_POINT: usize = 3;
+/// Fraction of the tolerance to which a film is solved that spans some of the boundaries only. The mean of a film's
+/// boundary vertices, about which its radius is measured, differs a little from that of the points.
+const MARGIN: f64 = 0.5;
+/// Smallest radius of such a film that counts, as a fraction of that of all boundaries. A smaller one would ask for a
+/// residual below rounding.
+const SMALLEST_PART: f64 = 1e-4;
 
 impl SpanningComparison {
     pub(crate) fn warnings(&self) -> Vec<Warning> {
@@ -57,10 +66,11 @@ impl SpanningComparison {
 }
 
 /// Steps 1 to 4 for centred boundaries. A disc that does not hold (over a knotted boundary, or after a deadline) is
-/// kept, so that there is always a result. A connected film that does not hold is dropped.
+/// kept. A connected film that does not hold is dropped.
 ///
 /// # Errors
-/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries.
+/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries, if
+/// no other film spans these.
 pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
     let count = boundaries.len();
     if count > MOST_BOUNDARIES {
@@ -68,13 +78,14 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         return Err(Error::input(Place::field("topology"), detail));
     }
     let total: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-    let problem = SpanningProblem { boundaries, options, total };
+    let problem = SpanningProblem { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) };
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
     let mut parts: Vec<Option<SolvedFilm>> = vec![None; 1 << count];
     let share = 0.9 / sets.len() as f64;
     let mut interrupted = false;
+    let mut without_disc = None;
     for (k, &set) in sets.iter().enumerate() {
         let share = [share * k as f64, share * (k + 1) as f64];
         match exec.part(share, |exec| problem.part(set, exec)) {
@@ -83,7 +94,9 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
                 parts[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
             }
             Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
-            Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => return Err(error),
+            Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => {
+                without_disc.get_or_insert(error);
+            }
             // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no such
             // film.
             Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
@@ -126,7 +139,10 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
     };
     compared.sort_by(order);
-    // The partition into discs always has an area, so the first entry has one.
+    // The partition into discs has an area unless a boundary bounds no disc.
+    if let (None, Some(error)) = (compared[0].area, without_disc) {
+        return Err(error);
+    }
     compared[0].chosen = true;
     let chosen: Vec<&SolvedFilm> = compared[0]
         .films
@@ -241,24 +257,34 @@ struct SpanningProblem<'a> {
     options: &'a Options,
     /// Length of all boundaries together.
     total: f64,
+    /// Largest distance of their points from the mean.
+    radius: f64,
 }
 
 impl SpanningProblem<'_> {
-    /// The options for a set of boundaries: its share of the resolution is that of its length.
+    /// The options for a set of boundaries: its share of the resolution is that of its length, and at least
+    /// [`TRIANGLES_PER_POINT`], because a film without enough triangles for its own points has no mesh. Its tolerance is
+    /// that of the whole film, whose residual is measured by the radius of all boundaries.
     fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
         let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-        let share = |count: usize| ((count as f64 * length / self.total).round() as usize).max(1);
+        let points: usize = boundaries.iter().map(Vec::len).sum();
+        let share = |count: usize| {
+            let by_length = (count as f64 * length / self.total).round() as usize;
+            by_length.max((TRIANGLES_PER_POINT * points).min(count)).max(1)
+        };
         let resolution = match self.options.resolution {
             Resolution::Triangles(count) => Resolution::Triangles(share(count)),
             Resolution::InteriorVertices(count) => Resolution::InteriorVertices(share(count)),
             length @ Resolution::EdgeLength(_) => length,
         };
         let method = Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable: OnUnstable::Descend });
-        Options { resolution, method, ..self.options.clone() }
+        let smaller = (polyline::radius(&boundaries.concat()) / self.radius).clamp(SMALLEST_PART, 1.0);
+        let tolerance = if smaller < 1.0 { MARGIN * smaller * self.options.tolerance } else { self.options.tolerance };
+        Options { resolution, method, tolerance, ..self.options.clone() }
     }
 
-    fn task(&self) -> newton::Task {
-        newton::Task { limits: self.options.limits(), on_unstable: OnUnstable::Descend, given: false, may_widen: true }
+    fn task(limits: Limits) -> newton::Task {
+        newton::Task { limits, on_unstable: OnUnstable::Descend, given: false, may_widen: true }
     }
 
     /// Step 1 for one set.
@@ -272,7 +298,7 @@ impl SpanningProblem<'_> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, self.task(), exec)?;
+        let run = newton::run(&mut film, Self::task(options.limits()), exec)?;
         Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
@@ -305,7 +331,7 @@ impl SpanningProblem<'_> {
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let run = newton::run(&mut film, self.task(), exec)?;
+            let run = newton::run(&mut film, Self::task(self.options.limits()), exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;
             }
