@@ -38,10 +38,13 @@ pub enum Meeting {
     Crossing([PointOf; 2]),
 }
 
+/// Pairs of boxes that are compared between two looks at the execution.
+const BOXES_PER_LOOK: usize = 1 << 16;
 /// Directions of two edges that differ by less (radians) lie on each other. Their polygons share a piece of a side.
 const SAME_DIRECTION: f64 = 1e-9;
 
-/// How polygons meet each other and themselves. Points and sides touch if they are at most `tolerance` apart.
+/// How polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that touches itself
+/// counts as crossing, except at points with equal coordinates, which the triangulation judges.
 /// O(n log n) for n points, and the square of the number of polygons in comparisons of boxes.
 ///
 /// # Errors
@@ -85,8 +88,12 @@ impl Contacts {
         let segments: Vec<Segments> = flat.iter().map(|points| Segments::new(points, true)).collect();
         let boxes: Vec<[DVec2; 2]> = polygons.iter().map(|points| bounds(points)).collect();
         let mut contacts = Self::default();
+        let mut compared = 0;
         for k in 0..polygons.len() {
-            exec.look(polygons.len() as u64)?;
+            compared += polygons.len() - k;
+            if compared >= BOXES_PER_LOOK {
+                exec.look(std::mem::take(&mut compared) as u64)?;
+            }
             let count = polygons[k].len();
             for l in k..polygons.len() {
                 let apart = (boxes[k][0] - boxes[l][1]).max(boxes[l][0] - boxes[k][1]).max_element();
@@ -103,7 +110,14 @@ impl Contacts {
                 };
                 first_contact(&segments[k], &segments[l], tolerance, note, exec)?;
                 for (i, j) in found.into_inner() {
-                    if !contacts.add([(k, i), (l, j)], polygons, tolerance) {
+                    let is_one_place = || {
+                        let ends = |k: usize, i: usize| [polygons[k][i], polygons[k][(i + 1) % polygons[k].len()]];
+                        ends(k, i).iter().any(|p| ends(l, j).contains(p))
+                    };
+                    if k == l && is_one_place() {
+                        continue;
+                    }
+                    if k == l || !contacts.add([(k, i), (l, j)], polygons, tolerance) {
                         return Ok(Err([(k, i), (l, j)]));
                     }
                 }

@@ -286,7 +286,11 @@ impl SharedPlaces {
                 }
                 Some(fan)
             });
-            let crossing = || Tangle::Coincident(self.first[copy.place as usize], copy.point);
+            let crossing = || {
+                let first = self.first[copy.place as usize];
+                let other = self.copies.iter().find(|other| other.place == copy.place && other.point != first);
+                Tangle::Coincident(first, other.map_or(copy.point, |other| other.point))
+            };
             // A fan has one vertex.
             for (t, k, edge) in fan.ok_or_else(crossing)? {
                 left_of.remove(&(copy.place, edge));
