@@ -191,8 +191,8 @@ fn shoelace(points: &[DVec3]) -> f64 {
     0.5 * points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>().abs()
 }
 
-/// Three polygons of OGC's test suite. Their holes were covered twice (545.5 for 454.5, 638.5 for 522.5), or no film was
-/// found.
+/// Three polygons of OGC's test suite. Their holes were covered twice (545.5 for 454.5, 638.5 for 522.5), or no film
+/// was found.
 #[test]
 fn plane_films_whose_holes_touch_cover_the_area_between_them() {
     let two_holes = [

@@ -26,8 +26,8 @@ impl JoinedLoops {
     /// `None` if the boundaries do not lie in one plane, or do not touch there.
     ///
     /// # Errors
-    /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to connect
-    /// them. The interruptions of `exec`.
+    /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to
+    /// connect them. The interruptions of `exec`.
     pub fn of(input: &Input, options: &Options, exec: &Execution) -> Result<Option<Self>, Error> {
         let boundaries = &input.centred;
         if boundaries.len() < 2 || !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar) {
@@ -104,8 +104,8 @@ fn crossing([first, second]: [PointOf; 2]) -> Error {
     };
     Error::NoResult {
         reason: "self_intersecting_boundary",
-        detail: "the boundaries lie in one plane and cross there, or share a piece of a side, so that they bound no region; \
-                 move the points apart, or ask for topology best if each boundary has a film of its own"
+        detail: "the boundaries lie in one plane and cross there, or share a piece of a side, so that they bound no \
+                 region; move the points apart, or ask for topology best if each boundary has a film of its own"
             .into(),
         places: vec![place(first, second), place(second, first)],
     }

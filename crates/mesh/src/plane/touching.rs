@@ -31,8 +31,8 @@ pub struct Corner {
 pub enum Meeting {
     /// Each of them is a loop of its own.
     Apart,
-    /// The loops of polygons that touch at points, in the order of their first polygons, each in the direction of its first
-    /// polygon.
+    /// The loops of polygons that touch at points, in the order of their first polygons, each in the direction of its
+    /// first polygon.
     Touching(Vec<Vec<Corner>>),
     /// Two sides that cross, or share more than a point, by the points at which they start.
     Crossing([PointOf; 2]),
@@ -43,9 +43,9 @@ const BOXES_PER_LOOK: usize = 1 << 16;
 /// Directions of two edges that differ by less (radians) lie on each other. Their polygons share a piece of a side.
 const SAME_DIRECTION: f64 = 1e-9;
 
-/// How polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that touches itself
-/// counts as crossing, except at points with equal coordinates, which the triangulation judges.
-/// O(n log n) for n points, and the square of the number of polygons in comparisons of boxes.
+/// How polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that touches
+/// itself counts as crossing, except at points with equal coordinates, which the triangulation judges. O(n log n) for n
+/// points, and the square of the number of polygons in comparisons of boxes.
 ///
 /// # Errors
 /// The interruptions of `exec`.

@@ -74,8 +74,8 @@ pub struct Triangulation {
 /// counter-clockwise, in the triangulation's order. Slits are edges that the triangles must have. O(n log n).
 ///
 /// # Errors
-/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way. A loop
-/// may visit a place several times if its points there have the same coordinates and it does not cross itself
+/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way.
+/// A loop may visit a place several times if its points there have the same coordinates and it does not cross itself
 /// ([`touching`](super::touching)); each of these points is a vertex of its own.
 #[inline]
 pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
@@ -202,8 +202,8 @@ struct SharedPlaces {
     constraints: Vec<Constraint>,
     /// For each distinct point the (first) point that it stands for.
     first: Vec<u32>,
-    /// For each point that shares its place: the distinct point there, itself, and the distinct points before and after it
-    /// on its loop.
+    /// For each point that shares its place: the distinct point there, itself, and the distinct points before and after
+    /// it on its loop.
     copies: Vec<FanVertex>,
 }
 

@@ -69,8 +69,8 @@ impl SpanningComparison {
 /// kept. A connected film that does not hold is dropped.
 ///
 /// # Errors
-/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries, if
-/// no other film spans these.
+/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries,
+/// if no other film spans these.
 pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
     let count = boundaries.len();
     if count > MOST_BOUNDARIES {
@@ -263,8 +263,8 @@ struct SpanningProblem<'a> {
 
 impl SpanningProblem<'_> {
     /// The options for a set of boundaries: its share of the resolution is that of its length, and at least
-    /// [`TRIANGLES_PER_POINT`], because a film without enough triangles for its own points has no mesh. Its tolerance is
-    /// that of the whole film, whose residual is measured by the radius of all boundaries.
+    /// [`TRIANGLES_PER_POINT`], because a film without enough triangles for its own points has no mesh. Its tolerance
+    /// is that of the whole film, whose residual is measured by the radius of all boundaries.
     fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
         let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
         let points: usize = boundaries.iter().map(Vec::len).sum();
