@@ -119,8 +119,8 @@ fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warnin
         && !matches!(options.initial_mesh, InitialMesh::Given(_));
     missed.then(|| {
         let detail = format!(
-            "the mesh has {triangles} triangles, not {count}: the boundary's own points ask for more, or thin triangles \
-             were removed on the way"
+            "the mesh has {triangles} triangles, not {count}: the boundary's own points ask for more, or thin \
+             triangles were removed on the way"
         );
         let warning = Warning::new("triangles_missed", detail);
         warning.with_count("triangles", triangles).with_count("asked", count)

@@ -190,12 +190,12 @@ impl Nodes {
         let mut nodes = Self { corners: Vec::new(), following: Vec::new(), polygons: Vec::new() };
         for (k, points) in polygons.iter().enumerate() {
             let first = nodes.corners.len();
-            for i in 0..points.len() {
+            for (i, &point) in points.iter().enumerate() {
                 let own = (k, i);
                 let place = contacts.place.get(&own).copied().unwrap_or(own);
                 nodes.corners.push(Corner { source: own, added: false, place });
                 let mut added: Vec<PointOf> = contacts.on_side.get(&own).into_iter().flatten().copied().collect();
-                let way = |&(l, j): &PointOf| polygons[l][j].distance_squared(points[i]);
+                let way = |&(l, j): &PointOf| polygons[l][j].distance_squared(point);
                 added.sort_by(|p, q| way(p).total_cmp(&way(q)));
                 let mut places: Vec<PointOf> = added.iter().map(|point| contacts.place[point]).collect();
                 places.dedup();
