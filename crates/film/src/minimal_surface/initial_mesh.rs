@@ -289,7 +289,7 @@ fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) 
     let is_outside = |point: &DVec3| {
         let place = frame.project(*point);
         let is_on_boundary = boundaries.iter().flatten().any(|p| p == point);
-        !is_on_boundary && loops.iter().filter(|polygon| contains(polygon, place)).count() % 2 == 0
+        !is_on_boundary && loops.iter().filter(|polygon| contains(polygon, place)).count().is_multiple_of(2)
     };
     let place = Place::field("constraints");
     if let Some(k) = constraints.points.iter().position(is_outside) {
