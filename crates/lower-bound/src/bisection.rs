@@ -30,8 +30,8 @@ pub(super) const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3
 /// The four faces of a tetrahedron; face k lacks position k.
 pub(super) const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
-/// Numbers of the two fields that the mesh carries: the one with the best bound, and the one from which the next mesh
-/// starts.
+/// Numbers of the two fields on the mesh: the field with the best bound, and the field near the central path from which
+/// the next mesh starts.
 pub(super) const BEST: usize = 0;
 pub(super) const CENTRAL: usize = 1;
 
@@ -61,32 +61,33 @@ struct Node {
     vertices: [u32; 4],
     tag: u8,
     level: u8,
-    /// The first of two children that stand next to each other; 0 if there are none.
+    /// Number of the first child; the second child is the next node. 0 if there are no children.
     children: u32,
     /// Position among the leaves, if it is one.
     leaf: u32,
 }
 
-/// A box that no lattice of exact f64 points can resolve: the coordinates are too large for its size.
+/// Error: f64 cannot hold a lattice of exact points in the box, because the coordinates are too large for its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TooFarAway;
 
-/// Cells along the longest side of the box.
+/// Number of cells along the longest side of the box.
 const CELLS: f64 = 4.0;
 /// The box reaches beyond the points by this fraction of its longest side: different on all sides, so that points and
 /// segments of a symmetrical boundary do not lie in the faces of the cells.
 const MARGINS: [[f64; 3]; 2] = [[0.031, 0.027, 0.037], [0.029, 0.033, 0.024]];
-/// Most levels of bisection; three of them halve a tetrahedron's size.
+/// Largest number of levels of bisection; three of them halve a tetrahedron's size.
 const MOST_LEVELS: u8 = 48;
-/// Bits of a cell's side in units of the lattice beyond the bisections, so that the box fits closely.
+/// Number of bits by which a lattice step exceeds the least unit, so that steps can be chosen for which the box fits
+/// closely.
 const FITTING_BITS: i32 = 7;
 
 /// Least side of a cell, as a fraction of the side that it has along the longest side of the box.
 const FLATTEST_CELL: f64 = 0.75;
-/// Fewer halvings than this are of no use.
+/// Least number of halvings of a cell that the lattice must resolve; a mesh with fewer proves no useful bound.
 const LEAST_BITS: i32 = 8;
 
-/// Where a boundary's segment runs through the mesh: one piece in one leaf, its ends by barycentric coordinates.
+/// A piece of a boundary's segment that lies in one leaf, its ends by barycentric coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub leaf: u32,
@@ -95,7 +96,7 @@ pub(super) struct Piece {
     pub to: [f64; 4],
     /// Parameters on the segment, 0 to 1.
     pub range: [f64; 2],
-    /// The piece lies in the leaf's mirror image: -1 along the axes that were reflected, else 1.
+    /// The mirror image of the leaf in which the piece lies: -1 along the axes that are reflected, else 1.
     pub flips: DVec3,
 }
 
@@ -107,7 +108,7 @@ pub(super) struct BisectionMesh {
     mirrors: Mirrors,
     /// Length of a lattice step along each axis.
     step: DVec3,
-    /// Lattice steps of a cell.
+    /// Number of lattice steps of a cell.
     cell: u32,
     cells: [u32; 3],
     lattice: Vec<[u32; 3]>,
@@ -170,7 +171,7 @@ impl BisectionMesh {
         Ok(mesh)
     }
 
-    /// Cuts every cell into six tetrahedra.
+    /// Cuts each cell into six tetrahedra.
     fn fill(&mut self) {
         let [nx, ny, nz] = self.cells;
         for x in 0..=nx {
@@ -206,8 +207,8 @@ impl BisectionMesh {
         }
     }
 
-    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere. With
-    /// planes of symmetry it is the vector's part that is symmetrical.
+    /// Sets both fields to half the cross product of `curl` and the place, whose curl is `curl` everywhere. With planes
+    /// of symmetry the symmetrical part of `curl` is taken.
     pub fn set_constant_curl(&mut self, curl: DVec3) {
         let curl = self.mirrors.symmetrical(curl);
         let (origin, vertices) = (self.origin, &self.vertices);
@@ -283,7 +284,7 @@ impl BisectionMesh {
         self.nodes[self.leaves[leaf] as usize].vertices
     }
 
-    /// Bisections between the cell's tetrahedron and the leaf.
+    /// Number of bisections between the cell's tetrahedron and the leaf.
     pub fn leaf_level(&self, leaf: usize) -> u8 {
         self.nodes[self.leaves[leaf] as usize].level
     }
@@ -298,8 +299,8 @@ impl BisectionMesh {
         side.x * side.y * side.z / 6.0 * 0.5f64.powi(i32::from(self.leaf_level(leaf)))
     }
 
-    /// Bisects the given leaves and whatever has to follow for the mesh to conform. The fields stay the same functions;
-    /// the multipliers are interpolated.
+    /// Bisects the given leaves, and the further leaves that keep the mesh conforming. The fields stay the same
+    /// functions; the multipliers are interpolated.
     pub fn bisect(&mut self, marked: &[u32]) {
         let mut open: Vec<u32> = marked.iter().map(|&leaf| self.leaves[leaf as usize]).collect();
         open.retain(|&node| u32::from(self.nodes[node as usize].level) < 3 * self.cell.ilog2());
@@ -347,8 +348,8 @@ impl BisectionMesh {
             if position == 0 || position == k || self.edges.contains_key(&key) {
                 continue;
             }
-            // Along the median of the face first, last, vertex: the mean of the sides, and an eighth of how the flux
-            // varies.
+            // The circulation along the median of the face (first, last, vertex) is the mean of those along its two
+            // sides, plus an eighth of the variation of the flux.
             let [a, b, c] = [first, last, vertex].map(|v| self.vertices[v as usize]);
             let double_area = (b - a).cross(c - a);
             let sides = [self.circulation(first, vertex), self.circulation(last, vertex)];
@@ -396,8 +397,8 @@ impl BisectionMesh {
         self.nodes[node as usize].children = first_child;
     }
 
-    /// The leaf that holds a point of the box or its mirror image, and the image's barycentric coordinates there; the
-    /// nearest one for a point outside.
+    /// The leaf that contains a point of the box or its mirror image, and the image's barycentric coordinates there.
+    /// For a point outside it is the nearest leaf.
     pub fn locate(&self, point: DVec3) -> (u32, [f64; 4]) {
         let local = (self.reflect(point, self.flips(point)) - self.origin) / (self.step * f64::from(self.cell));
         let mut cell = [0u32; 3];
@@ -422,7 +423,7 @@ impl BisectionMesh {
 
     /// The tetrahedron of a cell that holds a point given by fractions of the cell's sides, and its coordinates there.
     fn root(&self, cell: [u32; 3], inside: [f64; 3]) -> (u32, [f64; 4]) {
-        // The path of a tetrahedron takes the axes by falling coordinates.
+        // The tetrahedron's edges follow the axes in the order of falling coordinates.
         let mut path = [0, 1, 2];
         path.sort_by(|&a, &b| inside[b].total_cmp(&inside[a]));
         let [a, b, c] = path.map(|axis| inside[axis]);
@@ -437,7 +438,7 @@ impl BisectionMesh {
     pub fn trace(&self, from: DVec3, to: DVec3) -> Vec<Piece> {
         let scale = self.step * f64::from(self.cell);
         let (from, to) = ((from - self.origin) / scale, (to - self.origin) / scale);
-        // Where the segment passes through the planes of symmetry.
+        // Parameters at which the segment passes through the planes of symmetry.
         let crossing = |axis: usize| from[axis] / (from[axis] - to[axis]);
         let crosses = |axis: &usize| self.mirrors.axes().test(*axis) && from[*axis] * to[*axis] < 0.0;
         let mut cuts: Vec<f64> = (0..3).filter(crosses).map(crossing).chain([0.0, 1.0]).collect();
@@ -452,16 +453,16 @@ impl BisectionMesh {
             self.trace_part(start * flips, end * flips, &mut pieces);
             for piece in &mut pieces[first..] {
                 piece.flips = flips;
-                // Exact at both ends.
+                // The form is exact at both ends.
                 piece.range = piece.range.map(|t| part[0] * (1.0 - t) + part[1] * t);
             }
         }
         pieces
     }
 
-    /// The same for a part on this side of the planes of symmetry, given in cells from the origin.
+    /// Adds the pieces of a part on this side of the planes of symmetry. Coordinates are in cells from the origin.
     fn trace_part(&self, from: DVec3, to: DVec3, pieces: &mut Vec<Piece>) {
-        // Where the segment changes the cell or the order of its coordinates within a cell.
+        // Parameters at which the segment changes the cell, or the order of its coordinates within a cell.
         let mut cuts = vec![0.0, 1.0];
         let mut cut = |a: f64, b: f64| {
             let (low, high) = (a.min(b), a.max(b));

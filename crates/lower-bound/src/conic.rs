@@ -28,7 +28,7 @@ use super::system::{Factor, Stop, System};
 use glam::{DMat3, DVec4};
 use plateau_mesh::{DVec3, Execution};
 
-/// Part of the way to the boundary of a cone that a step may go at most.
+/// Longest step, as a fraction of the way to the boundary of a cone. Usual values are 0.9 to 0.99.
 const LARGEST_PART: f64 = 0.98;
 /// Largest |v| at the start on the first mesh. A start nearer to 1 needs more steps, because the first of them are
 /// short: 0.3 and 0.5 needed the same number, 0.8 a fifth more and 0.95 half as many more.
@@ -36,19 +36,20 @@ const START: f64 = 0.5;
 /// The next mesh starts from the first iterate whose gap is at most this fraction of the film's area. On four films
 /// fractions from 0.1 to 0.5 needed the same number of steps within two.
 const HANDED_ON: f64 = 0.1;
-/// The field of that iterate is multiplied by this number, so that no curl starts at the boundary of its cone.
+/// Factor for the field of that iterate, so that no curl starts at the boundary of its cone.
 const PULLED_BACK: f64 = 0.95;
-/// Corrections of a direction at most. Two or three save a quarter to a third of the steps, one saves a tenth.
+/// Largest number of corrections of a direction. Two or three save a quarter to a third of the steps, one saves a
+/// tenth.
 const CORRECTIONS: u32 = 2;
 /// Increase of the step length that a correction aims for.
 const LONGER: f64 = 0.3;
 /// The Jordan products that a corrected step may leave, as multiples of those on the central path.
 const SPREAD: [f64; 2] = [0.1, 10.0];
-/// Shortest step that is taken. A factor without accuracy gives shorter ones, or none.
+/// Shortest step that is taken. Shorter steps come from a factor that has lost its accuracy.
 const SHORTEST_STEP: f64 = 1e-6;
 /// Elementary operations on a leaf between two looks at the caller's signal, in the units of the assembly.
 const LEAF_WORK: usize = 4;
-/// The least μ of the corrector, as a fraction of the present one.
+/// Least μ of the corrector, as a fraction of the present μ.
 const LEAST_CENTERING: f64 = 1e-9;
 
 /// The field that gave the best bound so far.
@@ -58,14 +59,14 @@ pub(super) struct Best {
     pub field: Vec<f64>,
 }
 
-/// A vector of four coordinates, of which the first stands apart.
+/// A vector in the space of the cone: a first coordinate, and three others whose length it bounds inside the cone.
 #[derive(Clone, Copy, Debug)]
-struct Spin {
+struct ConeVector {
     first: f64,
     rest: DVec3,
 }
 
-impl Spin {
+impl ConeVector {
     fn new(first: f64, rest: DVec3) -> Self {
         Self { first, rest }
     }
@@ -82,7 +83,7 @@ impl Spin {
         Self::new(self.first * by, self.rest * by)
     }
 
-    /// The square of the first coordinate less those of the others: positive inside the cone.
+    /// The square of the first coordinate minus those of the others: positive inside the cone.
     fn norm(self) -> f64 {
         let length = self.rest.length();
         ((self.first - length) * (self.first + length)).max(f64::MIN_POSITIVE)
@@ -99,7 +100,7 @@ impl Spin {
         Self::new(first, (other.rest - self.rest * first) / self.first)
     }
 
-    /// The largest step along `step` that stays in the cone; infinite if none leaves it.
+    /// The largest multiple of `step` that stays in the cone; infinite if every multiple does.
     fn largest_step(self, step: Self) -> f64 {
         // The smallest positive root of a t² + 2 b t + c = 0, which says that the norm vanishes.
         let a = step.first * step.first - step.rest.length_squared();
@@ -110,7 +111,7 @@ impl Spin {
             return f64::INFINITY;
         }
         let root = discriminant.sqrt();
-        // Of the root's two forms the one that does not cancel is used.
+        // Of the two forms of the root, the form without cancellation is used.
         let far = if b > 0.0 { if a < 0.0 { (b + root) / -a } else { f64::INFINITY } } else { c / (root - b) };
         if far > 0.0 { far } else { f64::INFINITY }
     }
@@ -121,45 +122,46 @@ impl Spin {
 struct Scaling {
     /// W is this number times the matrix of a vector of norm 1.
     factor: f64,
-    vector: Spin,
+    vector: ConeVector,
     /// W x.
-    scaled: Spin,
+    scaled: ConeVector,
 }
 
 impl Scaling {
-    fn of(s: Spin, x: Spin) -> Self {
+    fn of(s: ConeVector, x: ConeVector) -> Self {
         let (of_s, of_x) = (s.norm().sqrt(), x.norm().sqrt());
         let (unit_s, unit_x) = (s.scaled(1.0 / of_s), x.scaled(1.0 / of_x));
         let twice = (2.0 * (1.0 + unit_s.dot(unit_x))).sqrt();
-        let vector = Spin::new(unit_s.first + unit_x.first, unit_s.rest - unit_x.rest).scaled(1.0 / twice);
+        let vector = ConeVector::new(unit_s.first + unit_x.first, unit_s.rest - unit_x.rest).scaled(1.0 / twice);
         let mut scaling = Self { factor: (of_s / of_x).sqrt(), vector, scaled: x };
         scaling.scaled = scaling.apply(x);
         scaling
     }
 
     /// W x.
-    fn apply(&self, x: Spin) -> Spin {
-        let Spin { first, rest } = self.vector;
+    fn apply(&self, x: ConeVector) -> ConeVector {
+        let ConeVector { first, rest } = self.vector;
         let along = rest.dot(x.rest);
-        Spin::new(first * x.first + along, x.rest + rest * (x.first + along / (first + 1.0))).scaled(self.factor)
+        ConeVector::new(first * x.first + along, x.rest + rest * (x.first + along / (first + 1.0))).scaled(self.factor)
     }
 
     /// W⁻¹ s.
-    fn unapply(&self, s: Spin) -> Spin {
-        let Spin { first, rest } = self.vector;
+    fn unapply(&self, s: ConeVector) -> ConeVector {
+        let ConeVector { first, rest } = self.vector;
         let along = rest.dot(s.rest);
-        Spin::new(first * s.first - along, s.rest + rest * (along / (first + 1.0) - s.first)).scaled(1.0 / self.factor)
+        ConeVector::new(first * s.first - along, s.rest + rest * (along / (first + 1.0) - s.first))
+            .scaled(1.0 / self.factor)
     }
 
     /// W⁻² s for a vector whose first coordinate is 0.
-    fn unapply_twice(&self, s: DVec3) -> Spin {
-        let Spin { first, rest } = self.vector;
+    fn unapply_twice(&self, s: DVec3) -> ConeVector {
+        let ConeVector { first, rest } = self.vector;
         let along = 2.0 * rest.dot(s);
-        Spin::new(-first * along, s + rest * along).scaled(1.0 / (self.factor * self.factor))
+        ConeVector::new(-first * along, s + rest * along).scaled(1.0 / (self.factor * self.factor))
     }
 
-    /// How the dual vector changes with v, if the aim is the boundary of the cones.
-    fn dual_change(&self, dual: Spin, change: DVec3) -> Spin {
+    /// The change of the dual vector with v, if the target is the boundary of the cones.
+    fn dual_change(&self, dual: ConeVector, change: DVec3) -> ConeVector {
         dual.scaled(-1.0).plus(self.unapply_twice(change), -1.0)
     }
 }
@@ -168,11 +170,11 @@ impl Scaling {
 #[derive(Debug)]
 struct Direction {
     /// The targets of the changes of the dual vectors.
-    aims: Vec<[Spin; 4]>,
+    targets: Vec<[ConeVector; 4]>,
     field: Vec<f64>,
     curl: Vec<[DVec3; 4]>,
-    dual: Vec<[Spin; 4]>,
-    /// How far the cones let the curl and the dual vectors go.
+    dual: Vec<[ConeVector; 4]>,
+    /// Longest steps of the curl and of the dual vectors that stay in the cones.
     far: f64,
     far_dual: f64,
 }
@@ -183,17 +185,17 @@ struct Linearisation<'a> {
     space: &'a Space,
     form: &'a [f64],
     curl: &'a [[DVec3; 4]],
-    dual: &'a [[Spin; 4]],
+    dual: &'a [[ConeVector; 4]],
     scalings: &'a [[Scaling; 4]],
     factor: &'a Factor<'a>,
 }
 
 impl Linearisation<'_> {
-    fn direction(&self, aims: Vec<[Spin; 4]>, exec: &Execution) -> Result<Direction, Stop> {
+    fn direction(&self, targets: Vec<[ConeVector; 4]>, exec: &Execution) -> Result<Direction, Stop> {
         let Self { space, form, curl, dual, scalings, factor } = self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let mut gradient = form.to_vec();
-        space.transposed_curl(|leaf, p| aims[leaf][p].rest, &mut gradient);
+        space.transposed_curl(|leaf, p| targets[leaf][p].rest, &mut gradient);
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let field = factor.solve(&gradient);
         exec.look((LEAF_WORK * curl.len()) as u64)?;
@@ -201,35 +203,35 @@ impl Linearisation<'_> {
         let (mut far, mut far_dual) = (f64::INFINITY, f64::INFINITY);
         let mut dual_changes = Vec::with_capacity(curl.len());
         for leaf in 0..curl.len() {
-            let changes: [Spin; 4] = std::array::from_fn(|p| {
-                far = far.min(Spin::new(1.0, curl[leaf][p]).largest_step(Spin::new(0.0, change[leaf][p])));
-                let by = scalings[leaf][p].dual_change(dual[leaf][p], change[leaf][p]).plus(aims[leaf][p], 1.0);
+            let changes: [ConeVector; 4] = std::array::from_fn(|p| {
+                far = far.min(ConeVector::new(1.0, curl[leaf][p]).largest_step(ConeVector::new(0.0, change[leaf][p])));
+                let by = scalings[leaf][p].dual_change(dual[leaf][p], change[leaf][p]).plus(targets[leaf][p], 1.0);
                 far_dual = far_dual.min(dual[leaf][p].largest_step(by));
                 by
             });
             dual_changes.push(changes);
         }
-        Ok(Direction { aims, field, curl: change, dual: dual_changes, far, far_dual })
+        Ok(Direction { targets, field, curl: change, dual: dual_changes, far, far_dual })
     }
 
-    /// Aims for a longer step than `direction` allows: where that step would leave a Jordan product outside of
-    /// [`SPREAD`], the nearer end of the range is aimed at.
-    fn recentred(&self, direction: &Direction, target: f64) -> Vec<[Spin; 4]> {
+    /// Returns targets for a longer step than `direction` allows: where that step would leave a Jordan product outside
+    /// of [`SPREAD`], the target is the nearer end of that range.
+    fn recentred(&self, direction: &Direction, target: f64) -> Vec<[ConeVector; 4]> {
         let [far, far_dual] = [direction.far, direction.far_dual].map(|far| (far + LONGER).min(1.0));
         let [low, high] = SPREAD.map(|times| times * target);
         let correction = |product: f64| (product.clamp(low, high) - product).max(-high);
-        let aim = |leaf: usize, p: usize| {
+        let target_of = |leaf: usize, p: usize| {
             let scaling = &self.scalings[leaf][p];
-            let s = scaling.unapply(Spin::new(1.0, self.curl[leaf][p] + direction.curl[leaf][p] * far));
+            let s = scaling.unapply(ConeVector::new(1.0, self.curl[leaf][p] + direction.curl[leaf][p] * far));
             let x = scaling.apply(self.dual[leaf][p].plus(direction.dual[leaf][p], far_dual));
             let product = s.times(x);
             // The eigenvalues of the product are corrected.
             let length = product.rest.length();
             let [most, least] = [length, -length].map(|by| correction(product.first + by));
-            let by = Spin::new(0.5 * (most + least), product.rest.normalize_or_zero() * (0.5 * (most - least)));
-            direction.aims[leaf][p].plus(scaling.unapply(scaling.scaled.divide(by)), 1.0)
+            let by = ConeVector::new(0.5 * (most + least), product.rest.normalize_or_zero() * (0.5 * (most - least)));
+            direction.targets[leaf][p].plus(scaling.unapply(scaling.scaled.divide(by)), 1.0)
         };
-        (0..self.curl.len()).map(|leaf| std::array::from_fn(|p| aim(leaf, p))).collect()
+        (0..self.curl.len()).map(|leaf| std::array::from_fn(|p| target_of(leaf, p))).collect()
     }
 }
 
@@ -238,10 +240,10 @@ impl Linearisation<'_> {
 ///
 /// Interpolation to a finer mesh leaves some vectors almost at the boundary of their cone, and each of these would keep
 /// the first steps short.
-fn recentre(curl: &[[DVec3; 4]], dual: &mut [[Spin; 4]]) {
+fn recentre(curl: &[[DVec3; 4]], dual: &mut [[ConeVector; 4]]) {
     let mean = complementarity(curl, dual) / (4 * curl.len()) as f64;
     for (x, &v) in dual.iter_mut().flatten().zip(curl.iter().flatten()) {
-        x.first = (x.rest.length_squared() + mean * mean / Spin::new(1.0, v).norm()).sqrt();
+        x.first = (x.rest.length_squared() + mean * mean / ConeVector::new(1.0, v).norm()).sqrt();
     }
 }
 
@@ -255,7 +257,7 @@ pub(super) struct Level<'a> {
     /// v.
     curl: Vec<[DVec3; 4]>,
     /// (t, u).
-    dual: Vec<[Spin; 4]>,
+    dual: Vec<[ConeVector; 4]>,
     /// Σ (t + u·v).
     complementarity: f64,
     /// Dual residual relative to its value at the start.
@@ -264,8 +266,8 @@ pub(super) struct Level<'a> {
     /// Whether rounding allows no further step.
     pub stalled: bool,
     pub best: Best,
-    /// Where the next mesh starts, once it is reached.
-    central: Option<(Vec<f64>, Vec<[Spin; 4]>)>,
+    /// The iterate from which the next mesh starts, once it was reached.
+    central: Option<(Vec<f64>, Vec<[ConeVector; 4]>)>,
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -277,8 +279,8 @@ fn largest(curl: &[[DVec3; 4]]) -> f64 {
 }
 
 /// Σ (t + u·v).
-fn complementarity(curl: &[[DVec3; 4]], dual: &[[Spin; 4]]) -> f64 {
-    curl.iter().flatten().zip(dual.iter().flatten()).map(|(&v, x)| x.dot(Spin::new(1.0, v))).sum()
+fn complementarity(curl: &[[DVec3; 4]], dual: &[[ConeVector; 4]]) -> f64 {
+    curl.iter().flatten().zip(dual.iter().flatten()).map(|(&v, x)| x.dot(ConeVector::new(1.0, v))).sum()
 }
 
 impl<'a> Level<'a> {
@@ -290,10 +292,10 @@ impl<'a> Level<'a> {
         let scale = largest(&curl);
         let bound = if scale > 0.0 { (dot(form, &field) / scale).max(0.0) } else { 0.0 };
         let best = Best { bound, field: field.clone() };
-        let (dual, infeasibility): (Vec<[Spin; 4]>, f64) = if warm {
+        let (dual, infeasibility): (Vec<[ConeVector; 4]>, f64) = if warm {
             field = space.field(mesh, CENTRAL);
             curl = space.curl(&field);
-            let of = |&leaf: &u32| mesh.nodal[leaf as usize].dual.map(|x| Spin::new(x.w, x.truncate()));
+            let of = |&leaf: &u32| mesh.nodal[leaf as usize].dual.map(|x| ConeVector::new(x.w, x.truncate()));
             let mut dual: Vec<_> = space.constrained.iter().map(of).collect();
             field.iter_mut().for_each(|value| *value *= PULLED_BACK);
             curl.iter_mut().flatten().for_each(|v| *v *= PULLED_BACK);
@@ -307,7 +309,7 @@ impl<'a> Level<'a> {
             field.iter_mut().for_each(|value| *value *= factor);
             curl.iter_mut().flatten().for_each(|v| *v *= factor);
             let weight = (1.0 - START) * film_area / (4 * curl.len()) as f64;
-            let central = |v: DVec3| Spin::new(1.0, -v).scaled(weight / Spin::new(1.0, v).norm());
+            let central = |v: DVec3| ConeVector::new(1.0, -v).scaled(weight / ConeVector::new(1.0, v).norm());
             (curl.iter().map(|at| at.map(central)).collect(), 1.0)
         };
         let complementarity = complementarity(&curl, &dual);
@@ -321,8 +323,8 @@ impl<'a> Level<'a> {
         (field.clone(), dual.iter().map(|at| at.map(|x| x.rest.extend(x.first))).collect())
     }
 
-    /// How far the circulation is at most below the optimum of this mesh, once the dual constraint holds. Until then
-    /// the film's area times the residual's remaining fraction is added, which is an estimate.
+    /// Upper bound of the distance from the circulation to the optimum of this mesh, once the dual constraint holds.
+    /// Until then it is an estimate: the film's area times the remaining fraction of the residual is added.
     pub fn gap(&self) -> f64 {
         self.complementarity + self.infeasibility * self.film_area
     }
@@ -334,13 +336,13 @@ impl<'a> Level<'a> {
     pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
         let Self { space, form, curl, dual, .. } = &*self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
-        let of = |(v, x): (&[DVec3; 4], &[Spin; 4])| -> [Scaling; 4] {
-            std::array::from_fn(|p| Scaling::of(Spin::new(1.0, v[p]), x[p]))
+        let of = |(v, x): (&[DVec3; 4], &[ConeVector; 4])| -> [Scaling; 4] {
+            std::array::from_fn(|p| Scaling::of(ConeVector::new(1.0, v[p]), x[p]))
         };
         let scalings: Vec<[Scaling; 4]> = curl.iter().zip(dual).map(of).collect();
         let scaling = |leaf: usize, p: usize| scalings[leaf][p];
         let block = |leaf: usize, p: usize| {
-            let Scaling { factor, vector: Spin { rest, .. }, .. } = scaling(leaf, p);
+            let Scaling { factor, vector: ConeVector { rest, .. }, .. } = scaling(leaf, p);
             let all = 1.0 / (factor * factor);
             let w = rest * (2.0 * all);
             DMat3::from_diagonal(DVec3::splat(all)) + DMat3::from_cols(w * rest.x, w * rest.y, w * rest.z)
@@ -348,13 +350,14 @@ impl<'a> Level<'a> {
         let factor = system.factorise(space, block, storage, exec)?;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let points = (4 * curl.len()) as f64;
-        // The predictor aims at the boundary.
+        // The target of the predictor is the boundary.
         let predictor = space.curl(&factor.solve(form));
         let (mut far, mut far_dual) = (1.0_f64, 1.0_f64);
         let dual_change = |leaf: usize, p: usize| scaling(leaf, p).dual_change(dual[leaf][p], predictor[leaf][p]);
         for leaf in 0..curl.len() {
             for p in 0..4 {
-                far = far.min(Spin::new(1.0, curl[leaf][p]).largest_step(Spin::new(0.0, predictor[leaf][p])));
+                far =
+                    far.min(ConeVector::new(1.0, curl[leaf][p]).largest_step(ConeVector::new(0.0, predictor[leaf][p])));
                 far_dual = far_dual.min(dual[leaf][p].largest_step(dual_change(leaf, p)));
             }
         }
@@ -362,22 +365,23 @@ impl<'a> Level<'a> {
         for leaf in 0..curl.len() {
             for p in 0..4 {
                 let x = dual[leaf][p].plus(dual_change(leaf, p), far_dual);
-                predicted += x.dot(Spin::new(1.0, curl[leaf][p] + predictor[leaf][p] * far));
+                predicted += x.dot(ConeVector::new(1.0, curl[leaf][p] + predictor[leaf][p] * far));
             }
         }
         let mean = self.complementarity / points;
         let target = mean * (predicted / self.complementarity).clamp(0.0, 1.0).powi(3).max(LEAST_CENTERING);
-        // The corrector aims at the target and takes the product of the predictor's changes into account.
-        let aim = |leaf: usize, p: usize| {
+        // The corrector takes the product of the predictor's changes into account.
+        let target_of = |leaf: usize, p: usize| {
             let scaling = scaling(leaf, p);
             let change = scaling.apply(scaling.dual_change(dual[leaf][p], predictor[leaf][p]));
-            let product = scaling.unapply(Spin::new(0.0, predictor[leaf][p])).times(change);
-            scaling.unapply(scaling.scaled.divide(Spin::new(target, DVec3::ZERO).plus(product, -1.0)))
+            let product = scaling.unapply(ConeVector::new(0.0, predictor[leaf][p])).times(change);
+            scaling.unapply(scaling.scaled.divide(ConeVector::new(target, DVec3::ZERO).plus(product, -1.0)))
         };
         exec.look((LEAF_WORK * curl.len()) as u64)?;
-        let aims: Vec<[Spin; 4]> = (0..curl.len()).map(|leaf| std::array::from_fn(|p| aim(leaf, p))).collect();
+        let targets: Vec<[ConeVector; 4]> =
+            (0..curl.len()).map(|leaf| std::array::from_fn(|p| target_of(leaf, p))).collect();
         let newton = Linearisation { space, form, curl, dual, scalings: &scalings, factor: &factor };
-        let mut best = newton.direction(aims, exec)?;
+        let mut best = newton.direction(targets, exec)?;
         let length = |direction: &Direction| direction.far.min(1.0) + direction.far_dual.min(1.0);
         for _ in 0..CORRECTIONS {
             exec.look((LEAF_WORK * curl.len()) as u64)?;
@@ -412,7 +416,7 @@ impl<'a> Level<'a> {
         Ok(())
     }
 
-    /// The dual surface at the vertices of a leaf: areas.
+    /// The area vectors of the dual surface at the vertices of a leaf.
     pub fn current(&self, leaf: usize) -> [DVec3; 4] {
         self.dual[leaf].map(|dual| -dual.rest)
     }
@@ -429,25 +433,28 @@ mod tests {
             (DVec3::new(0.999_999, 0.0, 0.0), DVec3::new(-1.0, 1e-3, 0.0)),
             (DVec3::ZERO, DVec3::new(0.0, 1e-9, 0.0)),
         ] {
-            let step = Spin::new(1.0, v).largest_step(Spin::new(0.0, by));
+            let step = ConeVector::new(1.0, v).largest_step(ConeVector::new(0.0, by));
             assert!(step > 0.0 && ((v + by * step).length() - 1.0).abs() < 1e-12, "{step}");
         }
-        let inside = Spin::new(1.0, DVec3::new(0.1, 0.2, 0.3));
-        assert_eq!(inside.largest_step(Spin::new(0.0, DVec3::ZERO)), f64::INFINITY);
+        let inside = ConeVector::new(1.0, DVec3::new(0.1, 0.2, 0.3));
+        assert_eq!(inside.largest_step(ConeVector::new(0.0, DVec3::ZERO)), f64::INFINITY);
         // Along the cone's axis, and towards its tip.
-        assert_eq!(inside.largest_step(Spin::new(1.0, DVec3::ZERO)), f64::INFINITY);
+        assert_eq!(inside.largest_step(ConeVector::new(1.0, DVec3::ZERO)), f64::INFINITY);
         assert!((inside.largest_step(inside.scaled(-1.0)) - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn the_scaling_maps_both_vectors_to_the_same_one() {
-        let (s, x) = (Spin::new(1.0, DVec3::new(0.6, -0.5, 0.59)), Spin::new(3e-4, DVec3::new(1e-4, 2e-4, -1.5e-4)));
+        let (s, x) =
+            (ConeVector::new(1.0, DVec3::new(0.6, -0.5, 0.59)), ConeVector::new(3e-4, DVec3::new(1e-4, 2e-4, -1.5e-4)));
         let scaling = Scaling::of(s, x);
-        let same = |a: Spin, b: Spin, size: f64| (a.first - b.first).abs() + a.rest.distance(b.rest) < 1e-12 * size;
+        let same = |a: ConeVector, b: ConeVector, size: f64| {
+            (a.first - b.first).abs() + a.rest.distance(b.rest) < 1e-12 * size
+        };
         assert!(same(scaling.unapply(s), scaling.scaled, 1.0));
         assert!(same(scaling.unapply(scaling.apply(x)), x, 1.0));
         let change = DVec3::new(0.2, 0.1, -0.7);
-        let twice = scaling.unapply(scaling.unapply(Spin::new(0.0, change)));
+        let twice = scaling.unapply(scaling.unapply(ConeVector::new(0.0, change)));
         assert!(same(scaling.unapply_twice(change), twice, 1.0));
         // The Jordan quotient times the divisor.
         assert!(same(scaling.scaled.times(scaling.scaled.divide(s)), s, 1.0));
@@ -458,15 +465,15 @@ mod tests {
         let v = |k: f64| DVec3::new(0.9 * libm::cos(k), 0.9 * libm::sin(k), 0.43);
         let curl = [[v(0.0), v(1.0), v(2.0), DVec3::ZERO]];
         // The first vector is at the boundary of its cone, and the last one is far inside.
-        let at_the_boundary = Spin::new(0.5, DVec3::new(0.3, 0.4, 0.0));
-        let inside = Spin::new(2.0, DVec3::new(0.0, 0.1, 0.0));
+        let at_the_boundary = ConeVector::new(0.5, DVec3::new(0.3, 0.4, 0.0));
+        let inside = ConeVector::new(2.0, DVec3::new(0.0, 0.1, 0.0));
         let mut dual = [[at_the_boundary, inside, at_the_boundary, inside]];
         let surface = dual[0].map(|x| x.rest);
         let mean = complementarity(&curl, &dual) / 4.0;
         recentre(&curl, &mut dual);
         assert_eq!(dual[0].map(|x| x.rest), surface);
         for (x, v) in dual[0].into_iter().zip(curl[0]) {
-            assert!((x.norm() * Spin::new(1.0, v).norm() / (mean * mean) - 1.0).abs() < 1e-12);
+            assert!((x.norm() * ConeVector::new(1.0, v).norm() / (mean * mean) - 1.0).abs() < 1e-12);
         }
     }
 }

@@ -9,12 +9,12 @@ use super::element::UNKNOWNS;
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 
-/// The row of an unknown that has none, because the gauge fixes it.
+/// Marks an unknown without a row, because the gauge fixes it.
 pub(super) const NONE: u32 = u32::MAX;
-/// A part has at least this fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
+/// Least size of a part, as a fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
 /// within 6%, and 0.4 gives 10% more.
 const LEAST_PART: f64 = 0.2;
-/// Largest set that is not cut any further, in tetrahedra. The order within it hardly matters.
+/// Largest set that is not cut any further, in tetrahedra. The order within so small a set hardly matters.
 const WHOLE: usize = 2;
 
 /// The rows in their order of elimination. `rows_of` has the rows of each tetrahedron, or [`NONE`].
@@ -68,10 +68,10 @@ pub(super) fn order(
 struct Dissection<'a> {
     rows_of: &'a [[u32; UNKNOWNS]],
     order: Vec<u32>,
-    /// Number of rows that have no place yet; they come before all others.
+    /// Number of rows that have no place yet. They come before the placed rows.
     left: usize,
     placed: Vec<bool>,
-    /// Positions of a row's first and last leaf in a set; `NONE` is the first one between two uses.
+    /// Positions of a row's first and last leaf in a set. Between two uses `first` is `NONE`.
     first: Vec<u32>,
     last: Vec<u32>,
 }
@@ -88,7 +88,7 @@ impl Dissection<'_> {
         }
     }
 
-    /// Places the rows of the leaves for which `chosen` holds, at the end of what is left.
+    /// Places the rows of the leaves for which `chosen` holds, at the end of the places that are left.
     fn place(&mut self, leaves: &[u32], chosen: impl Fn(&Self, usize) -> bool) {
         self.visit(leaves, |own, _, row| {
             if chosen(own, row) {
@@ -126,7 +126,7 @@ impl Dissection<'_> {
                 }
                 own.last[row] = position;
             });
-            // How the number of rows on both sides changes from one plane to the next.
+            // Changes of the number of rows on both sides from one plane to the next.
             let mut change = vec![0i32; count + 1];
             for row in rows {
                 change[self.first[row] as usize + 1] += 1;

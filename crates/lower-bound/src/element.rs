@@ -1,10 +1,10 @@
-//! The finite element: Nédélec's of second order without the gradients of second order, so that its curls are all the
-//! vector fields that are linear on every tetrahedron, have continuous normal components and no divergence.
+//! The finite element: that of Nédélec of second order without the gradients of second order. Its curls are all vector
+//! fields that are linear on every tetrahedron, and have continuous normal components and no divergence.
 //!
-//! A field has one unknown an edge (its circulation) and two a face. On an edge ij (i < j, by the vertices' numbers)
-//! the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi w_jk,
-//! which have no tangential component on any edge. The curl is linear on a tetrahedron, so |curl| is largest at one of
-//! its four vertices.
+//! A field has one unknown on each edge (its circulation) and two on each face. On an edge ij (i < j, by the vertices'
+//! numbers) the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi
+//! w_jk, which have no tangential component on any edge. The curl is linear on a tetrahedron, so |curl| is largest at
+//! one of its four vertices.
 
 use super::bisection::{EDGES, FACES};
 use plateau_mesh::DVec3;
@@ -12,7 +12,7 @@ use plateau_mesh::DVec3;
 /// Unknowns of a tetrahedron: six edges, then two of each of the four faces.
 pub(super) const UNKNOWNS: usize = 14;
 
-/// How a tetrahedron's positions stand by the vertices' numbers.
+/// The order of a tetrahedron's four positions by the numbers of their vertices.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orientation {
     /// For each of [`EDGES`] whether its first position has the smaller number.

@@ -1,21 +1,22 @@
-//! Half-spaces that hold the boundary, and the tetrahedra that lie beyond one of them.
+//! Half-spaces that contain the boundary, and the tetrahedra that lie beyond one of them.
 //!
 //! The nearest-point projection onto a convex set lengthens nothing. It maps a surface to one in the convex set with no
 //! more area, and leaves the boundary as it is if the boundary lies in the set. So only surfaces in the intersection of
 //! the half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others are 5 to 30%
-//! of all. They cost nothing, and the curl may have any length there.
+//! of all. They have no constraint, and the curl may have any length there.
 
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 use std::f64::consts::PI;
 
-/// Directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
+/// Number of directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
 const DIRECTIONS: usize = 600;
-/// A tetrahedron lies beyond a half-space if it does so by this fraction of the boundary's size. The margin is large
-/// for the roundings (differences of coordinates are rounded once), and small for the tetrahedra.
+/// Distance by which a tetrahedron has to lie beyond a half-space, as a fraction of the boundary's size. It is far
+/// above the rounding errors (differences of coordinates are rounded once), and far below the size of tetrahedra.
 const MARGIN: f64 = 1e-6;
 
-/// Products of a direction with a point between two looks at the caller's signal: about a millisecond of work.
+/// Number of products of a direction with a point between two looks at the caller's signal: about a millisecond of
+/// work.
 const PRODUCTS_A_LOOK: usize = 400_000;
 
 /// Half-spaces around closed polygons.
@@ -29,9 +30,9 @@ pub(super) struct Hull {
 }
 
 impl Hull {
-    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry the polygons'
-    /// mirror images are among the polygons: a tetrahedron beyond one of the half-spaces then has mirror images beyond
-    /// its mirror image.
+    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry `loops` must have
+    /// the mirror images of the polygons too. The mirror images of a tetrahedron beyond a half-space then lie beyond
+    /// mirror images of that half-space.
     ///
     /// # Errors
     /// An interruption by the caller.

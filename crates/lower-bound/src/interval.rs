@@ -20,7 +20,7 @@ impl Interval {
     }
 
     fn around(low: f64, high: f64) -> Self {
-        // NaN stands for nothing known.
+        // A NaN gives no information, so the interval has every number.
         if low.is_nan() || high.is_nan() {
             return Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
         }
@@ -45,7 +45,7 @@ impl Interval {
         Self { low: root.low.max(0.0), ..root }
     }
 
-    /// Times a power of two: exact but for underflow.
+    /// The interval times a power of two: exact but for underflow.
     pub fn times(self, factor: f64) -> Self {
         self * Self::exactly(factor)
     }

@@ -6,18 +6,18 @@
 //! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Non-negative
 //! weights, not all zero, define an exact point: the weighted mean of the tetrahedron's vertices. Rounded coordinates
 //! therefore describe *another* polygon exactly. It follows the given one within rounding, and each of its pieces lies
-//! in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
-//! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
-//! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the
-//! polygons (else there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's
-//! area, which is bounded too. In a frame of its own the given polygon is known up to intervals, and the bound is
-//! divided by what the axes, which are perpendicular only up to rounding, can add to an area.
+//! in one tetrahedron, where the integral has a closed form. Between two pieces only the coordinates at vertices that
+//! both tetrahedra have are kept, so that the end of the first is the start of the second. Between the two polygons
+//! lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
+//! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
+//! bounded too. If the mesh has axes of its own, the given polygon is known up to intervals, and the bound is divided
+//! by the largest factor by which the axes, which are perpendicular only up to rounding, can enlarge an area.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};
 use super::interval::{Interval, IntervalVector};
 use super::space::Space;
-use super::symmetry::{self, Frame};
+use super::symmetry::{self, Axes};
 use plateau_mesh::DVec3;
 
 /// The unknowns of the leaf in order.
@@ -76,26 +76,26 @@ fn curl_numerators(
     result
 }
 
-/// A piece of the polygon that stands for the given one.
+/// A piece of the rounded polygon, and the segment of the given polygon that it follows.
 #[derive(Clone, Copy, Debug)]
 struct Link {
     piece: Piece,
-    /// The given segment, in the mesh's frame.
+    /// The given segment, along the axes of the mesh.
     segment: [IntervalVector; 2],
 }
 
 /// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1;
-/// `None` if the tracing lost its way by more than `margin`. The field may be given in a frame of its own.
+/// `None` if the rounded polygon is farther than `margin` from the given one. The field may have axes of its own.
 pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,
     field: &[f64],
     loops: &[Vec<DVec3>],
-    frame: Option<&Frame>,
+    axes: Option<&Axes>,
     margin: f64,
 ) -> Option<f64> {
-    let rounded = |point| symmetry::place(frame, point);
-    let exact = |point| frame.map_or_else(|| IntervalVector::exactly(point), |frame| frame.place_rigorously(point));
+    let rounded = |point| symmetry::place(axes, point);
+    let exact = |point| axes.map_or_else(|| IntervalVector::exactly(point), |axes| axes.place_rigorously(point));
     let mut sum = Interval::ZERO;
     for points in loops {
         let mut links: Vec<Link> = Vec::new();
@@ -115,7 +115,7 @@ pub(super) fn least_area(
             sum = sum + Interval { low: -strip, high: strip };
         }
     }
-    let area = frame.map_or(sum, |frame| Interval::exactly(sum.low.max(0.0)) / frame.enlargement());
+    let area = axes.map_or(sum, |axes| Interval::exactly(sum.low.max(0.0)) / axes.enlargement());
     area.low.is_finite().then_some(area.low)
 }
 
@@ -126,7 +126,7 @@ fn close(mesh: &BisectionMesh, links: &mut [Link]) -> Option<()> {
         let (here, there) = (links[k].piece, links[next].piece);
         let (own, other) = (mesh.leaf_vertices(here.leaf as usize), mesh.leaf_vertices(there.leaf as usize));
         let (mut to, mut from) = ([0.0; 4], [0.0; 4]);
-        // A vertex of both leaves is one of their mirror images too if it lies in the planes between them.
+        // A vertex of both leaves also belongs to both mirror images if it lies in the planes between them.
         let between = BisectionMesh::planes_between(here.flips, there.flips);
         for (i, vertex) in own.iter().enumerate() {
             if mesh.planes_at(*vertex) & between != between {
@@ -169,7 +169,7 @@ fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation:
     sum
 }
 
-/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for;
+/// An upper bound of the area of the two triangles between a piece and the part of the given segment that it follows.
 /// `None` if the piece may be farther away than `margin`.
 fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
     let [origin, end] = link.segment;

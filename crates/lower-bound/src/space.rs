@@ -10,13 +10,14 @@ use plateau_mesh::DVec3;
 pub(super) struct Space {
     pub edges: Vec<[u32; 2]>,
     pub faces: Vec<[u32; 3]>,
-    /// For each leaf its unknowns: six edges, then four pairs of a face.
+    /// For each leaf its unknowns: those of six edges, then pairs of the four faces.
     pub unknowns: Vec<[u32; UNKNOWNS]>,
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is left as it is: those that no constrained leaf has, those that vanish, and the
-    /// edges of a spanning tree, which settle the gradient that may be added to the field without changing its curl.
+    /// For each unknown whether it is fixed: it belongs to no constrained leaf, or vanishes, or is an edge of a
+    /// spanning tree. The fixed values on the tree determine the gradient, which could be added to the field without a
+    /// change of its curl.
     pub gauge: Vec<bool>,
     /// For each vertex the planes of symmetry on which it lies, a bit for each axis.
     planes: Vec<u8>,
@@ -77,7 +78,8 @@ impl Space {
         space
     }
 
-    /// The same where only the leaves are constrained that do not lie beyond one of the hull's half-spaces.
+    /// The unknowns of the whole mesh, constrained only in the leaves that do not lie beyond one of the hull's
+    /// half-spaces.
     pub fn within(mesh: &BisectionMesh, hull: &Hull) -> Self {
         let mut space = Self::of(mesh);
         let meets = |leaf: &u32| hull.separating(&space.corners[*leaf as usize]).is_none();
@@ -103,7 +105,7 @@ impl Space {
     }
 
     /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole
-    /// there would be fields without a curl that are no gradients, and the system would be singular.
+    /// some fields without a curl are no gradients, so that the system would be singular.
     pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
         let (edges, faces) = used.split_at(self.edges.len());
@@ -134,8 +136,8 @@ impl Space {
         self.edges.len() + 2 * self.faces.len()
     }
 
-    /// Marks the unknowns that no constrained leaf has, those that vanish, and the edges of a spanning tree of the
-    /// others' vertices, shortest numbers first.
+    /// Marks the unknowns that belong to no constrained leaf, the unknowns that vanish, and the edges of a spanning
+    /// tree of the other vertices. Edges are taken by their numbers.
     fn fixed_unknowns(&self) -> Vec<bool> {
         let mut parent: Vec<u32> = (0..self.planes.len() as u32).collect();
         fn root(parent: &mut [u32], mut v: u32) -> u32 {
@@ -178,7 +180,7 @@ impl Space {
                 field[unknowns[7 + 2 * f] as usize] = second;
             }
         }
-        // These are zero up to rounding already.
+        // The field's values on these edges and faces are already zero up to rounding.
         let (on_edges, on_faces) = field.split_at_mut(self.edges.len());
         for (edge, value) in self.edges.iter().zip(on_edges) {
             if self.vanishes(edge) {

@@ -1,32 +1,33 @@
 //! Planes of symmetry of a boundary that are perpendicular to each other.
 //!
-//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other one (s =
-//! -1). The field s σ*A has the circulation of A and curls of the same lengths, and so has the mean of both, or shorter
-//! ones: the largest circulation is reached by a field that is its own image. This field is known on both sides of the
-//! plane if it is known on one of them. Where s = -1, its tangential component vanishes in the plane.
+//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other
+//! direction (s = -1). The field s σ*A has the circulation of A and curls of the same lengths. The mean of A and s σ*A
+//! has the same circulation and no longer curls. The largest circulation is therefore reached by a field that is its
+//! own image. This field is known on both sides of the plane if it is known on one side. Where s = -1, its tangential
+//! component vanishes in the plane.
 //!
 //! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget
 //! affords finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the
 //! given boundary.
 //!
-//! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the
-//! mesh has axes of its own (`Frame`). Other symmetries, like half turns, are not used.
+//! The planes are perpendicular to the axes of the mesh. If the boundary has more such planes in other directions, the
+//! mesh is turned to them ([`Axes`]). Other symmetries, like half turns, are not used.
 
 use super::interval::{Interval, IntervalVector};
 use glam::BVec3;
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 
-/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they
-/// do after coordinates of a few metres were rounded to millimetres. A symmetrical field bounds the area of half a film
-/// and half its mirror image together. Where the symmetry holds only roughly, that is the film's own area up to a term
-/// of second order.
+/// Largest distance between a vertex and the mirror image of another one for which the two count as equal, as a
+/// fraction of the boundary's size. Coordinates of a few metres that were rounded to millimetres differ by as much. A
+/// symmetrical field bounds the area of half a film together with that of half its mirror image. If the symmetry holds
+/// only roughly, this sum is the film's area up to a term of second order.
 const TOLERANCE: f64 = 5e-4;
-/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than
-/// points, and the axes are made perpendicular afterwards.
+/// Largest cosine between the normals of two planes that count as perpendicular. Normals are less accurate than points,
+/// and the axes are made perpendicular afterwards.
 const PERPENDICULAR: f64 = 1e-3;
-/// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise
-/// with its square.
+/// Largest number of points of a boundary whose planes of symmetry are searched in all directions, because the time can
+/// rise with the square of the number.
 const MOST_POINTS: usize = 5_000;
 
 /// A plane of symmetry of a field, perpendicular to an axis.
@@ -40,7 +41,8 @@ pub struct Mirror {
     pub sign: i8,
 }
 
-/// For each axis what the reflection at the plane through the middle of the boundary does to it.
+/// The planes of symmetry of an oriented boundary: for each axis whether the reflection at the plane through the middle
+/// maps the boundary to itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Mirrors {
     /// The mean of all vertices, through which every plane of symmetry passes.
@@ -129,18 +131,18 @@ struct Plane {
     middle: DVec3,
 }
 
-/// Where the mirror image of a closed polygon lies: on another one or on itself.
+/// The polygon on which the mirror image of a closed polygon lies: another one or the polygon itself.
 #[derive(Clone, Copy, Debug)]
 struct Image {
     on: usize,
-    /// The vertex on which the image of the first one lies.
+    /// The vertex on which the image of the first vertex lies.
     start: usize,
     /// 1 if the image has the direction of the polygon on which it lies, else -1.
     sign: i8,
 }
 
 impl Image {
-    /// The vertex on which the image of vertex k lies, of so many vertices.
+    /// The vertex on which the image of vertex k lies, of `count` vertices.
     fn vertex(&self, k: usize, count: usize) -> usize {
         if self.sign > 0 { (self.start + k) % count } else { (self.start + count - k) % count }
     }
@@ -175,7 +177,7 @@ impl Plane {
     }
 }
 
-/// How the mirror image of a closed polygon lies on another polygon, if it does.
+/// Returns how the mirror image of a closed polygon lies on another polygon, if it lies on it.
 fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Option<Image> {
     let count = points.len();
     if image.len() != count {
@@ -187,21 +189,21 @@ fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Opt
     candidates.into_iter().find(|candidate| lies_on(candidate))
 }
 
-/// A rotation to other axes: x becomes the products of the axes with x - origin.
+/// A rectangular coordinate system: a point x has the products of the directions with x - origin as its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct Axes {
     /// The point that becomes zero.
     pub origin: DVec3,
     /// Three directions, perpendicular to each other and of length 1 up to rounding.
-    pub axes: [DVec3; 3],
+    pub directions: [DVec3; 3],
 }
 
-/// A point in a frame, or as it is.
-pub(super) fn place(frame: Option<&Frame>, point: DVec3) -> DVec3 {
-    frame.map_or(point, |frame| frame.turn(point - frame.origin))
+/// The coordinates of a point along `axes`, or the point itself if there are none.
+pub(super) fn place(axes: Option<&Axes>, point: DVec3) -> DVec3 {
+    axes.map_or(point, |axes| axes.turn(point - axes.origin))
 }
 
-impl Frame {
+impl Axes {
     /// Axes along which the boundary has more planes of symmetry than along the given ones, if there are any.
     ///
     /// # Errors
@@ -249,30 +251,31 @@ impl Frame {
         // With one plane only, the second axis points to the point that is farthest from the first one.
         let y = normals.get(1).copied().unwrap_or_else(|| farthest(&|p| p.cross(x).length_squared()) - middle);
         let y = (y - x * x.dot(y)).try_normalize();
-        Ok(y.map(|y| Self { origin: middle, axes: [x, y, x.cross(y)] }))
+        Ok(y.map(|y| Self { origin: middle, directions: [x, y, x.cross(y)] }))
     }
 
     /// A vector's components along the axes.
     pub(super) fn turn(&self, vector: DVec3) -> DVec3 {
-        DVec3::from_array(self.axes.map(|axis| axis.dot(vector)))
+        DVec3::from_array(self.directions.map(|axis| axis.dot(vector)))
     }
 
     /// Intervals around the coordinates of a point.
     pub(super) fn place_rigorously(&self, point: DVec3) -> IntervalVector {
         let from_origin = IntervalVector::exactly(point) - IntervalVector::exactly(self.origin);
-        IntervalVector(self.axes.map(|axis| IntervalVector::exactly(axis).dot(from_origin)))
+        IntervalVector(self.directions.map(|axis| IntervalVector::exactly(axis).dot(from_origin)))
     }
 
-    /// An upper bound of the factor by which the rotation enlarges an area. Without rounding it would be 1.
+    /// An upper bound of the factor by which the change of coordinates enlarges an area. Without rounding it would be
+    /// 1.
     pub(super) fn enlargement(&self) -> Interval {
         // The largest eigenvalue of RᵀR, and so of R Rᵀ, is at most the largest sum of a row's magnitudes.
         let sum = |a: &DVec3| {
-            self.axes.iter().fold(Interval::ZERO, |sum, b| {
+            self.directions.iter().fold(Interval::ZERO, |sum, b| {
                 let product = IntervalVector::exactly(*a).dot(IntervalVector::exactly(*b));
                 sum + Interval::exactly(product.low.abs().max(product.high.abs()))
             })
         };
-        let most = self.axes.iter().map(|axis| sum(axis).high).fold(1.0, f64::max);
+        let most = self.directions.iter().map(|axis| sum(axis).high).fold(1.0, f64::max);
         Interval { low: 1.0, high: most }
     }
 }
@@ -316,11 +319,11 @@ mod tests {
         let x = DVec3::new(0.6, -0.3, 0.5).normalize();
         let y = x.cross(DVec3::new(0.1, 0.9, 0.2)).normalize();
         let turned = |p: DVec3| x * p.x + y * p.y + x.cross(y) * p.z + DVec3::new(3e4, -5e4, 120.0);
-        let frame = |loops: &[Vec<DVec3>]| Frame::of(loops, &Execution::default()).unwrap();
+        let axes_of = |loops: &[Vec<DVec3>]| Axes::of(loops, &Execution::default()).unwrap();
         let planes = |shape: &dyn Fn(f64, f64) -> DVec3, points: usize| {
             let loops = [circle(points, |x, y| turned(shape(x, y)))];
             assert_eq!(Mirrors::of(&loops, middle(&loops)).images(), 1);
-            let found = frame(&loops)?;
+            let found = axes_of(&loops)?;
             assert!(found.enlargement().high < 1.0 + 1e-14);
             let placed = loops.map(|points| points.iter().map(|&p| place(Some(&found), p)).collect::<Vec<_>>());
             for (found_at, given) in placed[0].iter().zip(circle(points, shape)) {
@@ -339,11 +342,11 @@ mod tests {
         assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, x * x + x), 12), Some([-1, 0, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(x, y, x * y * (2.0 + x)), 40), None);
         let rounded: Vec<DVec3> = circle(96, |x, y| (2e3 * turned(DVec3::new(x, y, x * x))).round());
-        let found = frame(std::slice::from_ref(&rounded)).unwrap();
+        let found = axes_of(std::slice::from_ref(&rounded)).unwrap();
         let placed: Vec<DVec3> = rounded.iter().map(|&p| place(Some(&found), p)).collect();
         assert_eq!(Mirrors::of(&[placed], DVec3::ZERO).images(), 4);
         // Nothing is gained where the given axes have as many planes.
-        assert_eq!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
-        assert!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());
+        assert_eq!(axes_of(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
+        assert!(axes_of(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());
     }
 }

@@ -8,7 +8,7 @@ use plateau_mesh::execution::Interruption;
 use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use plateau_mesh::{DVec3, Error, Execution};
 
-/// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
+/// The pattern of the matrix, its analysis, and the entries to which each tetrahedron adds.
 #[derive(Debug)]
 pub(super) struct System {
     /// For each unknown its row, or `NONE` for the gauge.
@@ -18,18 +18,18 @@ pub(super) struct System {
     /// The rows in their order of elimination.
     #[cfg(test)]
     pub(super) order: Vec<u32>,
-    /// For each constrained leaf where its entries stand in the matrix.
+    /// For each constrained leaf the positions of its entries in the matrix.
     entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
     symbolic: Symbolic,
 }
 
-/// Leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
+/// Number of leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
 const LEAVES_A_LOOK: usize = 1_000;
 
-/// Rows whose pattern is built between two looks: a few milliseconds of work.
+/// Number of rows whose pattern is built between two looks: a few milliseconds of work.
 const ROWS_A_LOOK: u32 = 5_000;
 
-/// Why there is no factor.
+/// The reason why there is no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
     Interrupted(Interruption),
@@ -136,7 +136,7 @@ impl System {
         self.symbolic.factor_entries()
     }
 
-    /// Unknowns without the gauge.
+    /// Number of unknowns that the gauge does not fix.
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -191,8 +191,8 @@ pub(super) struct Factor<'a> {
 }
 
 impl Factor<'_> {
-    /// Solves for all unknowns; those of the gauge are zero. An inaccurate solution is still a direction of Newton's
-    /// method, whose step the line search decides.
+    /// Solves for all unknowns; those that the gauge fixes are zero. An inaccurate solution is still a direction of
+    /// Newton's method, whose step the line search decides.
     pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
         let mut reduced = vec![0.0; self.rows];
         for (&row, &value) in self.row.iter().zip(right_hand_side) {

@@ -1,8 +1,10 @@
 use super::bisection::{BEST, BisectionMesh, CENTRAL, EDGES, VertexMap};
 use super::element::{Orientation, UNKNOWNS, basis_curls, integrals};
+use super::orientation::vector_area;
+use super::proof::scale_to_one;
+use super::rigorous;
 use super::space::Space;
 use super::symmetry::Mirrors;
-use super::{rigorous, scale_to_one, vector_area};
 use plateau_mesh::DVec3;
 use std::f64::consts::TAU;
 
@@ -388,14 +390,13 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
 /// Whatever the budget, the planned meshes use it up, and none grows more than it should.
 #[test]
 fn the_meshes_are_planned_for_the_whole_budget() {
-    use super::{Budget, FEW_LEAVES, FILL_POWERS, GROWTH, Options, STEPS, STEPS_BETWEEN, Size};
-    let hull = super::Hull::around(&[ring()], &[], &plateau_mesh::Execution::default()).unwrap();
+    use super::Options;
+    use super::budget::{Budget, FEW_LEAVES, FILL_POWERS, GROWTH, STEPS, STEPS_BETWEEN, Size};
     for (seconds, fill_power) in
         [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0].map(|s| FILL_POWERS.map(|power| (s, power))).concat()
     {
-        let options = Options { gap: 0.0, seconds };
-        let mut budget =
-            Budget { options: &options, hull: &hull, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
+        let options = Options::default().with_gap(0.0).with_seconds(seconds);
+        let mut budget = Budget::new(&options, 1.0);
         // The size of two rings.
         let mut size = Size { entries: 240_000.0, rows: 3_240.0, leaves: 600.0, fill_power };
         let mut meshes = 1;

@@ -8,7 +8,7 @@ use plateau_film::minimal_surface::{
     self, FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
 };
 use plateau_lower_bound as lower_bound;
-use plateau_lower_bound::{LowerBound, Mirror, Options as Budget};
+use plateau_lower_bound::{LowerBound, Mirror};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Signal};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -21,8 +21,12 @@ fn film(loops: &[Vec<DVec3>], method: Method) -> Option<(Mesh, f64)> {
     Some((film.mesh, film.statistics.area))
 }
 
+fn options(gap: f64, seconds: f64) -> lower_bound::Options {
+    lower_bound::Options::default().with_gap(gap).with_seconds(seconds)
+}
+
 fn bound(loops: &[Vec<DVec3>], film: &Mesh, seconds: f64) -> LowerBound {
-    lower_bound::certify(loops, film, &Budget { gap: 1e-4, seconds }, &Execution::default()).unwrap().unwrap()
+    lower_bound::certify(loops, film, &options(1e-4, seconds), &Execution::default()).unwrap().unwrap()
 }
 
 #[test]
@@ -129,7 +133,7 @@ fn no_film_has_less_area_than_the_bound() {
         assert_eq!(found.fields.len(), 1 << (loops.len() - 1));
         let planes = if seed.is_multiple_of(2) { 1 + (seed / 2 % 2) as usize } else { 0 };
         let field = &found.fields[0];
-        assert_eq!((field.mirrors.len(), field.frame.is_some()), (planes, seed.is_multiple_of(4)), "boundary {seed}");
+        assert_eq!((field.mirrors.len(), field.axes.is_some()), (planes, seed.is_multiple_of(4)), "boundary {seed}");
         gaps.push((1.0 - found.area / least, seed));
     }
     assert!(gaps.len() * 10 >= count as usize * 9, "films of only {} boundaries", gaps.len());
@@ -181,7 +185,7 @@ fn a_cancel_stops_the_search_and_a_deadline_keeps_what_is_proven() {
             if looks.get() > after { how } else { Signal::Continue }
         };
         let exec = Execution::new(&signal, &|_| {});
-        lower_bound::certify(&loops, &mesh, &Budget { gap: 0.0, seconds: 5.0 }, &exec)
+        lower_bound::certify(&loops, &mesh, &options(0.0, 5.0), &exec)
     };
     assert_eq!(stop(20, Signal::Cancel).err(), Some(Error::Interrupted(Interruption::Cancelled)));
     let found = stop(60, Signal::Deadline).unwrap().unwrap();
@@ -197,7 +201,7 @@ fn the_budget_limits_the_work_and_progress_never_falls() {
         let fractions = std::cell::RefCell::new(Vec::new());
         let report = |progress: plateau_mesh::Progress| fractions.borrow_mut().push(progress.fraction);
         let exec = Execution::new(&|| Signal::Continue, &report);
-        let budget = Budget { gap: 0.0, seconds };
+        let budget = options(0.0, seconds);
         let found = lower_bound::certify(&loops, &mesh, &budget, &exec).unwrap().unwrap();
         // The first mesh is prepared whatever the budget is.
         assert!(found.seconds <= seconds + 0.05, "{} of {seconds}", found.seconds);
@@ -209,7 +213,7 @@ fn the_budget_limits_the_work_and_progress_never_falls() {
         bounds.push(found.area);
     }
     assert!(bounds[0] > 0.0 && bounds.is_sorted(), "{bounds:?}");
-    let memory = |loops, seconds| lower_bound::memory_bytes(loops, &Budget { gap: 0.0, seconds });
+    let memory = |loops, seconds| lower_bound::memory_bytes(loops, &options(0.0, seconds));
     assert!(memory(1, 0.1) < memory(1, 10.0) && memory(1, 1.0) < memory(5, 1.0));
     assert!(memory(6, 1e9) < 2_000_000_000);
 }
@@ -230,8 +234,8 @@ fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
         let mirror = |of: &Mirror| {
             format!("{{\"axis\":\"{}\",\"at\":{:?},\"sign\":{}}}", ["x", "y", "z"][of.axis], of.at, of.sign)
         };
-        let frame = field.frame.map_or("null".into(), |frame| {
-            format!("{{\"origin\":{:?},\"axes\":{}}}", frame.origin.to_array(), points(&frame.axes))
+        let frame = field.axes.map_or("null".into(), |axes| {
+            format!("{{\"origin\":{:?},\"axes\":{}}}", axes.origin.to_array(), points(&axes.directions))
         });
         let mirrors: Vec<String> = field.mirrors.iter().map(mirror).collect();
         write!(
@@ -281,7 +285,7 @@ fn planes_of_symmetry_sharpen_the_bound() {
         let found = bound(&loops, &mesh, 0.3);
         let mut signs: Vec<i8> = found.fields[0].mirrors.iter().map(|mirror| mirror.sign).collect();
         signs.sort_unstable();
-        assert_eq!((&signs[..], found.fields[0].frame.is_some()), (mirrors, turned));
+        assert_eq!((&signs[..], found.fields[0].axes.is_some()), (mirrors, turned));
         let (confirmed, message) = check(&json(&found, 1.0, 1.0), &format!("saddle-{}-{turned}", mirrors.len()));
         assert!(confirmed, "{message}");
         // The slack is small on both sides of the planes, so that the mean over the vertices is small.
@@ -352,10 +356,10 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     field.edge_values[edge] = 1e-300;
     let (confirmed, message) = check(&json(&tangential, 1.0, 1.0), "tangential");
     assert!(!confirmed && message.contains("tangential part"), "{message}");
-    // A frame that shrinks the boundary.
+    // Axes that shrink the boundary.
     let mut shrunk = found.clone();
-    let axes = [DVec3::X * (1.0 - 1e-6), DVec3::Y, DVec3::Z];
-    shrunk.fields[0].frame = Some(lower_bound::Frame { origin: DVec3::ZERO, axes });
+    let directions = [DVec3::X * (1.0 - 1e-6), DVec3::Y, DVec3::Z];
+    shrunk.fields[0].axes = Some(lower_bound::Axes { origin: DVec3::ZERO, directions });
     let (confirmed, message) = check(&json(&shrunk, 1.0, 1.0), "frame");
     assert!(!confirmed && message.contains("circulation"), "{message}");
     // A tetrahedron left out.
@@ -363,4 +367,33 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     holed.fields[0].tetrahedra.pop();
     let (confirmed, message) = check(&json(&holed, 1.0, 1.0), "hole");
     assert!(!confirmed && message.contains("volume"), "{message}");
+}
+
+#[test]
+fn input_that_no_search_can_use_is_refused_and_named() {
+    let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
+    let film = Mesh::new(square.clone(), vec![[0, 1, 2], [0, 2, 3]]);
+    let refused = |loops: &[Vec<DVec3>], film: &Mesh, options: &lower_bound::Options| {
+        lower_bound::certify(loops, film, options, &Execution::default()).unwrap_err().to_string()
+    };
+    let usual = options(0.01, 0.2);
+    assert_eq!(refused(&[], &film, &usual), "/loops: needs one closed polygon or more");
+    let two = [square.clone(), square[..2].to_vec()];
+    assert_eq!(refused(&two, &film, &usual), "/loops/1: has 2 points, and a closed polygon has three or more");
+    let mut infinite = square.clone();
+    infinite[2].y = f64::INFINITY;
+    let detail = "is (1, inf, 0), and every coordinate must be a finite number";
+    assert_eq!(refused(std::slice::from_ref(&infinite), &film, &usual), format!("/loops/0/2: {detail}"));
+    let loops = [square.clone()];
+    let of_infinite = Mesh::new(infinite, film.triangles.clone());
+    assert_eq!(refused(&loops, &of_infinite, &usual), format!("/film/vertices/2: {detail}"));
+    let dangling = Mesh::new(square, vec![[0, 1, 2], [0, 2, 4]]);
+    let detail = "/film/triangles/1: has the vertices [0, 2, 4], and the film has 4";
+    assert_eq!(refused(&loops, &dangling, &usual), detail);
+    for (name, options) in [("gap", options(-0.1, 1.0)), ("seconds", options(0.0, f64::NAN))] {
+        let told = refused(&loops, &film, &options);
+        let value = if name == "gap" { "-0.1" } else { "NaN" };
+        let expected = format!("/options/{name}: is {value}, and must be a finite number, not negative");
+        assert_eq!(told, expected);
+    }
 }

@@ -117,7 +117,7 @@ fn plot(proven: &[[f64; 3]]) -> String {
 }
 
 fn certify(loops: &[Vec<DVec3>], film: &MinimalSurface, seconds: f64) -> LowerBound {
-    let options = lower_bound::Options { gap: 1e-5, seconds };
+    let options = lower_bound::Options::default().with_gap(1e-5).with_seconds(seconds);
     match lower_bound::certify(loops, &film.mesh, &options, &Execution::default()) {
         Ok(Some(bound)) => bound,
         Ok(None) | Err(_) => {

@@ -51,7 +51,7 @@ pub(super) fn search(
 
 impl From<CertifyOptions> for lower_bound::Options {
     fn from(CertifyOptions { gap, seconds }: CertifyOptions) -> Self {
-        Self { gap: gap.get(), seconds: seconds.get() }
+        Self::default().with_gap(gap.get()).with_seconds(seconds.get())
     }
 }
 
@@ -185,13 +185,15 @@ impl<'a> CertificateDocument<'a> {
     /// Returns the document of a lower bound.
     #[must_use]
     pub fn of(found: &'a LowerBound) -> Self {
-        let frame =
-            |of: lower_bound::Frame| Frame { origin: of.origin.to_array(), axes: of.axes.map(|axis| axis.to_array()) };
+        let frame = |axes: lower_bound::Axes| Frame {
+            origin: axes.origin.to_array(),
+            axes: axes.directions.map(|direction| direction.to_array()),
+        };
         let mirror = |of: &lower_bound::Mirror| Mirror { axis: ['x', 'y', 'z'][of.axis], at: of.at, sign: of.sign };
         let orientation = |field: &'a Field| Orientation {
             loops: field.loops.iter().map(|points| points.iter().map(|p| p.to_array()).collect()).collect(),
             area_lower_bound: field.area_lower_bound,
-            frame: field.frame.map(frame),
+            frame: field.axes.map(frame),
             r#box: field.corners.map(|corner| corner.to_array()),
             mirrors: field.mirrors.iter().map(mirror).collect(),
             vertices: field.vertices.iter().map(|vertex| vertex.to_array()).collect(),

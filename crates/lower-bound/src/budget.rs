@@ -1,0 +1,141 @@
+//! The budget of a search: nominal seconds that are converted to work, and the sizes of the meshes that they afford.
+
+use super::options::Options;
+
+/// Largest number of leaves of a mesh, relative to the mesh before.
+pub(super) const GROWTH: f64 = 2.5;
+/// Largest growth, over several meshes, that is planned ahead.
+const MOST_GROWTH: f64 = 100.0;
+/// Least growth for which a further mesh is made. The bound of a finer one gains less than the steps on the mesh before
+/// would.
+const LEAST_GROWTH: f64 = 1.15;
+/// Number of steps that the budget must allow for on the finest mesh, whose bound would otherwise stay below that of
+/// the mesh before, if half a percent is missing to the film's area. There is a further step for each halving of what
+/// is missing, and for each doubling of the leaves beyond [`FEW_LEAVES`], because a large mesh starts farther from its
+/// optimum.
+pub(super) const STEPS: f64 = 6.0;
+pub(super) const FEW_LEAVES: f64 = 1e4;
+/// Number of steps that are planned on a mesh that is left for a finer one.
+pub(super) const STEPS_BETWEEN: u32 = 4;
+/// Largest number of steps that are planned on the finest mesh.
+const MOST_STEPS_AHEAD: f64 = 24.0;
+/// Constrained tetrahedra of the largest mesh, and entries of its factor. They bound the memory by 1.2 GB.
+const MOST_LEAVES: f64 = 60e3;
+pub(super) const MOST_ENTRIES: f64 = 60e6;
+/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates
+/// are fitted to the processor time on meshes of 600 to 60,000 leaves, on one core while the other one was idle.
+const FACTORISATION_RATE: f64 = 1.25e-10;
+const PREPARATION_RATE: f64 = 2e-5;
+/// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf, fitted to the same runs.
+const SOLVE_RATE: f64 = 8e-9;
+const ASSEMBLY_RATE: f64 = 6.5e-6;
+
+/// The entries of the factor grow with this power of the leaves, without planes of symmetry and with them. Between the
+/// last two meshes of 10 s the power was 1.2 to 1.3 and 1.3 to 1.5. Where it is assumed too small, the last mesh is so
+/// fine that its steps end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries after 10 s
+/// were a tenth larger in the mean, and a half at most.
+pub(super) const FILL_POWERS: [f64; 2] = [1.3, 1.5];
+
+/// Size of the linear system of a mesh.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Size {
+    /// Entries of the factor.
+    pub entries: f64,
+    pub rows: f64,
+    /// Constrained leaves.
+    pub leaves: f64,
+    /// The power of the mesh, from [`FILL_POWERS`].
+    pub fill_power: f64,
+}
+
+impl Size {
+    /// The size to be expected of a mesh with `growth` times the leaves.
+    pub fn grown(self, growth: f64) -> Self {
+        let Self { entries, rows, leaves, fill_power } = self;
+        Self {
+            entries: entries * libm::pow(growth, fill_power),
+            rows: rows * growth,
+            leaves: leaves * growth,
+            fill_power,
+        }
+    }
+
+    /// Nominal seconds of a number of steps on the mesh, and of their preparation.
+    pub fn price(self, steps: u32) -> f64 {
+        PREPARATION_RATE * self.leaves + f64::from(steps) * self.step_price()
+    }
+
+    /// Nominal seconds of a step.
+    pub fn step_price(self) -> f64 {
+        let Self { entries, rows, leaves, .. } = self;
+        FACTORISATION_RATE * entries * entries / rows + SOLVE_RATE * entries + ASSEMBLY_RATE * leaves
+    }
+}
+
+/// The budget of all searches, and the area that they try to reach.
+#[derive(Debug)]
+pub(super) struct Budget<'a> {
+    pub options: &'a Options,
+    /// Area of the film. No bound exceeds it by more than rounding.
+    pub film_area: f64,
+    /// Nominal seconds that were spent.
+    pub spent: f64,
+    /// Number of steps of Newton's method.
+    pub iterations: u32,
+}
+
+impl<'a> Budget<'a> {
+    pub fn new(options: &'a Options, film_area: f64) -> Self {
+        Self { options, film_area, spent: 0.0, iterations: 0 }
+    }
+
+    /// Whether a bound is as near to the film's area as the options ask for.
+    pub fn is_reached_by(&self, bound: f64) -> bool {
+        bound * (1.0 + self.options.gap) >= self.film_area
+    }
+
+    /// Area by which a bound is below the film's.
+    pub fn missing(&self, bound: f64) -> f64 {
+        (self.film_area - bound).max(0.0)
+    }
+
+    /// Nominal seconds that are left.
+    pub fn left(&self) -> f64 {
+        self.options.budget_s() - self.spent
+    }
+
+    /// Part of the budget that was spent, 0 to 1.
+    pub fn fraction(&self) -> f64 {
+        (self.spent / self.options.budget_s()).min(1.0)
+    }
+
+    /// Constrained leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
+    ///
+    /// The finest mesh that the budget affords is found first, together with the meshes on the way to it. The next mesh
+    /// is the first of these, so that the budget does not end with a rest that is too small for one more mesh.
+    pub fn next_leaves(&self, size: Size, bound: f64) -> Option<f64> {
+        let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
+        let steps = |leaves: f64| {
+            let more = libm::log2(0.005 / missing).ceil().max(0.0) + libm::log2(leaves / FEW_LEAVES).ceil().max(0.0);
+            (STEPS + more).min(MOST_STEPS_AHEAD) as u32
+        };
+        // The growth is shared out evenly among the fewest meshes of which none grows by more than GROWTH.
+        let meshes = |growth: f64| (libm::log(growth) / libm::log(GROWTH)).ceil().max(1.0);
+        let is_affordable = |growth: f64| {
+            let meshes = meshes(growth);
+            let between = |k: u32| size.grown(libm::pow(growth, f64::from(k) / meshes)).price(STEPS_BETWEEN);
+            let finest = size.grown(growth);
+            finest.leaves <= MOST_LEAVES
+                && finest.entries <= MOST_ENTRIES
+                && (1..meshes as u32).map(between).sum::<f64>() + finest.price(steps(finest.leaves)) <= self.left()
+        };
+        let mut growth = MOST_GROWTH;
+        while growth >= LEAST_GROWTH {
+            if is_affordable(growth) {
+                return Some((size.leaves * libm::pow(growth, 1.0 / meshes(growth))).floor());
+            }
+            growth *= 0.97;
+        }
+        None
+    }
+}
