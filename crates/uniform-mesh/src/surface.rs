@@ -1,6 +1,7 @@
 //! Curved domains: lengths in units of ℓ, coordinates around the surface's centre.
 
 pub(super) mod auxiliary;
+mod curves;
 pub(super) mod deviation;
 pub(super) mod flatten;
 pub(super) mod least_squares;
@@ -10,4 +11,5 @@ pub(super) mod nurbs;
 pub(super) mod on_reference;
 pub(super) mod reference;
 pub(super) mod remesh;
+mod tessellation;
 pub(super) mod transition;

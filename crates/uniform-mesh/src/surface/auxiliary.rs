@@ -27,23 +27,23 @@ use plateau_mesh::polyline::mean;
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-/// Samples along one auxiliary edge when the length of a side is measured.
+/// Number of samples along an auxiliary edge at which the length of a side is measured.
 const SAMPLES: usize = 8;
 /// A boundary vertex of a film is a corner if the boundary turns by more than this there.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
-/// A film's own edges are this part of ℓ, so that its facets do not show in the members ...
+/// Edge length of a film's own mesh, in ℓ: short enough that the facets do not show in the members ...
 const FILM_EDGE: f64 = 1.0 / 3.0;
-/// ... unless that asks for more triangles than this.
+/// ... and longer if the mesh would have more triangles than this.
 const FILM_TRIANGLES: f64 = 60_000.0;
 
 /// The surface that nodes move on, as a map from a plane of parameters.
 #[derive(Clone, Debug)]
 pub(crate) enum Surface {
-    /// The plane itself: parameters are coordinates.
+    /// The plane itself. Its parameters are coordinates.
     Plane,
-    /// Parameters in \[0, 1\]².
+    /// A patch. Its parameters are in \[0, 1\]².
     Patch(Nurbs),
-    /// Parameters are the flattened film's plane; between its vertices the film is flat.
+    /// A film, flat between its vertices. Its parameters are the coordinates of the flattened film.
     Film { mesh: Mesh, plane: Vec<DVec2>, locator: std::rc::Rc<Locator> },
 }
 
@@ -218,19 +218,19 @@ impl Auxiliary {
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
     }
 
-    /// The vertices where sides meet.
+    /// The vertices at which sides meet.
     pub fn corners(&self) -> Vec<u32> {
         self.sides.iter().flatten().map(|side| side[0]).collect()
     }
 
-    /// Where flattening starts.
+    /// The plane mesh from which flattening starts.
     ///
     /// # Errors
     /// A film without a plane embedding.
     pub fn start(&self) -> Result<Vec<DVec2>, Error> {
         let Some((_, parameters)) = &self.patch else { return flatten::start(&self.mesh, &self.topology) };
         let [along_u, across] = [0, 1].map(|first| {
-            // Opposite sides, averaged.
+            // The lengths of opposite sides are averaged.
             let length = |side: &Vec<u32>| -> f64 {
                 let at = |v: u32| self.mesh.vertices[v as usize];
                 side.windows(2).map(|pair| at(pair[0]).distance(at(pair[1]))).sum()
@@ -275,7 +275,7 @@ impl Auxiliary {
         for ring in &self.sides {
             let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
             let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, division)).collect();
-            // A loop needs three nodes.
+            // A loop needs at least three nodes.
             while counts.iter().sum::<u32>() < 3 {
                 let longest = (0..counts.len()).max_by(|&a, &b| {
                     let piece = |k: usize| lines[k].length() / f64::from(counts[k]);
@@ -321,8 +321,8 @@ pub(crate) struct Boundary {
     corners: usize,
 }
 
-/// A point between two. A coordinate that both share stays what it is: nodes on one side of a patch must not make
-/// triangles.
+/// A point between two. A coordinate that both share is kept exactly, because nodes on one side of a patch must not
+/// make triangles.
 fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
     a + (b - a) * part
 }
@@ -355,7 +355,7 @@ impl Line {
         self.samples.last().map_or(0.0, |sample| sample.0)
     }
 
-    /// Plane position and parameters at a way along the surface.
+    /// Plane position and parameters at a length along the surface.
     fn at(&self, way: f64) -> (DVec2, DVec2) {
         let k = self.samples.partition_point(|sample| sample.0 < way).clamp(1, self.samples.len() - 1);
         let ((w0, p0, q0), (w1, p1, q1)) = (self.samples[k - 1], self.samples[k]);
@@ -381,7 +381,7 @@ impl Line {
     }
 }
 
-/// How a film is asked for.
+/// The options of the film's solver.
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
     let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
@@ -396,12 +396,12 @@ pub(crate) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }
 
-/// The film solver's errors in terms of this module's input.
+/// Converts the film solver's errors to places of this module's input.
 fn below_domain(error: Error) -> Error {
     let below = |errors: Vec<InputError>| {
         let below = |e: InputError| {
             let steps = std::iter::once(Step::Field("domain")).chain(e.place.0.iter().copied()).collect();
-            // The resolution is ours: it follows from the edge length.
+            // The caller gave no resolution: it follows from the edge length.
             let place = if e.place.0.first() == Some(&Step::Field("boundaries")) {
                 Place(steps)
             } else {

@@ -1,4 +1,4 @@
-//! A finished mesh beside the surface that it stands for, and whether it may pass for it.
+//! The deviation of a finished mesh from its surface, and whether it is small enough.
 
 use super::move_nodes::{OnSurface, Sheet};
 use crate::options::{Optimise, Options, Transition};
@@ -45,7 +45,7 @@ pub(crate) fn compare<S: Sheet>(nodes: &OnSurface<'_, S>, area: f64, unit: f64, 
     }
 }
 
-/// By how much a mesh misses what was asked of it, in words; `None` if it does not.
+/// Describes by how much a mesh misses its limits; `None` if it keeps them.
 pub(crate) fn shortfall(result: &UniformMesh, options: &Options) -> Option<String> {
     let fit = result.statistics.surface?;
     let mut reasons = Vec::new();
@@ -56,7 +56,7 @@ pub(crate) fn shortfall(result: &UniformMesh, options: &Options) -> Option<Strin
         let degrees = fit.normal_deviation_max.to_degrees();
         reasons.push(format!("a triangle is turned by {degrees:.0} degrees against the surface"));
     }
-    // A free transition zone and shared lengths may take any length, and so may nodes that did not move.
+    // Members of a free transition zone, of shared lengths and of nodes that did not move may have any length.
     let bounded = options.optimise == Optimise::Nodes && options.transition == Transition::Bounded;
     let far = result.out_of_range.iter().filter(|edge| matches!(edge.why, Why::Curvature | Why::Optimised));
     let (low, high) =

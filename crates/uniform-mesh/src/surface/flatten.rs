@@ -78,7 +78,7 @@ fn doubled_area(x: &[DVec2], [a, b, c]: [u32; 3]) -> f64 {
 
 /// Lays the mesh into the plane, starting at `plane`, which has no flipped triangle.
 ///
-/// Stops where a step lowers the energy by less than 1e-10 of it. On an interruption `plane` is the best so far.
+/// The run ends when a step lowers the energy by less than 1e-10 of it. On an interruption `plane` is the best so far.
 pub(crate) fn flatten(
     mesh: &Mesh,
     edges: &[[u32; 2]],
@@ -103,7 +103,7 @@ pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Erro
     if let Some(normal) = doubled.try_normalize() {
         let frame = Frame::with_normal(normal);
         let plane: Vec<DVec2> = mesh.vertices.iter().map(|&p| frame.coordinates(p)).collect();
-        // Steep triangles start far too small; Tutte's are better then.
+        // Steep triangles would start far too small. Tutte's embedding is then better.
         let steepest = |&t: &[u32; 3]| {
             let area = measure::double_area_vector(mesh.corners(t)).length();
             doubled_area(&plane, t) > 0.05 * area
@@ -190,7 +190,8 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let at =
         |v: usize| fixed[v].unwrap_or_else(|| DVec2::new(right[unknown[v] as usize], right[n + unknown[v] as usize]));
     let mut plane: Vec<DVec2> = (0..mesh.vertices.len()).map(at).collect();
-    // The circle holds far more than the surface's area if its boundary is wavy: bring the mean length to scale.
+    // If the boundary is wavy, the circle encloses far more than the surface's area. The embedding is therefore scaled
+    // to the mean length of the edges.
     let (mut on_surface, mut in_plane) = (0.0, 0.0);
     for [a, b] in edges(topology) {
         on_surface += mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);

@@ -11,9 +11,10 @@ const DAMPING: f64 = 1e-3;
 /// Number of steps in a row below the tolerance that ends a run: a single step may be short because of one triangle.
 const QUIET_STEPS: u32 = 3;
 
-/// The part of a step, at most 1, that takes no triangle more than nine tenths of the way to where it loses its area.
+/// The largest part of a step, at most 1, that takes no triangle more than nine tenths of the way to zero area.
 ///
-/// Without it one triangle about to flip would shorten the steps of the whole mesh by way of the damping.
+/// Without this limit a single triangle that is about to flip would raise the damping, and shorten the steps of the
+/// whole mesh.
 pub(crate) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 3]>) -> f64 {
     let mut most = 1.0 / 0.9;
     for [(a, da), (b, db), (c, dc)] in triangles {
@@ -24,7 +25,7 @@ pub(crate) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 
         if p <= 0.0 || discriminant < 0.0 {
             continue;
         }
-        // The stable form of the smaller positive root; the other one has the opposite sign or comes later.
+        // This is the stable form of the smaller positive root. The other root is negative or larger.
         let root = 2.0 * p / (discriminant.sqrt() - q);
         if root > 0.0 {
             most = f64::min(most, root);
@@ -33,11 +34,11 @@ pub(crate) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 
     0.9 * most
 }
 
-/// When to stop, and how to say where one is.
+/// The end of a run, and its part of the progress.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub phase: &'static str,
-    /// The part of the whole solve's progress that this run stands for.
+    /// The interval of the solve's progress that this run has.
     pub span: (f64, f64),
     /// Largest number of steps that are tried.
     pub max_iterations: u64,
@@ -45,7 +46,7 @@ pub(crate) struct Settings {
     pub tolerance: f64,
 }
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Outcome {
     pub energy: f64,

@@ -1,14 +1,14 @@
-//! Fewer distinct lengths: what a workshop asks for, beyond the paper.
+//! Fewer distinct lengths, so that a workshop cuts fewer different members. The paper has no such step.
 //!
 //! 1. The k lengths that come nearest to all members: k intervals of equal width that cover the sorted lengths, as
 //!    narrow as possible (greedy cover and bisection, exact on a line).
 //! 2. Move the inner nodes on the surface to the least Σ (L - c)², c the middle of the member's interval.
 //! 3. Repeat while the intervals get narrower. The narrowest wins.
 //!
-//! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals
-//! are no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
+//! These steps are repeated for growing k up to the largest allowed, each from the same start. They end with the first
+//! k whose intervals are no wider than the tolerance. Members between two boundary nodes cannot change, but count too.
 
-use super::move_nodes::{Aim, OnSurface, Sheet, refine};
+use super::move_nodes::{OnSurface, Sheet, TargetLength, refine};
 use crate::report::LengthsRow;
 use plateau_mesh::execution::{Execution, Interruption};
 
@@ -44,7 +44,7 @@ fn cover(sorted: &[f64], count: usize) -> (f64, Vec<f64>) {
     if cut(0.0).is_some() {
         high = 0.0;
     }
-    // To the rounding of lengths near 1.
+    // The bisection ends at the rounding of lengths near 1.
     while high - low > 1e-15 {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -63,11 +63,12 @@ fn sorted<S: Sheet>(nodes: &OnSurface<'_, S>) -> Vec<f64> {
     lengths
 }
 
-/// Moves the inner nodes until the members have at most `most` lengths, each within half of `tolerance` (in ℓ) of its
-/// own, or as nearly so as found. Returns a row for every number tried (in ℓ); `nodes` are those of the last row.
+/// Moves the inner nodes until the members have at most `most` lengths, each member within half of `tolerance` (in ℓ)
+/// of its length, or as near as was found. Returns a row for every number of lengths tried (in ℓ). `nodes` are those of
+/// the last row.
 ///
 /// # Errors
-/// What cut the work short; `nodes` and the rows are then the best so far.
+/// The interruption. `nodes` and the rows are then the best so far.
 pub(crate) fn share_lengths<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     most: usize,
@@ -93,9 +94,10 @@ pub(crate) fn share_lengths<S: Sheet>(
                 let candidates = middles[k.saturating_sub(1)..(k + 1).min(middles.len())].iter().copied();
                 candidates.min_by(|a, b| (a - length).abs().total_cmp(&(b - length).abs())).unwrap_or(length)
             };
-            let aims: Vec<Aim> = here.lengths().into_iter().map(|length| Aim::At(nearest(length))).collect();
+            let targets: Vec<TargetLength> =
+                here.lengths().into_iter().map(|length| TargetLength::At(nearest(length))).collect();
             let step = rung * ROUNDS + round;
-            interrupted = refine(&mut here, &aims, effort, "share_lengths", (part(step), part(step + 1)), execution);
+            interrupted = refine(&mut here, &targets, effort, "share_lengths", (part(step), part(step + 1)), execution);
             let (deviation, better) = cover(&sorted(&here), count);
             middles = better;
             idle = if deviation < best.0 * 0.999 { 0 } else { idle + 1 };
@@ -115,7 +117,7 @@ pub(crate) fn share_lengths<S: Sheet>(
     (rows, None)
 }
 
-/// Rounds of moving and covering per number of lengths.
+/// Number of rounds of moving and covering for each number of lengths.
 const ROUNDS: usize = 12;
 
 #[cfg(test)]

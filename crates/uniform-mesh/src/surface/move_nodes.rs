@@ -2,8 +2,8 @@
 //! the lattice group, with the parameters of the inner nodes as variables.
 //!
 //! 1. Levenberg and Marquardt on the members' lengths, measured on the surface itself.
-//! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the
-//!    bound is shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
+//! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of its weighted excess, and the
+//!    bound is shifted by the remaining excess (the multipliers of Powell and Hestenes), until no excess remains.
 //!
 //! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2
 //! ([`Transition::Free`](crate::Transition::Free) leaves it out) and the rebuilding of the rim in
@@ -16,12 +16,13 @@ use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use plateau_mesh::{DVec2, DVec3};
 
-/// Rim members aim a little inside their bounds, so that what the multipliers leave over is still within.
+/// Distance, in ℓ, by which the bounds of rim members are drawn in, so that members with a small remaining excess are
+/// still within [ℓ, 2ℓ].
 const MARGIN: f64 = 1e-7;
 /// Weight of a rim member's excess against a lattice member's deviation.
 const WEIGHT: f64 = 3.0;
 const LARGEST_WEIGHT: f64 = 30.0;
-/// A bound's shift is at most this, in ℓ.
+/// Largest shift of a bound, in ℓ.
 const LARGEST_SHIFT: f64 = 0.5;
 /// Tolerance for the bounds on a length, in ℓ.
 const ENOUGH: f64 = 1e-9;
@@ -36,10 +37,10 @@ const FEWEST_STEPS: usize = 30;
 
 /// The required length of a member, in ℓ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Aim {
+pub(crate) enum TargetLength {
     /// A length as near to this one as possible.
     At(f64),
-    /// Between this and 2.
+    /// A length between this one and 2.
     Within(f64),
     Free,
 }
@@ -60,16 +61,16 @@ pub(crate) struct Effort {
 
 /// A surface on which nodes move, by displacements with two coordinates each.
 pub(crate) trait Sheet {
-    /// Where a node stands.
+    /// The place of a node.
     type Place: Copy + std::fmt::Debug;
-    /// How long the optimisation tries.
+    /// Bounds of the optimisation on this surface.
     fn effort(&self) -> Effort;
     /// Point of the surface, and its derivatives by the two coordinates of a displacement.
     fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
-    /// Whether none of the triangles is flipped. `at` gives places and positions.
+    /// Whether none of the triangles is flipped. `at` returns places and positions.
     fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Place, DVec3)) -> bool;
-    /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after as much of the step as may
-    /// be taken, and returns how much that is. `triangles` are those with a moving corner.
+    /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after the part of the step that
+    /// may be taken, and returns that part. `triangles` are those with a moving corner.
     fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]) -> f64;
     /// The point of the surface below the middle of a triangle, and the surface's unit normal there.
     fn below(&self, corners: [Self::Place; 3], middle: DVec3) -> (DVec3, DVec3);
@@ -90,7 +91,7 @@ impl Sheet for Surface {
     type Place = DVec2;
 
     fn effort(&self) -> Effort {
-        // Across a film's facets the derivatives jump, and with them the last digits of the least.
+        // The derivatives jump between a film's facets, so that the last digits of the minimum are not defined.
         let tolerance = if matches!(self, Self::Film { .. }) { 1e-5 } else { 1e-9 };
         Effort { attempts: ATTEMPTS, rounds: ROUNDS, iterations: 60, tolerance }
     }
@@ -120,7 +121,7 @@ impl Sheet for Surface {
 
     fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
         let mut p = corners.into_iter().sum::<DVec2>() / 3.0;
-        // Gauss and Newton's method for the nearest point; the start is close.
+        // The method of Gauss and Newton finds the nearest point. Its start is close.
         for _ in 0..3 {
             let [x, du, dv] = Self::evaluate(self, p);
             let (off, uu, uv, vv) = (middle - x, du.dot(du), du.dot(dv), dv.dot(dv));
@@ -174,24 +175,24 @@ struct Moving<'a, 'b, S: Sheet> {
     nodes: &'a OnSurface<'b, S>,
     /// Members with at least one moving end: their number in `members`.
     active: Vec<usize>,
-    aims: &'a [Aim],
+    targets: &'a [TargetLength],
     /// For each active member the bounds that it has if it is in the rim.
     bounds: Vec<[f64; 2]>,
     /// For each active member the shifts of its lower and upper bound, 0 or positive.
     shifts: Vec<[f64; 2]>,
     weight: f64,
-    /// Triangles with a moving corner that are upright at the start, and stay so.
+    /// Triangles with a moving corner that are upright at the start. They stay upright.
     triangles: Vec<[u32; 3]>,
-    /// Position and derivatives of the moving nodes where they were last evaluated.
+    /// Positions and derivatives of the moving nodes at the places of the last evaluation.
     here: Vec<[DVec3; 3]>,
     metrics: Vec<[f64; 3]>,
 }
 
 impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
-    fn new(nodes: &'a OnSurface<'b, S>, aims: &'a [Aim]) -> Self {
+    fn new(nodes: &'a OnSurface<'b, S>, targets: &'a [TargetLength]) -> Self {
         let fixed = nodes.fixed as u32;
         let active: Vec<usize> = (0..nodes.members.len())
-            .filter(|&m| aims[m] != Aim::Free && nodes.members[m].iter().any(|&v| v >= fixed))
+            .filter(|&m| targets[m] != TargetLength::Free && nodes.members[m].iter().any(|&v| v >= fixed))
             .collect();
         let at = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
         let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &at);
@@ -201,7 +202,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         let mut moving = Self {
             nodes,
             active,
-            aims,
+            targets,
             bounds,
             shifts,
             weight: WEIGHT,
@@ -213,17 +214,17 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         moving
     }
 
-    /// Sets the bounds to those of the aims.
+    /// Sets the bounds to those of the targets.
     fn reset_bounds(&mut self) {
         for (bounds, &member) in self.bounds.iter_mut().zip(&self.active) {
-            let least = if let Aim::Within(least) = self.aims[member] { least } else { 1.0 };
+            let least = if let TargetLength::Within(least) = self.targets[member] { least } else { 1.0 };
             *bounds = [least, 2.0];
         }
     }
 
     /// Whether an active member has bounds.
     fn is_bounded(&self, k: usize) -> bool {
-        matches!(self.aims[self.active[k]], Aim::Within(_))
+        matches!(self.targets[self.active[k]], TargetLength::Within(_))
     }
 
     fn position(&self, v: u32) -> DVec3 {
@@ -235,9 +236,9 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
 
     /// The weighted residual of active member `k` at a length, and its derivative by the length.
     fn residual(&self, k: usize, length: f64) -> (f64, f64) {
-        match self.aims[self.active[k]] {
-            Aim::At(target) => (length - target, 1.0),
-            Aim::Within(_) => {
+        match self.targets[self.active[k]] {
+            TargetLength::At(target) => (length - target, 1.0),
+            TargetLength::Within(_) => {
                 let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
                 let (under, over) = (low + MARGIN - length + down, length - high + MARGIN + up);
                 if under > 0.0 {
@@ -248,7 +249,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
                     (0.0, 0.0)
                 }
             }
-            Aim::Free => (0.0, 0.0),
+            TargetLength::Free => (0.0, 0.0),
         }
     }
 
@@ -350,27 +351,27 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
 
     fn metric(&self, node: usize) -> [[f64; 2]; 2] {
         let [xx, xy, yy] = self.metrics[node];
-        // A patch may have a point without a tangent plane; a little of the trace keeps the metric definite there.
+        // A small part of the trace keeps the metric definite at points of a patch without a tangent plane.
         let little = 1e-9 * (xx + yy) + f64::MIN_POSITIVE;
         [[xx + little, xy], [xy, yy + little]]
     }
 }
 
-/// Moves the inner nodes so that the members come as near to their aims as they get with that effort.
+/// Moves the inner nodes so that the members come near to their targets, within the bounds of [`Sheet::effort`].
 ///
-/// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
-/// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if
-/// anything did; `nodes` is then the best so far.
+/// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those members may
+/// keep the length they start with, because more weight on them would only spoil the lattice. Returns the reason if the
+/// work ended early; `nodes` is then the best so far.
 pub(crate) fn refine<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
-    aims: &[Aim],
+    targets: &[TargetLength],
     effort: Effort,
     phase: &'static str,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> Option<Interruption> {
     let start: Vec<S::Place> = nodes.parameters[nodes.fixed..].to_vec();
-    let mut moving = Moving::new(nodes, aims);
+    let mut moving = Moving::new(nodes, targets);
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
     let (mut x, mut interrupted) = (start.clone(), None);
@@ -383,7 +384,7 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
         let mut widened = false;
-        // Bounds of lattice members do not count: to widen them would repeat this attempt.
+        // Only bounds of rim members count. Wider bounds of lattice members would repeat this attempt.
         let in_rim = |k: &usize| moving.is_bounded(*k);
         for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
             let given = given[k];
@@ -397,7 +398,7 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
     }
-    // Never hand back what is worse in both respects than what came in.
+    // Nodes that are worse in both respects than the given ones are not returned.
     moving.reset_bounds();
     if moving.deviation(&x) >= before.0 && moving.excess() >= before.1 {
         x = start;
@@ -413,10 +414,10 @@ pub(crate) fn refine<S: Sheet>(
 }
 
 impl<S: Sheet> Moving<'_, '_, S> {
-    /// ½ Σ (L - aim)² over the members that have a length to aim at.
+    /// ½ Σ (L - target)² over the members that have a target length.
     fn deviation(&mut self, x: &[S::Place]) -> f64 {
         self.energy(x);
-        let aimed = |k: &usize| matches!(self.aims[self.active[*k]], Aim::At(_));
+        let aimed = |k: &usize| matches!(self.targets[self.active[*k]], TargetLength::At(_));
         let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
         (0..self.active.len()).filter(aimed).map(term).sum()
     }
@@ -451,7 +452,7 @@ impl<S: Sheet> Moving<'_, '_, S> {
             }
             if excess > 0.3 * last && self.weight < LARGEST_WEIGHT {
                 self.weight *= 3.0;
-                // The shift is a multiplier over the weight squared: a new weight rescales it.
+                // A shift is a multiplier divided by the square of the weight, so that a new weight rescales it.
                 self.shifts.iter_mut().for_each(|shift| *shift = shift.map(|s| s / 9.0));
             }
             last = excess;

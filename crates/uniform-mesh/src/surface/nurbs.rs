@@ -7,12 +7,12 @@ use plateau_mesh::error::{Error, InputError, Place, Step};
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec2, DVec3};
 
-/// Degrees beyond this are refused: nothing is drawn with them, and their tables are evaluated in O(degree²).
+/// Largest degree that is accepted. Nobody draws with higher degrees, and their tables take O(degree²) to evaluate.
 const LARGEST_DEGREE: usize = 60;
-/// Degrees below this, nearly all that are drawn with, are evaluated in small tables.
+/// Degrees below this are evaluated in small tables. Nearly all patches have such degrees.
 const COMMON: usize = 8;
 
-/// Cells along a parameter, at least two a knot span, by which a patch's area is integrated.
+/// Number of cells along a parameter over which a patch's area is integrated, at least two for each knot span.
 const AREA_CELLS: usize = 48;
 
 /// A NURBS patch without trimming curves. Knot vectors may run over any interval; the parameters u, v here run over
@@ -24,7 +24,7 @@ pub struct Nurbs {
     /// Knots along u and along v: not falling, as many as control points plus degree plus one, inner ones repeated at
     /// most degree times. The patch covers the parameters from knot `degree` to the one that many from the end.
     pub knots: [Vec<f64>; 2],
-    /// `control_points[i][j]`: i counts along u, j along v.
+    /// The points `control_points[i][j]`, where i counts along u and j along v.
     pub control_points: Vec<Vec<DVec3>>,
     /// A positive weight for each control point; `None` if all are equal.
     pub weights: Option<Vec<Vec<f64>>>,
@@ -116,7 +116,7 @@ impl Nurbs {
         if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
     }
 
-    /// The same patch moved by -`centre`, then divided by `unit`.
+    /// Returns the patch moved by -`centre`, then divided by `unit`.
     pub(crate) fn centred(&self, centre: DVec3, unit: f64) -> Self {
         let control_points =
             self.control_points.iter().map(|row| row.iter().map(|&p| (p - centre) / unit).collect()).collect();
@@ -182,8 +182,8 @@ impl Nurbs {
     }
 }
 
-/// A sine below this between a patch's derivatives, or a derivative below this fraction of the largest one along its
-/// parameter, leaves no normal to be had from them: at a pole rounding decides its direction.
+/// Least sine of the angle between a patch's derivatives, and least length of a derivative relative to the largest one
+/// along its parameter, for which they define a normal. Near a pole rounding would decide the normal's direction.
 const SINGULAR: [f64; 2] = [1e-3, 1e-9];
 
 /// The unit normal u × v of derivatives. `largest` are the lengths of the patch's largest derivatives by u and by v.
@@ -200,7 +200,8 @@ fn basis<const N: usize>(knots: &[f64], degree: usize, t: f64, functions: &mut [
     let count = knots.len() - degree - 1;
     let (low, high) = (knots[degree], knots[count]);
     let x = (low + (high - low) * t).clamp(low, high);
-    // The last span that starts at or before x and is not empty; the end belongs to the last one.
+    // The span of x is the last non-empty span that starts at or before x. The end of the domain belongs to the last
+    // span.
     let span = (knots[degree + 1..=count].partition_point(|&knot| knot <= x) + degree).min(count - 1);
     let span = (degree..=span).rev().find(|&k| knots[k] < knots[k + 1]).unwrap_or(span);
     // After round r the first r + 1 values are the functions of degree r; `lower` keeps those of degree - 1.

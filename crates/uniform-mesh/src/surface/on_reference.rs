@@ -1,23 +1,23 @@
 //! Uniform meshes of surfaces that cannot be flattened: meshed on the surface itself.
 //!
-//! 1. [`Net::remesh`]: triangles of about one edge length all over.
+//! 1. [`Net::remesh`]: triangles of about one edge length everywhere.
 //! 2. The lattice group. A node that moves on a surface has two degrees of freedom, and there are three edges for each
 //!    node, so that at most two thirds of the edges can have one given length. The group takes the edges nearest to ℓ
 //!    of which every node has to serve at most two (a node on a curve one): a system with as many equations as
 //!    unknowns.
 //! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
 //!    other members within [ℓ, 2ℓ].
-//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its
-//!    time.
+//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move may take more
+//!    steps.
 //! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more,
-//!    and the nodes move again: the best mesh of step 4 is one before its last members were mended. Members across a
-//!    sharp corner may then be as short as the distance between its sides at 2ℓ.
+//!    and the nodes move again: the best mesh of step 4 can be one whose last members were not yet mended. Members
+//!    across a sharp corner may then be as short as the distance between its sides at 2ℓ.
 //!
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
 
-use super::move_nodes::{Aim, Effort, Moved, OnSurface, Sheet, refine};
-use super::reference::{Bond, Place, Reference};
+use super::move_nodes::{Effort, Moved, OnSurface, Sheet, TargetLength, refine};
+use super::reference::{Bond, NodePlace, Reference};
 use super::remesh::{Collapse, Net, Size, longest_squared};
 use crate::edges::edges;
 use crate::options::Objective;
@@ -27,43 +27,44 @@ use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::topology::{next, previous};
 use plateau_mesh::{DVec2, DVec3};
 
-/// The sizes that the remeshing starts from, in ℓ.
+/// The target lengths of the remeshing, in ℓ.
 ///
 /// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places
 /// take the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
 const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
-/// Rounds of moving the nodes and mending members out of range.
+/// Number of rounds that move the nodes and mend members out of range.
 const ROUNDS: usize = 3;
-/// Most rounds of mending members that are far out of range at the end.
+/// Largest number of rounds at the end that mend members far out of range.
 const REPAIRS: usize = 2;
-/// Members outside this range, in ℓ, are far out of it. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not converged.
+/// Members outside this range, in ℓ, count as far out of range. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not
+/// converged.
 const FAR: (f64, f64) = (0.7, 2.3);
-/// Rounds of multipliers in each of these moves.
+/// Number of multiplier updates in each of these moves.
 const BRIEF: usize = 2;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
 /// Members within this range, in ℓ, may belong to the lattice group.
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
-/// Members outside this range, in ℓ, are mended. What is missing from [ℓ, 2ℓ] is left to the next move of the nodes.
+/// Members outside this range, in ℓ, are mended. The next move of the nodes brings the others into [ℓ, 2ℓ].
 const OUT: (f64, f64) = (0.98, 2.02);
-/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may
-/// leave. Without it nodes are pressed flat against the boundary.
+/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, after a move.
+/// Without this bound nodes are pressed flat against the boundary.
 const THINNEST: f64 = 0.12;
 /// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians)
 /// is split, so that the node may join it.
 const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
-/// How many nodes the search for a free degree of freedom visits.
+/// Largest number of nodes that the search for a free degree of freedom visits.
 const SEARCH: usize = 300;
 
 impl Sheet for Reference {
-    type Place = Place;
+    type Place = NodePlace;
 
     fn effort(&self) -> Effort {
         Effort { attempts: 1, rounds: 6, iterations: 20, tolerance: 1e-4 }
     }
 
-    fn evaluate(&self, place: Place) -> [DVec3; 3] {
+    fn evaluate(&self, place: NodePlace) -> [DVec3; 3] {
         let point = self.point(place.spot);
         match place.bond {
             Bond::Free => {
@@ -75,11 +76,11 @@ impl Sheet for Reference {
         }
     }
 
-    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Place, DVec3)) -> bool {
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (NodePlace, DVec3)) -> bool {
         triangles.iter().all(|t| self.is_upright(t.map(at)))
     }
 
-    fn advance(&self, mesh: &Moved<'_, Place>, step: &[DVec2], to: &mut [Place]) -> f64 {
+    fn advance(&self, mesh: &Moved<'_, NodePlace>, step: &[DVec2], to: &mut [NodePlace]) -> f64 {
         let displaced = |k: usize, part: f64| {
             let here = mesh.moving[k];
             let step = step[k] * part;
@@ -87,11 +88,11 @@ impl Sheet for Reference {
             match here.bond {
                 Bond::Free => {
                     let [_, x, y] = Sheet::evaluate(self, here);
-                    Place { spot: self.walk(here.spot, x * step.x + y * step.y), ..here }
+                    NodePlace { spot: self.walk(here.spot, x * step.x + y * step.y), ..here }
                 }
                 Bond::Curve { curve, at } => {
                     let at = (at + step.x).clamp(0.0, self.curves[curve as usize].length());
-                    Place { spot: self.on_curve(curve, at), bond: Bond::Curve { curve, at } }
+                    NodePlace { spot: self.on_curve(curve, at), bond: Bond::Curve { curve, at } }
                 }
                 Bond::Fixed(_) => here,
             }
@@ -100,7 +101,7 @@ impl Sheet for Reference {
         for (k, place) in to.iter_mut().enumerate() {
             *place = displaced(k, 1.0);
         }
-        // Nodes whose step would turn a triangle take less of it, in the end nothing.
+        // Nodes whose step would turn a triangle take a smaller part of it, and at last no step.
         for part in [0.4, 0.1, 0.0, 0.0, 0.0] {
             let positions: Vec<DVec3> = to.iter().map(|place| self.point(place.spot)).collect();
             let at = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
@@ -124,8 +125,8 @@ impl Sheet for Reference {
         parts.iter().sum::<f64>() / parts.len() as f64
     }
 
-    fn below(&self, corners: [Place; 3], middle: DVec3) -> (DVec3, DVec3) {
-        let free: Vec<Place> = corners.into_iter().filter(|place| place.bond == Bond::Free).take(1).collect();
+    fn below(&self, corners: [NodePlace; 3], middle: DVec3) -> (DVec3, DVec3) {
+        let free: Vec<NodePlace> = corners.into_iter().filter(|place| place.bond == Bond::Free).take(1).collect();
         let starts = if free.is_empty() { corners.to_vec() } else { free };
         let mut best = (f64::INFINITY, DVec3::ZERO, DVec3::ZERO);
         for start in starts.into_iter().flat_map(|place| self.sides(place.spot)) {
@@ -141,18 +142,18 @@ impl Sheet for Reference {
 }
 
 impl Reference {
-    /// Whether a triangle faces as the surface does at its corners, and is no sliver.
-    fn is_upright(&self, corners: [(Place, DVec3); 3]) -> bool {
+    /// Whether a triangle's normal agrees with the surface's at its corners, and the triangle is no sliver.
+    fn is_upright(&self, corners: [(NodePlace, DVec3); 3]) -> bool {
         let mean: DVec3 = corners.iter().map(|(place, _)| self.normal(place.spot)).sum();
         let corners = corners.map(|corner| corner.1);
         double_area_vector(corners).dot(mean) > THINNEST * longest_squared(corners) * mean.length()
     }
 }
 
-/// Meshes the surface. The second value says what cut the work short; the mesh is valid all the same.
+/// Meshes the surface. The second value is the reason if the work ended early; the mesh is valid all the same.
 ///
 /// # Errors
-/// The interruption, before there was a mesh of about the wanted size.
+/// The interruption, before there was a mesh of about the target length.
 pub(crate) fn mesh<'a>(
     reference: &'a Reference,
     objective: Objective,
@@ -170,27 +171,28 @@ pub(crate) fn mesh<'a>(
     if !optimise {
         return Ok((best, None));
     }
-    // The net of the best nodes, as it was before its members were mended.
+    // The net with the best nodes, before its members were mended.
     let mut of_best = net.clone();
     let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1 + REPAIRS) as f64;
     let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
-        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within(1.0) };
-        let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
+        let target = |&lattice: &bool| if lattice { TargetLength::At(1.0) } else { TargetLength::Within(1.0) };
+        let targets: Vec<TargetLength> = nodes.lattice_group.iter().map(target).collect();
         let effort = Effort { rounds, ..reference.effort() };
-        refine(nodes, &aims, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
+        refine(nodes, &targets, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
     };
     let move_repaired = |nodes: &mut OnSurface<'a, Reference>, k: usize| {
-        let aim = |(&lattice, &ends): (&bool, &[u32; 2])| {
-            // Aims that no place of the nodes can reach push them towards a sharp corner, or away from it.
+        let target = |(&lattice, &ends): (&bool, &[u32; 2])| {
+            // Targets that no place of the nodes can reach would push the nodes towards a sharp corner, or away from
+            // it.
             let across = reference.apart_across(ends.map(|v| nodes.parameters[v as usize]));
             match across {
-                _ if lattice => Aim::At(1.0),
-                Some(apart) => Aim::Within((2.0 * apart).min(1.0)),
-                None => Aim::Within(1.0),
+                _ if lattice => TargetLength::At(1.0),
+                Some(apart) => TargetLength::Within((2.0 * apart).min(1.0)),
+                None => TargetLength::Within(1.0),
             }
         };
-        let aims: Vec<Aim> = nodes.lattice_group.iter().zip(&nodes.members).map(aim).collect();
-        refine(nodes, &aims, reference.effort(), "optimise_nodes", (part(k), part(k + 1)), execution)
+        let targets: Vec<TargetLength> = nodes.lattice_group.iter().zip(&nodes.members).map(target).collect();
+        refine(nodes, &targets, reference.effort(), "optimise_nodes", (part(k), part(k + 1)), execution)
     };
     let mut least = f64::INFINITY;
     for round in 0..ROUNDS {
@@ -230,7 +232,7 @@ pub(crate) fn mesh<'a>(
     Ok((best, interrupted))
 }
 
-/// Number of members that are far out of range, and that the boundary does not force to be.
+/// Number of members that are far out of range without a reason in the boundary.
 fn far_members(nodes: &OnSurface<'_, Reference>) -> usize {
     let is_far = |&(&ends, length): &(&[u32; 2], f64)| {
         let places = ends.map(|v| nodes.parameters[v as usize]);
@@ -259,7 +261,7 @@ fn nodes<'a>(net: &mut Net<'a>, objective: Objective) -> OnSurface<'a, Reference
     nodes
 }
 
-/// The edges nearest to ℓ of which no node has to serve more than it has degrees of freedom.
+/// The edges nearest to ℓ that can be assigned to nodes, to each node at most as many as it has degrees of freedom.
 fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
     let lengths = nodes.lengths();
     let mut order: Vec<usize> = (0..lengths.len()).filter(|&m| GROUP.contains(&lengths[m])).collect();
@@ -273,14 +275,14 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
             Bond::Fixed(_) => 0,
         })
         .collect();
-    // For each node the members that it serves.
+    // For each node the members that are assigned to it.
     let mut serves: Vec<Vec<usize>> = vec![Vec::new(); left.len()];
     let mut group = vec![false; lengths.len()];
     let mut seen = vec![0u32; left.len()];
     for (turn, member) in order.into_iter().enumerate() {
         let turn = turn as u32 + 1;
-        // Breadth first from the member's ends to a node with a degree of freedom left; the members on the way change
-        // over to the next node.
+        // A breadth-first search from the member's ends finds a node with a free degree of freedom. Each member on the
+        // way is assigned to the next node.
         let mut queue: Vec<(u32, Option<usize>, usize)> =
             nodes.members[member].iter().map(|&v| (v, None, member)).collect();
         queue.iter().for_each(|&(v, ..)| seen[v as usize] = turn);
@@ -316,8 +318,8 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
     group
 }
 
-/// Half the sum of squares by which the lattice is off ℓ and the other members are outside [ℓ, 2ℓ], the latter ten
-/// times.
+/// Half the sum of the squared distances of lattice members from ℓ and of the others from [ℓ, 2ℓ], where the others
+/// count ten times.
 fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     let term = |(&length, &lattice): (&f64, &bool)| {
         let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
@@ -326,7 +328,7 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     nodes.lengths().iter().zip(&nodes.lattice_group).map(term).sum()
 }
 
-/// Splits members that are longer than a range, collapses those that are shorter, and flips. Says whether anything
+/// Splits members that are longer than a range, collapses those that are shorter, and flips. Returns whether a member
 /// changed.
 fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;

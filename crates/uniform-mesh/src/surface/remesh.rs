@@ -1,42 +1,42 @@
-//! Isotropic remeshing on a surface: from the reference triangulation to triangles of about the wanted edge length.
+//! Isotropic remeshing on a surface: from the reference triangulation to triangles of about the target edge length.
 //!
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4: collapse short edges,
-//! split long ones, flip, relax tangentially. Here nodes never leave the surface, because they walk on the
-//! [`Reference`]; nodes on its curves stay on them, corners stay where they are. An operation that would turn a
-//! triangle against the surface's normals is refused, so that thin sheets and sharp crests are not cut through.
+//! split long ones, flip, relax tangentially. Our departures: nodes never leave the surface, because they walk on the
+//! [`Reference`]. Nodes on its curves stay on the curves, and corners do not move. An operation that would turn a
+//! triangle against the surface's normals is refused, so that no edge cuts through a thin sheet or a sharp crest.
 //!
 //! Edges that are split or collapsed in one pass share no triangle, like in [`remesh`](plateau_film::minimal_surface)
 //! (no neighbourhood), so that a pass is one rebuild of the triangle list.
 
-use super::reference::{Bond, Place, Reference};
+use super::reference::{Bond, NodePlace, Reference};
 use plateau_mesh::DVec3;
 use plateau_mesh::edit::may_collapse;
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::topology::{NONE, Topology};
 
-/// The constants of the remeshing.
+/// Constants of the remeshing.
 struct Remeshing {
     /// Edges longer than this times the size are split (Botsch and Kobbelt: 4/3).
     long: f64,
     /// Edges shorter than this times the size are collapsed (Botsch and Kobbelt: 4/5).
     short: f64,
-    /// Most passes that only collapse, at the start; each removes up to a seventh of the nodes.
+    /// Largest number of passes at the start that only collapse; each removes up to a seventh of the nodes.
     coarsening_passes: usize,
-    /// Ends the coarsening when a pass removes fewer than this fraction of the nodes.
+    /// Least fraction of the nodes that a pass removes; below it the coarsening ends.
     coarsened: f64,
-    /// Rounds of splits, collapses, flips and relaxation.
+    /// Number of rounds of splits, collapses, flips and relaxation.
     rounds: usize,
-    /// Relaxation sweeps in each round.
+    /// Number of relaxation sweeps in each round.
     sweeps: usize,
     /// Least cosine between a triangle's normal and the mean of the surface's normals at its corners.
     upright: f64,
-    /// Least altitude of a triangle as a fraction of its longest side. Smaller ones have no direction that could be
-    /// compared with the surface's.
+    /// Least altitude of a triangle as a fraction of its longest side. The normal of a triangle with a smaller one is
+    /// decided by rounding.
     thinnest: f64,
-    /// Opposite angles may add up to 180° and this much, radians, before the edge flips.
+    /// An edge flips if its opposite angles add up to more than 180° plus this angle, radians.
     flat: f64,
-    /// Sweeps over all edges in which edges flip.
+    /// Number of sweeps of flips over all edges.
     flip_sweeps: usize,
 }
 
@@ -53,14 +53,14 @@ const REMESHING: Remeshing = Remeshing {
     flip_sweeps: 10,
 };
 
-/// The wanted edge length at a place: a constant, shorter where the surface is strongly curved.
+/// The target edge length at a place: a constant, or less where the surface is strongly curved.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Size {
-    /// Where the surface is nearly flat, in ℓ.
+    /// The length where the surface is nearly flat, in ℓ.
     pub largest: f64,
-    /// Where it is strongly curved, in ℓ.
+    /// The length where the surface is strongly curved, in ℓ.
     pub least: f64,
-    /// Wanted length times curvature in between.
+    /// Between them, the product of length and curvature.
     pub turn: f64,
 }
 
@@ -70,10 +70,10 @@ impl Size {
     }
 }
 
-/// Where the ends of a collapsed edge meet.
+/// The place at which the ends of a collapsed edge meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Collapse {
-    /// At one end. Needs no walk on the surface.
+    /// At one end, which needs no walk on the surface.
     End,
     /// Half way between them.
     Middle,
@@ -83,11 +83,11 @@ pub(crate) enum Collapse {
 #[derive(Clone, Debug)]
 pub(crate) struct Net<'a> {
     pub reference: &'a Reference,
-    pub places: Vec<Place>,
+    pub places: Vec<NodePlace>,
     pub positions: Vec<DVec3>,
     pub normals: Vec<DVec3>,
     pub topology: Topology,
-    /// The edges along curves, each with the smaller end first, and the curve; sorted.
+    /// The edges along curves, each with the smaller end first, and their curves. Sorted.
     pub along: Vec<([u32; 2], u32)>,
     size: Size,
     sizes: Vec<f64>,
@@ -122,8 +122,8 @@ impl<'a> Net<'a> {
                 bonds[v as usize] = Bond::Fixed(v);
             }
         }
-        let places: Vec<Place> =
-            (0..count as u32).map(|v| Place { spot: reference.spot_of(v), bond: bonds[v as usize] }).collect();
+        let places: Vec<NodePlace> =
+            (0..count as u32).map(|v| NodePlace { spot: reference.spot_of(v), bond: bonds[v as usize] }).collect();
         let mut net = Self {
             reference,
             places: Vec::new(),
@@ -138,14 +138,14 @@ impl<'a> Net<'a> {
         net
     }
 
-    fn push(&mut self, place: Place) {
+    fn push(&mut self, place: NodePlace) {
         self.places.push(place);
         self.positions.push(self.reference.point(place.spot));
         self.normals.push(self.reference.normal(place.spot));
         self.sizes.push(self.size.at(self.reference.curvature(place.spot)));
     }
 
-    pub fn put(&mut self, v: u32, place: Place) {
+    pub fn put(&mut self, v: u32, place: NodePlace) {
         let v = v as usize;
         self.places[v] = place;
         self.positions[v] = self.reference.point(place.spot);
@@ -153,8 +153,8 @@ impl<'a> Net<'a> {
         self.sizes[v] = self.size.at(self.reference.curvature(place.spot));
     }
 
-    /// Puts every node to its new place.
-    pub fn put_all(&mut self, places: &[Place]) {
+    /// Moves every node to its new place.
+    pub fn put_all(&mut self, places: &[NodePlace]) {
         for (v, &place) in places.iter().enumerate() {
             self.put(v as u32, place);
         }
@@ -180,7 +180,7 @@ impl<'a> Net<'a> {
         0.5 * (self.sizes[self.topology.from(h) as usize] + self.sizes[self.topology.to(h) as usize])
     }
 
-    /// Whether a triangle with these corners faces as the surface does.
+    /// Whether the normal of a triangle with these corners agrees with the surface's.
     fn is_upright(&self, corners: [DVec3; 3], normals: [DVec3; 3]) -> bool {
         let normal = double_area_vector(corners);
         let mean: DVec3 = normals.iter().sum();
@@ -192,7 +192,7 @@ impl<'a> Net<'a> {
         self.is_upright(triangle.map(|v| self.positions[v as usize]), triangle.map(|v| self.normals[v as usize]))
     }
 
-    /// Half-edges, one for each edge, whose key is above 1, largest first.
+    /// Returns one half-edge for each edge whose key is above 1, by falling keys.
     fn ranked(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
         let twin = &self.topology.twin;
         let mut ranked: Vec<(f64, u32)> = (0..twin.len() as u32)
@@ -204,8 +204,8 @@ impl<'a> Net<'a> {
         ranked.into_iter().map(|(_, h)| h).collect()
     }
 
-    /// The place half way between two nodes, along the curve if they are neighbours on one.
-    fn middle(&self, a: u32, b: u32) -> Option<Place> {
+    /// The place half way between two nodes, along a curve if they are neighbours on it.
+    fn middle(&self, a: u32, b: u32) -> Option<NodePlace> {
         let [p, q] = [a, b].map(|v| self.positions[v as usize]);
         let [from, to] = [a, b].map(|v| self.places[v as usize]);
         if let Some(curve) = self.curve_of(a, b) {
@@ -213,7 +213,7 @@ impl<'a> Net<'a> {
             let near = self.reference.at(curve, from.bond, other)?;
             let other = self.reference.at(curve, to.bond, Some(near))?;
             let at = 0.5 * (near + other);
-            return Some(Place { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+            return Some(NodePlace { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
         }
         let length = p.distance(q);
         for (start, from, to) in [(from, p, q), (to, q, p)] {
@@ -224,20 +224,20 @@ impl<'a> Net<'a> {
                 let spot = self.reference.foot(spot, (from + to) / 2.0);
                 let point = self.reference.point(spot);
                 if point.distance(from).max(point.distance(to)) < 0.8 * length {
-                    return Some(Place { spot, bond: Bond::Free });
+                    return Some(NodePlace { spot, bond: Bond::Free });
                 }
             }
         }
         None
     }
 
-    /// Splits the edges that are too long, longest first, no two of one triangle. Returns how many.
+    /// Splits the edges that are too long, longest first, at most one of each triangle. Returns their number.
     fn split(&mut self) -> usize {
         let edges = self.ranked(|h| self.length(h) / (REMESHING.long * self.size_at(h)));
         self.split_edges(&edges)
     }
 
-    /// Splits these edges, as far as they share no triangle. Returns how many.
+    /// Splits these edges, at most one of each triangle. Returns the number of split edges.
     pub fn split_edges(&mut self, edges: &[u32]) -> usize {
         let mut taken = vec![false; self.topology.triangles().len()];
         let mut triangles = self.topology.triangles().to_vec();
@@ -303,13 +303,13 @@ impl<'a> Net<'a> {
             Topology::build(triangles, self.places.len()).expect("splits and collapses keep an oriented manifold");
     }
 
-    /// Collapses the edges that are too short, shortest first, in places that do not touch. Returns how many.
+    /// Collapses the edges that are too short, shortest first, whose neighbourhoods do not touch. Returns their number.
     fn collapse(&mut self, to: Collapse) -> usize {
         let edges = self.ranked(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
         self.collapse_edges(&edges, to, REMESHING.long)
     }
 
-    /// Collapses these edges where no edge becomes longer than `long` sizes. Returns how many.
+    /// Collapses these edges where no edge becomes longer than `long` sizes. Returns the number of collapsed edges.
     pub fn collapse_edges(&mut self, edges: &[u32], to: Collapse, long: f64) -> usize {
         let mut touched = vec![false; self.places.len()];
         let mut gone: Vec<Option<u32>> = vec![None; self.places.len()];
@@ -393,7 +393,7 @@ impl<'a> Net<'a> {
     /// The neighbours of a vertex.
     pub fn ring(&self, v: u32) -> Vec<u32> {
         let mut ring: Vec<u32> = self.topology.outgoing_half_edges(v).map(|h| self.topology.to(h)).collect();
-        // A boundary vertex reaches its last neighbour only as an opposite one.
+        // The last neighbour of a boundary vertex is only found opposite to an edge.
         if let Some(last) = self.topology.outgoing_half_edges(v).last() {
             let other = self.topology.opposite(last);
             if !ring.contains(&other) {
@@ -441,7 +441,6 @@ impl<'a> Net<'a> {
                 let Some(hinge) = self.topology.hinge(h) else { continue };
                 let [a, b, c, d] = hinge.map(|v| self.positions[v as usize]);
                 let angle = |at: DVec3| measure::angle(a - at, b - at);
-                // On a crest an edge may be bent by so much that its flip would cut the crest: length decides there.
                 if angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && self.can_flip(h) {
                     self.topology.flip(h);
                     flips += 1;
@@ -490,7 +489,7 @@ impl<'a> Net<'a> {
         let before = self.places[v as usize];
         for part in [1.0, 0.4] {
             let spot = self.reference.walk(before.spot, step * part);
-            self.put(v, Place { spot, bond: Bond::Free });
+            self.put(v, NodePlace { spot, bond: Bond::Free });
             if self.star_is_upright(v) {
                 return;
             }
@@ -508,7 +507,7 @@ impl<'a> Net<'a> {
         let &[low, high] = &neighbours[..] else { return };
         let before = self.places[v as usize];
         let at = 0.5 * (low + high);
-        self.put(v, Place { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+        self.put(v, NodePlace { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
         if !self.star_is_upright(v) {
             self.put(v, before);
         }
@@ -547,10 +546,10 @@ impl<'a> Net<'a> {
         self.topology = self.topology.clone().renumbered(&place);
     }
 
-    /// Brings every edge near the size at its place.
+    /// Remeshes until every edge is near the target length at its place.
     ///
     /// # Errors
-    /// The interruption; the net is valid then, only not even.
+    /// The interruption. The net is valid then, but its edges are not near their targets.
     pub fn remesh(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
         for pass in 0..REMESHING.coarsening_passes {
             execution.look(4 * self.places.len() as u64)?;

@@ -1,20 +1,21 @@
-//! The rim of a curved mesh once more, on the surface itself.
+//! Rebuilds the rim of a curved mesh on the surface itself.
 //!
-//! The plane's rim keeps [ℓ, 2ℓ] in the plane. Where the surface is stretched against it, and after the lattice has
-//! moved, its edges and nodes no longer fit: members leave the range, and triangles become needles that hold the
-//! lattice back.
+//! The rim that was made in the plane keeps [ℓ, 2ℓ] in the plane. Where the surface is stretched relative to the plane,
+//! and after the lattice has moved, its edges and nodes do not fit: members leave the range, and triangles become
+//! needles that keep the lattice from moving.
 //!
-//! 1. Keep the boundary's nodes and the lattice group; drop the nodes that INCREMENT put between them.
-//! 2. Triangulate what lies between in the parameter plane, the lattice's border as constraints; then flip every edge
-//!    whose two opposite angles *on the surface* add up to more than 180°, where the parameter plane allows it.
+//! 1. Keep the boundary's nodes and the lattice group, and remove the nodes that INCREMENT put between them.
+//! 2. Triangulate the region between them in the parameter plane, with the lattice's border as constraints. Then flip
+//!    every edge whose two opposite angles *on the surface* add up to more than 180°, where the parameter plane allows
+//!    it.
 //! 3. INCREMENT with distances on the surface: while a triangle's circumradius there is ℓ or more, its circumcentre (by
 //!    Newton's method on the true surface) becomes a node, if it is visible and clear of all others.
 //! 4. Move all inner nodes again ([`refine`]), and repeat from 1 as long as lattice and rim together gain.
 //!
-//! Beyond the paper, which keeps the plane's rim and whose Table 1 shows what it comes to (a member of 13.4 for ℓ = 5).
+//! This goes beyond the paper, which keeps the rim of the plane; its Table 1 has a member of 13.4 for ℓ = 5.
 
 use super::auxiliary::Surface;
-use super::move_nodes::{Aim, OnSurface, Sheet, refine};
+use super::move_nodes::{OnSurface, Sheet, TargetLength, refine};
 use crate::edges::{edges, topology};
 use crate::options::Transition as Freedom;
 use plateau_mesh::execution::{Execution, Interruption};
@@ -25,26 +26,26 @@ use plateau_mesh::{DVec2, DVec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Opposite angles that add up to 180° and this much, in radians, stay as they are.
+/// An edge flips if its opposite angles add up to more than 180° plus this angle, in radians.
 const FLAT: f64 = 1e-7;
-/// How clear of all nodes a new one must be, in ℓ. A little below 1: the triangulation is Delaunay only nearly, and
-/// moving the nodes evens it out.
+/// Least distance of a new node from all others, in ℓ. It is a little below 1, because the triangulation is only nearly
+/// Delaunay, and the later move of the nodes evens the lengths out.
 const CLEAR: f64 = 0.95;
-/// Flips an edge may cause on average before the flipping is given up; a curved surface promises no end.
+/// Largest average number of flips for each edge. On a curved surface flips may otherwise not end.
 const FLIPS_PER_EDGE: usize = 20;
 const WORK_PER_LOOK: u64 = 4096;
-/// How often the rim is rebuilt at most.
+/// Maximum number of times that the rim is rebuilt.
 const REBUILDS: usize = 6;
-/// Ends the rebuilding when a round gains less than this part of the misfit, ...
+/// The rebuilding ends when a round gains less than this fraction of the misfit, ...
 const ENOUGH_GAIN: f64 = 1e-3;
-/// ... or where there is none to speak of, per member: on a flat patch lengths are off by rounding and by what
-/// flattening leaves.
+/// ... or when the misfit for each member is below this value. On a flat patch lengths are off only by rounding and by
+/// the tolerance of the flattening.
 const NO_MISFIT: f64 = 1e-12;
 /// Weight of a rim member that is out of range, relative to a lattice member.
 const RIM_WEIGHT: f64 = 10.0;
 
-/// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as
-/// long as both together gain. Says whether members have changed, and what cut the work short.
+/// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for their new places, as long as
+/// the misfit falls. Returns whether members have changed, and what ended the work early.
 pub(crate) fn fit(
     nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
@@ -54,10 +55,10 @@ pub(crate) fn fit(
     let rounds = if freedom == Freedom::Free { 0 } else { REBUILDS };
     let part = |k: usize| from + (to - from) * k as f64 / (rounds + 1) as f64;
     let move_nodes = |nodes: &mut OnSurface<'_, Surface>, round: usize| {
-        let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within(1.0) };
-        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { rim };
-        let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
-        refine(nodes, &aims, nodes.surface.effort(), "optimise_nodes", (part(round), part(round + 1)), execution)
+        let rim = if freedom == Freedom::Free { TargetLength::Free } else { TargetLength::Within(1.0) };
+        let target = |&lattice: &bool| if lattice { TargetLength::At(1.0) } else { rim };
+        let targets: Vec<TargetLength> = nodes.lattice_group.iter().map(target).collect();
+        refine(nodes, &targets, nodes.surface.effort(), "optimise_nodes", (part(round), part(round + 1)), execution)
     };
     let (mut rebuilt, mut interrupted) = (false, move_nodes(nodes, 0));
     let mut best = misfit(nodes);
@@ -84,8 +85,8 @@ pub(crate) fn fit(
     (rebuilt, interrupted)
 }
 
-/// How far the lattice is from ℓ and the rim from [ℓ, 2ℓ]: half the sum of squares in ℓ, the rim's [`RIM_WEIGHT`]
-/// times.
+/// The misfit: half the sum of the squared distances of lattice members from ℓ and of rim members from [ℓ, 2ℓ], in ℓ,
+/// where rim members have [`RIM_WEIGHT`].
 fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     let lengths = nodes.lengths();
     let term = |(&length, &lattice): (&f64, &bool)| {
@@ -95,10 +96,10 @@ fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     lengths.iter().zip(&nodes.lattice_group).map(term).sum()
 }
 
-/// The same lattice with a new rim, or `None` where the parameter plane does not allow one.
+/// Returns the same lattice with a new rim, or `None` where the parameter plane does not allow one.
 ///
 /// # Errors
-/// The interruption; nothing has changed then.
+/// The interruption. The mesh has not changed then.
 pub(crate) fn rebuild<'a>(
     nodes: &OnSurface<'a, Surface>,
     execution: &Execution<'_>,
@@ -107,7 +108,7 @@ pub(crate) fn rebuild<'a>(
     let core = Core::of(nodes);
     let parameters: Vec<DVec2> = core.nodes.iter().map(|&v| nodes.parameters[v as usize]).collect();
     let positions: Vec<DVec3> = core.nodes.iter().map(|&v| nodes.positions[v as usize]).collect();
-    // Nodes inside the lattice take no part: only those on constraints are given to the triangulation.
+    // Only nodes on constraints are given to the triangulation, not those inside the lattice.
     let mut part: Vec<u32> = (0..nodes.fixed as u32).collect();
     let mut number = vec![NONE; core.nodes.len()];
     for (k, n) in number.iter_mut().enumerate().take(nodes.fixed) {
@@ -192,7 +193,7 @@ impl Core {
         let mut group: Vec<[u32; 2]> =
             lattice().map(|&[a, b]| ordered(number[a as usize], number[b as usize])).collect();
         group.sort_unstable();
-        // Directed edges that occur in triangles, to tell the boundary's from the others.
+        // The directed edges of the triangles, by which boundary edges are found.
         let mut directed: Vec<[u32; 2]> =
             nodes.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         directed.sort_unstable();
@@ -285,7 +286,7 @@ impl Rim<'_> {
                 continue;
             }
             let corners = self.flat.triangle(holder);
-            // On a constraint there is no room for a triangle.
+            // A node on a constraint would leave a triangle without area.
             if (0..3).any(|k| {
                 side(corners[k], corners[(k + 1) % 3], centre) <= 0.0
                     && self.flat.twin_of(3 * holder + k as u32) == NONE
@@ -343,11 +344,11 @@ impl Rim<'_> {
             }
             p = q - step;
         }
-        // Outside the parameters it is hidden behind the boundary.
+        // A point outside the parameters is hidden behind the boundary.
         (p.is_finite() && self.surface.restrict(p).distance(p) <= 1e-9 * p.length().max(1.0)).then_some(p)
     }
 
-    /// Whether no node that can be reached from a triangle without leaving the neighbourhood is too near.
+    /// Whether a point keeps its distance from all nodes that can be reached from a triangle within the neighbourhood.
     fn is_clear(&mut self, start: u32, position: DVec3) -> bool {
         let mut seen = vec![start];
         let mut next = 0;
