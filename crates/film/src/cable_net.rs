@@ -85,7 +85,7 @@ impl CableNet {
 
 /// Finds the shape of a net.
 ///
-/// The result depends on nothing but the arguments, to the byte.
+/// The result depends on nothing but the arguments, to the byte on processors with the same vector instructions.
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular

@@ -79,12 +79,12 @@ use touching_boundaries::JoinedLoops;
 /// least.
 ///
 /// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
-/// arguments, to the byte, and turns, moves and scales with them up to rounding. Neighbouring points that are equal,
-/// or nearer than 1e-9 of the boundary's radius, are merged, with the warning `merged_points`. The least found is a
-/// *local* one: a boundary may bound several minimal surfaces, and which one comes out follows from the initial mesh. A
-/// surface whose solver did not meet its own rule is returned with `converged: false` and the warning `not_converged`,
-/// at a deadline too. A film of least area whose solver met its own rule above the tolerance carries the warning
-/// `not_minimal`.
+/// arguments, to the byte on processors with the same vector instructions, and turns, moves and scales with them up to
+/// rounding. Neighbouring points that are equal, or nearer than 1e-9 of the boundary's radius, are merged, with the
+/// warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal surfaces, and which
+/// one comes out follows from the initial mesh. A surface whose solver did not meet its own rule is returned with
+/// `converged: false` and the warning `not_converged`, at a deadline too. A film of least area whose solver met its own
+/// rule above the tolerance carries the warning `not_minimal`.
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours

@@ -79,9 +79,9 @@ use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
 
 /// Finds the shape of a structure in equilibrium.
 ///
-/// The result depends on nothing but the arguments, to the byte, and moves and scales with them up to rounding. A shape
-/// that stopped above the tolerance because the iterations or the time were used up is returned with `converged: false`
-/// and the warning `not_converged`.
+/// The result depends on nothing but the arguments, to the byte on processors with the same vector instructions, and
+/// moves and scales with them up to rounding. A shape that stopped above the tolerance because the iterations or the
+/// time were used up is returned with `converged: false` and the warning `not_converged`.
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] if there is no equilibrium near the

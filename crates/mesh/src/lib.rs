@@ -14,7 +14,9 @@
 //!
 //! # Units and conventions
 //! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up
-//! axis. Every result is deterministic to the byte and depends on no clock, thread pool, file, or random source.
+//! axis. Results depend on the arguments only, and on no clock, thread pool, file or random source. The same arguments
+//! give the same bytes with the same build; where faer factorises a system, on processors with the same vector
+//! instructions.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

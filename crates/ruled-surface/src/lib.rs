@@ -59,10 +59,10 @@ pub use strip::Strip;
 pub use strip::objective::{Objective, Secondary, Weights};
 pub use strip::statistics::{CoupledValues, Statistics};
 
+use graph::cell_counter::CellCounter;
 use graph::convexity::ConvexityTest;
 use graph::corridor::corridor;
 use graph::lanes::Widest;
-use graph::pulse::Pulse;
 use graph::rails::Rails;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::{Execution, Progress};
@@ -112,15 +112,15 @@ fn solve_with(
     let meetings = meetings::warnings(&prepared, execution)?;
     prepared.warnings.extend(meetings);
     let test = ConvexityTest::new(options.convexity_tolerance);
-    let mut pulse = Pulse::new(execution, stack::estimate::estimate(&prepared.lengths(), options).cells);
+    let mut counter = CellCounter::new(execution, stack::estimate::estimate(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     if options.direction == Direction::Auto {
-        choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
+        choose_directions(&mut prepared, goal, test, lanes, &mut counter)?;
     }
     let strips: Vec<Rails> = prepared.strips();
     let SolvedStrips { paths, statistics: strip_statistics, flipped } =
-        solve_all(&strips, goal, test, lanes, &mut pulse, &mut prepared.warnings)?;
-    pulse.phase("statistics");
+        solve_all(&strips, goal, test, lanes, &mut counter, &mut prepared.warnings)?;
+    counter.phase("statistics");
     let mut comparison = None;
     if options.all_objectives {
         let mut rows = Vec::new();
@@ -128,7 +128,7 @@ fn solve_with(
             let statistics = if other == goal {
                 strip_statistics.clone()
             } else {
-                solve_all(&strips, other, test, lanes, &mut pulse, &mut Vec::new())?.statistics
+                solve_all(&strips, other, test, lanes, &mut counter, &mut Vec::new())?.statistics
             };
             rows.push(Comparison {
                 objective: other.objective,
@@ -146,13 +146,13 @@ fn solve_with(
             triangle.swap(1, 2);
         }
     }
-    pulse.phase("checks");
+    counter.phase("checks");
     let (check, warning) = self_intersections::check(&surface.mesh, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
     surface.self_intersections = check;
     prepared.warnings.extend(warning);
     for (k, strip) in strips.iter().enumerate() {
         let asked = (goal, options.direction == Direction::AsGiven);
-        let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut pulse)?;
+        let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut counter)?;
         prepared.warnings.extend(found);
     }
     surface.statistics = Statistics::total(&strip_statistics);
@@ -208,9 +208,9 @@ pub fn estimate_for(
         && options.direction == Direction::AsGiven
         && !options.all_objectives;
     if keeps_to_corridor {
-        let mut pulse = Pulse::new(execution, estimate.cells);
+        let mut counter = CellCounter::new(execution, estimate.cells);
         for strip in prepared.strips().iter().filter(|strip| !strip.has_apex()) {
-            let left_out = (strip.m() * strip.n()) as u64 - corridor(strip, &mut pulse)?.cells();
+            let left_out = (strip.m() * strip.n()) as u64 - corridor(strip, &mut counter)?.cells();
             estimate.cells -= left_out;
         }
     }

@@ -5,9 +5,9 @@ pub(crate) mod objective;
 pub(crate) mod search;
 pub(crate) mod statistics;
 
+use crate::graph::cell_counter::CellCounter;
 use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::lanes::Widest;
-use crate::graph::pulse::Pulse;
 use crate::graph::rails::{Given, Rails};
 use objective::{Goal, Objective, Secondary};
 use plateau_mesh::error::{Error, Place};
@@ -47,10 +47,10 @@ impl Strip {
             return Err(Error::Input(errors));
         }
         let goal = Goal { objective, secondary };
-        let mut pulse = Pulse::new(execution, (self.0.m() * self.0.n()) as u64);
+        let mut counter = CellCounter::new(execution, (self.0.m() * self.0.n()) as u64);
         let test = ConvexityTest::new(convexity_tolerance);
-        let path = search::path_of(&self.0, goal, test, Widest::get(), &mut pulse)?;
-        pulse.last_look()?;
+        let path = search::path_of(&self.0, goal, test, Widest::get(), &mut counter)?;
+        counter.last_look()?;
         Ok(path)
     }
 

@@ -1,4 +1,5 @@
-//! The best path of one strip: open strips by one search, closed ones over every start without one search per start.
+//! The best path of a strip. An open strip takes one search. A closed strip takes the best over all starts, with fewer
+//! searches than starts.
 //!
 //! A closed path takes exactly one step from p_{m-1} to p_0; the bridge (0, j) where it arrives is its start, and it
 //! ends at (m - 1, j + n).
@@ -6,13 +7,12 @@
 //! - *Single layer*: divide and conquer (Fuchs, Kedem, Uselton 1977). Two shortest paths of different starts need not
 //!   cross, so the path of a start in between lies between them: O(m n log n) altogether.
 //! - *Two and four layers*: exchanging tails at a common bridge changes the terms at that bridge, so paths may have to
-//!   cross and the argument fails. Instead, branch and bound: "starts in a range, ends in the range" is one search and
-//!   its value a lower bound for every start of the range; where its path happens to close, the bound is attained.
-//!   Ranges whose bound is not below the best closed path are dropped, others split between the path's start and its
-//!   end.
+//!   cross and the argument fails. Instead, branch and bound: a search for paths that start and end in a range gives a
+//!   lower bound for every start of the range. If the path that it finds is closed, the bound is attained. Ranges whose
+//!   bound is not below the best closed path are dropped. The others are split between the path's start and its end.
 
+use super::cell_counter::CellCounter;
 use super::lanes::Lanes;
-use super::pulse::Pulse;
 use super::sweep::{Kernel, Region, Score, Seed, Workspace, sweep, walk_back};
 use plateau_mesh::execution::Interruption;
 use std::collections::BinaryHeap;
@@ -22,11 +22,11 @@ use std::marker::PhantomData;
 #[derive(Clone, Debug)]
 pub(crate) struct FoundPath {
     pub(crate) score: Score,
-    /// Bridges in order; on closed strips the column runs on beyond n.
+    /// The bridges in order. On closed strips the columns continue beyond n.
     pub(crate) path: Vec<[u32; 2]>,
-    /// How the bridge before the first was arrived at, as the search assumed it.
+    /// The step that the search assumed before the first bridge.
     seed: usize,
-    /// How the last bridge was arrived at (four layers; 0 otherwise).
+    /// The step that led to the last bridge: 0 for P, 1 for Q. Without four layers 0.
     arrived_by: usize,
 }
 
@@ -50,7 +50,7 @@ pub(crate) trait PathSearch {
         region: &Region,
         sources: (usize, usize, Seed),
         ends: (usize, usize),
-        pulse: &mut Pulse<'_, '_>,
+        counter: &mut CellCounter<'_, '_>,
     ) -> Result<FoundPath, Interruption>;
 }
 
@@ -85,9 +85,9 @@ impl<V: Lanes, K: Kernel<V>> PathSearch for KernelSearch<V, K> {
         region: &Region,
         sources: (usize, usize, Seed),
         ends: (usize, usize),
-        pulse: &mut Pulse<'_, '_>,
+        counter: &mut CellCounter<'_, '_>,
     ) -> Result<FoundPath, Interruption> {
-        sweep::<V, K>(&self.kernel, self.columns, region, sources, &mut self.workspace, pulse)?;
+        sweep::<V, K>(&self.kernel, self.columns, region, sources, &mut self.workspace, counter)?;
         let ways: &[usize] = match (K::LAYERS, sources.2) {
             (4, Seed::Open | Seed::Either) => &[0, 1],
             (4, Seed::ByQ) => &[1],
@@ -112,15 +112,18 @@ impl<V: Lanes, K: Kernel<V>> PathSearch for KernelSearch<V, K> {
 pub(crate) fn open(
     search: &mut dyn PathSearch,
     region: &Region,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<FoundPath, Interruption> {
     let last = search.columns() - 1;
-    search.find(region, (0, 0, Seed::Open), (last, last), pulse)
+    search.find(region, (0, 0, Seed::Open), (last, last), counter)
 }
 
 /// The shortest closed path over all starts.
-pub(crate) fn closed(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) -> Result<FoundPath, Interruption> {
-    if search.layers() == 1 { divide_and_conquer(search, pulse) } else { branch_and_bound(search, pulse) }
+pub(crate) fn closed(
+    search: &mut dyn PathSearch,
+    counter: &mut CellCounter<'_, '_>,
+) -> Result<FoundPath, Interruption> {
+    if search.layers() == 1 { divide_and_conquer(search, counter) } else { branch_and_bound(search, counter) }
 }
 
 /// The extreme columns of a path in each row.
@@ -144,12 +147,16 @@ impl PathBounds {
     }
 }
 
-fn divide_and_conquer(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) -> Result<FoundPath, Interruption> {
+fn divide_and_conquer(
+    search: &mut dyn PathSearch,
+    counter: &mut CellCounter<'_, '_>,
+) -> Result<FoundPath, Interruption> {
     let (rows, n) = (search.rows(), search.columns() / 2);
-    let mut best = search.find(&Region::full(rows, 0, n), (0, 0, Seed::Either), (n, n), pulse)?;
+    let mut best = search.find(&Region::full(rows, 0, n), (0, 0, Seed::Either), (n, n), counter)?;
     let low = PathBounds::of(&best.path, rows);
     let high = low.shifted(n as u32);
-    // Starts strictly between two whose paths are known; the last column of the grid is never a start.
+    // The ranges have the starts strictly between two starts whose paths are known. The last column of the grid is
+    // never a start.
     let mut ranges = vec![(0, low, n, high)];
     while let Some((a, low, b, high)) = ranges.pop() {
         if b - a < 2 {
@@ -158,7 +165,7 @@ fn divide_and_conquer(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) ->
         let start = a.midpoint(b);
         let columns = search.columns() as u32 - 1;
         let region = Region { first: low.first.clone(), last: high.last.iter().map(|&c| c.min(columns)).collect() };
-        let found = search.find(&region, (start, start, Seed::Either), (start + n, start + n), pulse)?;
+        let found = search.find(&region, (start, start, Seed::Either), (start + n, start + n), counter)?;
         let middle = PathBounds::of(&found.path, rows);
         if found.score.better_than(&best.score) || (found.score == best.score && start < best.start()) {
             best = found;
@@ -195,7 +202,7 @@ impl PartialEq for StartRange {
 }
 impl Eq for StartRange {}
 
-fn branch_and_bound(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) -> Result<FoundPath, Interruption> {
+fn branch_and_bound(search: &mut dyn PathSearch, counter: &mut CellCounter<'_, '_>) -> Result<FoundPath, Interruption> {
     let (rows, n) = (search.rows(), search.columns() / 2);
     let mut best: Option<FoundPath> = None;
     let mut heap = BinaryHeap::new();
@@ -213,15 +220,15 @@ fn branch_and_bound(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) -> R
         }
         let region = Region::full(rows, range.first, range.last + n);
         let ends = (range.first + n, range.last + n);
-        let found = search.find(&region, (range.first, range.last, range.seed), ends, pulse)?;
+        let found = search.find(&region, (range.first, range.last, range.seed), ends, counter)?;
         if hopeless(&found.score, range.first, &best) {
             continue;
         }
         let (start, end, bound) = (found.start(), found.end() - n, found.score);
         let is_narrowed = range.first == range.last && range.seed != Seed::Either;
         if (start == end && found.seed == found.arrived_by) || is_narrowed {
-            // Attained (a single start and a single way to arrive at it leave no other path); an equal path of a
-            // smaller start would still be preferred.
+            // The bound is attained: a single start and a single step that leads to it leave no other path. Among equal
+            // paths the one with the smallest start is preferred, so smaller starts are still searched.
             if start > range.first {
                 heap.push(StartRange { bound, first: range.first, last: start - 1, seed: range.seed });
             }
@@ -231,7 +238,8 @@ fn branch_and_bound(search: &mut dyn PathSearch, pulse: &mut Pulse<'_, '_>) -> R
             heap.push(StartRange { bound, first: range.first, last: cut, seed: range.seed });
             heap.push(StartRange { bound, first: cut + 1, last: range.last, seed: range.seed });
         } else if range.first < range.last {
-            // The path closes but its curvature does not: this start alone, and those on either side.
+            // The path closes but its curvature does not: this start is searched alone, and so are the starts on either
+            // side.
             heap.push(StartRange { bound, first: start, last: start, seed: Seed::Either });
             if start > range.first {
                 heap.push(StartRange { bound, first: range.first, last: start - 1, seed: range.seed });

@@ -1,21 +1,21 @@
-//! Local convexity of a bridge (definition 6, with the missing q_{j-1}): does the bridge lie on the convex hull of
-//! itself and the neighbours of its end points? Equivalently, seen along the bridge, do the directions to the
-//! neighbours fit in a closed half-plane?
+//! Local convexity of a bridge (definition 6, with the missing q_{j-1}): whether the bridge lies on the convex hull of
+//! itself and the neighbours of its end points. Equivalently, seen along the bridge, the directions to the neighbours
+//! fit in a closed half-plane.
 //!
-//! By default a direction may reach `tolerance` beyond the half-plane, and further by what rounding the input can do to
-//! it; with tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
+//! By default a direction may reach beyond the half-plane by `tolerance`, and by the effect that rounding of the input
+//! can have on it. With tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
 
+use super::cell_counter::CellCounter;
 use super::lanes::{Lanes, Vector};
-use super::lattice::{BandRows, Lattice};
-use super::pulse::Pulse;
 use super::rails::{Rail, Rails};
+use super::strip_arrays::{BandRows, StripArrays};
 use super::sweep::{BitTable, Kernel, Region, Score, Seed, Workspace, sweep};
-use super::weight::Wing;
+use super::weight::BridgeTriangle;
 use plateau_mesh::DVec3;
 use plateau_mesh::execution::Interruption;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// How convexity is judged.
+/// The tolerance of the test for convexity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ConvexityTest {
     Exact,
@@ -103,33 +103,34 @@ fn is_convex_within(rails: &Rails, i: usize, j: usize, sine: f64) -> bool {
     if squared.sqrt() <= rounding {
         return is_convex_exactly(rails, i, j);
     }
-    let wing = |side: &Rail, index: usize, step: usize| {
+    let triangle = |side: &Rail, index: usize, step: usize| {
         let bank = side.bank(index, step, rails.closed);
-        Wing::new(Vector::<f64>::from(bank), bank.length_squared(), bridge, squared)
+        BridgeTriangle::new(Vector::<f64>::from(bank), bank.length_squared(), bridge, squared)
     };
-    let wings = [wing(&rails.p, i, 0), wing(&rails.q, j, 0), wing(&rails.p, i, 1), wing(&rails.q, j, 1)];
-    fits_within(squared.sqrt(), &wings, sine, rounding)
+    let triangles =
+        [triangle(&rails.p, i, 0), triangle(&rails.q, j, 0), triangle(&rails.p, i, 1), triangle(&rails.q, j, 1)];
+    fits_within(squared.sqrt(), &triangles, sine, rounding)
 }
 
 /// Whether the directions of the four bank edges at a bridge (arriving by P, by Q, leaving by P, by Q) fit in a
-/// half-plane, with tolerance. Directions no further from the bridge's line than rounding are ignored, missing ones
-/// (zero) among them.
+/// half-plane, with tolerance. Directions that are no further from the bridge's line than rounding are ignored, and so
+/// are missing directions (zero).
 #[inline(always)]
-fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f64) -> V::Mask {
+fn fits_within<V: Lanes>(length: V, triangles: &[BridgeTriangle<V>; 4], sine: f64, rounding: f64) -> V::Mask {
     let (rounding, zero) = (length.constant(rounding), length.constant(0.0));
     let nearest = rounding * length;
     let per_length = length.constant(2.0 * sine) / length;
     let far = [
-        nearest.less(wings[0].length),
-        nearest.less(wings[1].length),
-        nearest.less(wings[2].length),
-        nearest.less(wings[3].length),
+        nearest.less(triangles[0].length),
+        nearest.less(triangles[1].length),
+        nearest.less(triangles[2].length),
+        nearest.less(triangles[3].length),
     ];
     let near = [
-        wings[0].length.at_most(nearest),
-        wings[1].length.at_most(nearest),
-        wings[2].length.at_most(nearest),
-        wings[3].length.at_most(nearest),
+        triangles[0].length.at_most(nearest),
+        triangles[1].length.at_most(nearest),
+        triangles[2].length.at_most(nearest),
+        triangles[3].length.at_most(nearest),
     ];
     let mut fits = near[0] & near[1] & near[2] & near[3];
     // For each direction: all others to its left, all others to its right.
@@ -138,10 +139,10 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
     // Written out pair by pair: with the pair's numbers known, everything stays in registers.
     macro_rules! pair {
         ($a:literal, $b:literal) => {
-            let (first, second) = (&wings[$a], &wings[$b]);
-            // sin of the angle from a to b times both distances from the bridge's line times its length; edges that
-            // arrive point away from the bridge's end the other way round. It may miss its sign by the tolerance and by
-            // rounding over distance, for each of the two directions.
+            let (first, second) = (&triangles[$a], &triangles[$b]);
+            // The value is the sine of the angle from a to b, times both distances from the bridge's line, times the
+            // bridge's length. Edges that arrive have the opposite direction. The sine may have the wrong sign by the
+            // tolerance, and by rounding over distance for each of the two directions.
             let turn = second.bank.dot(first.normal);
             let side = if ($a < 2) == ($b < 2) { zero - turn } else { turn };
             let slack = per_length * first.length * second.length + rounding * (first.length + second.length);
@@ -164,27 +165,27 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
     fits | (far[3] & (lefts[3] | rights[3]))
 }
 
-/// Which bridges of a path are locally convex, the first in bit 0: a bridge on every lane, their `length`s and wings
-/// (arriving by P, by Q, leaving by P, by Q).
+/// Returns which bridges of a path are locally convex, the first in bit 0. There is a bridge on every lane, their
+/// `length`s and triangles (arriving by P, by Q, leaving by P, by Q).
 #[inline(always)]
 pub(crate) fn are_convex<V: Lanes>(
     rails: &Rails,
     bridges: &[[u32; 2]],
     test: ConvexityTest,
     length: V,
-    wings: &[Wing<V>; 4],
+    triangles: &[BridgeTriangle<V>; 4],
 ) -> u32 {
     let (convex, exact) = match test {
         ConvexityTest::Exact => (0, (1 << bridges.len()) - 1),
         ConvexityTest::Within(sine) => (
-            V::bits(fits_within(length, wings, sine, rails.rounding)),
+            V::bits(fits_within(length, triangles, sine, rails.rounding)),
             V::bits(length.at_most(length.constant(rails.rounding))),
         ),
     };
     if exact == 0 { convex } else { exactly(rails, bridges, convex, exact) }
 }
 
-/// Judges the bridges that `exact` names exactly.
+/// Repeats the test exactly for the bridges whose bits are set in `exact`.
 #[cold]
 fn exactly(rails: &Rails, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> u32 {
     for (lane, &[i, j]) in bridges.iter().enumerate() {
@@ -198,16 +199,16 @@ fn exactly(rails: &Rails, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> 
 /// Marks every bridge that is not locally convex, in a table that a sweep can read.
 pub(crate) fn concave_bridges<V: Lanes>(
     rails: &Rails,
-    (lattice, simd): (&Lattice, V::Simd),
+    (arrays, simd): (&StripArrays, V::Simd),
     test: ConvexityTest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<BitTable, Interruption> {
-    let (m, n, columns) = (rails.m(), rails.n(), lattice.columns);
+    let (m, n, columns) = (rails.m(), rails.n(), arrays.columns);
     let region = Region::full(m, 0, columns - 1);
     if let ConvexityTest::Within(sine) = test {
         let mut workspace = Workspace::default();
-        let map = ConcavityMap { simd, rails, lattice, sine };
-        sweep::<V, _>(&map, columns, &region, (0, 0, Seed::Open), &mut workspace, pulse)?;
+        let map = ConcavityMap { simd, rails, arrays, sine };
+        sweep::<V, _>(&map, columns, &region, (0, 0, Seed::Open), &mut workspace, counter)?;
         return Ok(workspace.table);
     }
     let mut table = BitTable::default();
@@ -223,19 +224,18 @@ pub(crate) fn concave_bridges<V: Lanes>(
                     }
                 }
             }
-            // A bridge costs here what a dozen cells of a sweep do, but progress counts it once.
-            pulse.beat((end - block) as u64)?;
+            // A bridge costs as much as a dozen cells of a sweep. Progress counts it once.
+            counter.add((end - block) as u64)?;
         }
     }
     Ok(table)
 }
 
-/// Not a graph but its nodes' colours: a sweep that writes whether each bridge is concave where others write back
-/// pointers.
+/// A kernel without paths: its sweep writes whether each bridge is concave, in place of back pointers.
 struct ConcavityMap<'a, S> {
     simd: S,
     rails: &'a Rails,
-    lattice: &'a Lattice,
+    arrays: &'a StripArrays,
     sine: f64,
 }
 
@@ -250,16 +250,16 @@ impl<V: Lanes> Kernel<V> for ConcavityMap<'_, V::Simd> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        (band, self.lattice.band_rows(self.simd, band))
+        (band, self.arrays.band_rows(self.simd, band))
     }
     #[inline(always)]
     fn blank(&self) {}
     #[inline(always)]
     fn step(&self, (band, rows): &Self::Band, (): &mut (), _: &[f64], t: usize) -> u32 {
-        let (_, squared, wings) = self.lattice.wings(rows, t);
+        let (_, squared, triangles) = self.arrays.triangles(rows, t);
         let length = squared.sqrt();
         let all = (1 << V::WIDTH) - 1;
-        let concave = all & !V::bits(fits_within(length, &wings, self.sine, self.rails.rounding));
+        let concave = all & !V::bits(fits_within(length, &triangles, self.sine, self.rails.rounding));
         let vanishing = V::bits(length.at_most(length.constant(self.rails.rounding)));
         if vanishing == 0 { concave } else { self.without_length(band * V::WIDTH, t, concave, vanishing) }
     }
@@ -273,12 +273,12 @@ impl<V: Lanes> Kernel<V> for ConcavityMap<'_, V::Simd> {
 }
 
 impl<S> ConcavityMap<'_, S> {
-    /// Bridges without length have no line to look along: they are judged exactly.
+    /// Tests the bridges without length exactly, because they have no direction.
     #[cold]
     fn without_length(&self, first_row: usize, t: usize, mut concave: u32, vanishing: u32) -> u32 {
         let (m, n) = (self.rails.m(), self.rails.n());
         for lane in (0..32).filter(|lane| vanishing >> lane & 1 == 1) {
-            // Lanes beyond the grid hold nothing that is read.
+            // Lanes beyond the grid are never read.
             if first_row + lane < m && t >= lane {
                 let bit = u32::from(!is_convex_exactly(self.rails, first_row + lane, (t - lane) % n));
                 concave = concave & !(1 << lane) | bit << lane;

@@ -19,36 +19,36 @@
 //! find it in some multiple of m + n steps on smooth directrices; where the sign stays open in too many places the
 //! corridor is the whole grid.
 
-use super::pulse::Pulse;
+use super::cell_counter::CellCounter;
 use super::rails::Rails;
 use super::sweep::Region;
 use plateau_mesh::DVec3;
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
-/// Number of edges in the shortest runs. A larger value takes fewer boxes and leaves a wider corridor.
+/// Number of edges in the shortest runs: few enough for a narrow corridor, and enough to bound the number of boxes.
 const LEAF: usize = 8;
 
-/// Share of the grid without a certain sign at which the search for the corridor ends and the whole grid is swept. A
-/// larger value spends more time on boxes before it gives up on jagged directrices.
+/// Fraction of the grid without a certain sign at which the search for the corridor ends, because a sweep of the whole
+/// grid then costs little more.
 const HOPELESS: f64 = 0.25;
 
-/// A lean is certain if it exceeds this, where coordinates are about 1. Rounding of its computation stays below 1e-15;
-/// a larger value widens the corridor and loses nothing else.
+/// A lean is certain if it exceeds this, where coordinates are about 1. The rounding error of its computation stays
+/// below 1e-15.
 const ROUNDING: f64 = 1e-12;
 
 /// The bridges of an open strip among which a path of least area is found.
-pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Region, Interruption> {
+pub(crate) fn corridor(rails: &Rails, counter: &mut CellCounter<'_, '_>) -> Result<Region, Interruption> {
     let (m, n) = (rails.m(), rails.n());
     let whole = Region::full(m, 0, n - 1);
     let (Some(p), Some(q)) = (RunTree::new(&rails.p.points), RunTree::new(&rails.q.points)) else { return Ok(whole) };
-    // Per row of squares: the first that may lean forward, and one more than the last that may lean back. The P-step
-    // that crosses the row is taken between the two.
+    // For each row of squares the first square that may lean forward, and one more than the last square that may lean
+    // back. The P-step that crosses the row is taken between the two.
     let (mut first, mut last) = (vec![n - 1; m - 1], vec![0; m - 1]);
     let mut open_leaves = (HOPELESS * (p.leaves() * q.leaves()) as f64) as usize;
     let mut stack = vec![([p.top(), q.top()], [0, 0])];
     while let Some(([level_p, level_q], [a, b])) = stack.pop() {
-        pulse.beat(1)?;
+        counter.add(1)?;
         let (rows, columns) = (p.edges(level_p, a), q.edges(level_q, b));
         let lean = lean(&p.levels[level_p][a], &q.levels[level_q][b]);
         if lean.is_none() && level_p.max(level_q) > 0 {
@@ -62,7 +62,7 @@ pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Regio
             }
             continue;
         }
-        // Only the row that matters to the staircase is written: the others follow below.
+        // Only the row that bounds the staircase is written. The loops below derive the other rows.
         if lean != Some(Ordering::Less) {
             first[rows.end - 1] = first[rows.end - 1].min(columns.start);
         }
@@ -89,7 +89,7 @@ pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Regio
         region.last[row] = last[row] as u32;
     }
     debug_assert!(region.first.is_sorted() && region.last.is_sorted() && region.first[0] == 0);
-    pulse.leave_out((m * n) as u64 - region.cells());
+    counter.leave_out((m * n) as u64 - region.cells());
     Ok(region)
 }
 
@@ -189,7 +189,7 @@ mod tests {
         let q = [DVec3::Y, DVec3::Y + DVec3::X];
         let strip = Rails::new(p.as_slice().into(), q.as_slice().into(), false);
         let execution = Execution::default();
-        let region = corridor(&strip, &mut Pulse::new(&execution, 1)).unwrap();
+        let region = corridor(&strip, &mut CellCounter::new(&execution, 1)).unwrap();
         assert_eq!(region.cells(), 6);
     }
 }

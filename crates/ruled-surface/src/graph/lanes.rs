@@ -1,5 +1,4 @@
-//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64`, on four or on eight at a
-//! time.
+//! Vectors of numbers: the kernels are written once, over [`Lanes`], and run on one, four or eight `f64` at a time.
 //!
 //! Every operation is a single correctly rounded IEEE operation on every lane and none is fused, so that all
 //! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
@@ -12,13 +11,13 @@ pub(crate) trait Lanes:
 {
     const WIDTH: usize;
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
-    /// The proof that this processor has the instructions. There is a value of this type only where it has them, and
-    /// numbers and masks are made of nothing else, so that every operation on them is sound.
+    /// Proof that this processor has the instructions. A value of this type exists only if it has them. Numbers and
+    /// masks can be made only from such a value, so that every operation on them is sound.
     type Simd: Copy + std::fmt::Debug;
     fn splat(simd: Self::Simd, value: f64) -> Self;
-    /// The first `WIDTH` numbers of a list that has at least so many.
+    /// The first `WIDTH` numbers of a list that has at least `WIDTH`.
     fn load(simd: Self::Simd, from: &[f64]) -> Self;
-    /// The proof that these numbers were made with.
+    /// The proof from which these numbers were made.
     fn simd(self) -> Self::Simd;
     /// The same number on every lane, as [`splat`](Self::splat).
     #[inline(always)]
@@ -32,7 +31,7 @@ pub(crate) trait Lanes:
     /// Lane `r` in bit `r`.
     fn bits(mask: Self::Mask) -> u32;
     fn from_bits(simd: Self::Simd, bits: u32) -> Self::Mask;
-    /// Every lane moves up by one, `first` becomes lane 0.
+    /// Moves every lane up by one; `first` becomes lane 0.
     fn shift_in(self, first: f64) -> Self;
     fn last(self) -> f64;
     #[inline(always)]
@@ -138,7 +137,7 @@ impl Widest {
         Self::Plain
     }
 
-    /// Lanes that this processor has, the narrowest first.
+    /// All instances that this processor can run, the narrowest first.
     #[cfg(test)]
     pub(crate) fn all() -> Vec<Self> {
         #[allow(unused_mut, reason = "other processors have the plain one only")]
@@ -209,18 +208,18 @@ mod wide {
     }
 
     /// Four numbers in one AVX2 register. Its field is private to this module, and every function here that makes one
-    /// takes an [`Avx2`] or another `Four`: where there is a value, there are the instructions. That is what makes
-    /// every `unsafe` call of an intrinsic below sound.
+    /// takes an [`Avx2`] or another `Four`: where a value exists, the processor has the instructions. Every `unsafe`
+    /// call of an intrinsic below is therefore sound.
     #[derive(Clone, Copy)]
     pub(crate) struct Four(__m256d);
-    /// Made of [`Four`]s or with an [`Avx2`] only.
+    /// A mask that is made of [`Four`]s or with an [`Avx2`] only.
     #[derive(Clone, Copy)]
     pub(crate) struct FourMask(__m256d);
 
-    /// Eight numbers in one AVX-512 register; as [`Four`], with an [`Avx512`].
+    /// Eight numbers in one AVX-512 register. An [`Avx512`] is its proof, as [`Avx2`] is that of [`Four`].
     #[derive(Clone, Copy)]
     pub(crate) struct Eight(__m512d);
-    /// Made of [`Eight`]s or with an [`Avx512`] only.
+    /// A mask that is made of [`Eight`]s or with an [`Avx512`] only.
     #[derive(Clone, Copy)]
     pub(crate) struct EightMask(__mmask8);
 

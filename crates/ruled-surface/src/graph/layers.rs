@@ -1,15 +1,15 @@
-//! The graphs of sections 4 and 5 as kernels: what a cell of the grid of bridges does with its two predecessors.
+//! The graphs of sections 4 and 5 as kernels, which derive the costs at a bridge from those at its two predecessors.
 //!
 //! A graph has one layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the
 //! step that led to it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step
 //! that leaves it. A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the
-//! closing triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed
-//! path's start without ambiguity.
+//! closing triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. The bridge after this
+//! step is the start of a closed path, without ambiguity.
 
 use super::lanes::{Lanes, Vector};
-use super::lattice::{BANK, BandRows, Lattice, NORMAL, POINT, TANGENT};
+use super::strip_arrays::{BANK, BandRows, NORMAL, POINT, StripArrays, TANGENT};
 use super::sweep::{BitTable, Bounded, Kernel, Score, Seed};
-use super::weight::{self, Wing};
+use super::weight::{self, BridgeTriangle};
 
 /// The cost of a path so far on every lane: one number, or a count of concave bridges and a number.
 pub(crate) trait PathCost<V: Lanes>: Copy {
@@ -63,7 +63,7 @@ impl<V: Lanes> PathCost<V> for PlainCost<V> {
     }
 }
 
-/// Ordered by the count, then by the value. Counts are whole numbers far below 2^53.
+/// A cost that is ordered by the count, then by the value. Counts are whole numbers far below 2^53.
 #[derive(Clone, Copy)]
 pub(crate) struct CoupledCost<V> {
     count: V,
@@ -123,7 +123,7 @@ pub(crate) trait StepWeights<V: Lanes> {
     fn band(&self, band: usize) -> Self::Band;
     /// The costs of arriving by a P-step and by a Q-step.
     fn steps(&self, band: &Self::Band, t: usize) -> [V; 2];
-    /// Adds what the bridge itself costs.
+    /// Adds the cost of the bridge itself.
     fn bridge(&self, band: &Self::Band, t: usize, value: V) -> V;
 }
 
@@ -131,7 +131,7 @@ pub(crate) trait StepWeights<V: Lanes> {
 #[derive(Debug)]
 pub(crate) struct Area<'a, S> {
     pub(crate) simd: S,
-    pub(crate) lattice: &'a Lattice,
+    pub(crate) arrays: &'a StripArrays,
 }
 
 impl<V: Lanes> StepWeights<V> for Area<'_, V::Simd> {
@@ -142,12 +142,12 @@ impl<V: Lanes> StepWeights<V> for Area<'_, V::Simd> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        let row = &self.lattice.row;
+        let row = &self.arrays.row;
         [row.vector(self.simd, POINT, band * V::WIDTH), row.vector(self.simd, BANK, band * V::WIDTH)]
     }
     #[inline(always)]
     fn steps(&self, [p, bank]: &Self::Band, t: usize) -> [V; 2] {
-        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        let (column, at) = (&self.arrays.column, self.arrays.at(t));
         let bridge = column.vector::<V>(self.simd, POINT, at).minus(*p);
         [weight::double_area(*bank, bridge), weight::double_area(column.vector(self.simd, BANK, at), bridge)]
     }
@@ -161,7 +161,7 @@ impl<V: Lanes> StepWeights<V> for Area<'_, V::Simd> {
 #[derive(Debug)]
 pub(crate) struct Twist<'a, S> {
     pub(crate) simd: S,
-    pub(crate) lattice: &'a Lattice,
+    pub(crate) arrays: &'a StripArrays,
 }
 
 impl<V: Lanes> StepWeights<V> for Twist<'_, V::Simd> {
@@ -172,7 +172,7 @@ impl<V: Lanes> StepWeights<V> for Twist<'_, V::Simd> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        let row = &self.lattice.row;
+        let row = &self.arrays.row;
         [row.vector(self.simd, POINT, band * V::WIDTH), row.vector(self.simd, TANGENT, band * V::WIDTH)]
     }
     #[inline(always)]
@@ -181,7 +181,7 @@ impl<V: Lanes> StepWeights<V> for Twist<'_, V::Simd> {
     }
     #[inline(always)]
     fn bridge(&self, [p, tangent]: &Self::Band, t: usize, value: V) -> V {
-        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        let (column, at) = (&self.arrays.column, self.arrays.at(t));
         value
             + weight::twist(
                 column.vector::<V>(self.simd, POINT, at).minus(*p),
@@ -191,11 +191,11 @@ impl<V: Lanes> StepWeights<V> for Twist<'_, V::Simd> {
     }
 }
 
-/// Normal variation of every bridge, for the winding of the strip's triangles (`sign` 1) or the other one (-1).
+/// Normal variation of every bridge, for the winding of the strip's triangles (`sign` 1) or the opposite winding (-1).
 #[derive(Debug)]
 pub(crate) struct NormalVariation<'a, S> {
     pub(crate) simd: S,
-    pub(crate) lattice: &'a Lattice,
+    pub(crate) arrays: &'a StripArrays,
     pub(crate) sign: f64,
 }
 
@@ -207,7 +207,7 @@ impl<V: Lanes> StepWeights<V> for NormalVariation<'_, V::Simd> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        let (row, at) = (&self.lattice.row, band * V::WIDTH);
+        let (row, at) = (&self.arrays.row, band * V::WIDTH);
         [
             row.vector(self.simd, POINT, at),
             row.vector(self.simd, TANGENT, at),
@@ -220,7 +220,7 @@ impl<V: Lanes> StepWeights<V> for NormalVariation<'_, V::Simd> {
     }
     #[inline(always)]
     fn bridge(&self, [p, tangent, normal]: &Self::Band, t: usize, value: V) -> V {
-        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        let (column, at) = (&self.arrays.column, self.arrays.at(t));
         let other = column.vector::<V>(self.simd, NORMAL, at).times(V::splat(self.simd, self.sign));
         let bridge = column.vector::<V>(self.simd, POINT, at).minus(*p);
         value + weight::normal_variation(bridge, [*tangent, column.vector(self.simd, TANGENT, at)], [*normal, other])
@@ -255,7 +255,7 @@ impl<V: Lanes> StepWeights<V> for Concave<'_, V::Simd> {
     }
 }
 
-/// The single-layer graph (section 4): a node is a bridge; back pointer: the step that led to it.
+/// The single-layer graph (section 4): a node is a bridge. Its back pointer is the step that led to it.
 #[derive(Debug)]
 pub(crate) struct SingleLayer<W>(pub(crate) W);
 
@@ -301,11 +301,11 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
 }
 
 /// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is
-/// paid on leaving it. Back pointers at a bridge, for either step that leaves it: the step that led there.
+/// paid on leaving it. For either step that leaves a bridge, its back pointer is the step that led to the bridge.
 #[derive(Debug)]
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
-    pub(crate) lattice: &'a Lattice,
+    pub(crate) arrays: &'a StripArrays,
     /// Table of the non-convex bridges if their number is minimised and their bending breaks ties.
     pub(crate) concave: Option<&'a BitTable>,
     pub(crate) cost: std::marker::PhantomData<C>,
@@ -323,7 +323,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        self.lattice.band_rows(self.simd, band)
+        self.arrays.band_rows(self.simd, band)
     }
     #[inline(always)]
     fn blank(&self) -> [C; 2] {
@@ -331,7 +331,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut [C; 2], top: &[f64], t: usize) -> u32 {
-        let (_, squared, [in_p, in_q, out_p, out_q]) = self.lattice.wings(band, t);
+        let (_, squared, [in_p, in_q, out_p, out_q]) = self.arrays.triangles(band, t);
         let mut energy = [
             weight::bending(squared, &in_p, &out_p),
             weight::bending(squared, &in_q, &out_p),
@@ -378,7 +378,7 @@ impl<V: Lanes> Bounded<V> for DualLayer<'_, V::Simd, PlainCost<V>> {
     }
 }
 
-/// Factors of a weighted sum's terms, every one already divided by what normalises it.
+/// Factors of a weighted sum's terms, each divided by the value that normalises the term.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Factors {
     pub(crate) double_area: f64,
@@ -395,7 +395,7 @@ pub(crate) struct Factors {
 #[derive(Debug)]
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
-    pub(crate) lattice: &'a Lattice,
+    pub(crate) arrays: &'a StripArrays,
     pub(crate) concave: Option<&'a BitTable>,
     /// A weighted sum; `None` is the curvature variation alone.
     pub(crate) factors: Option<Factors>,
@@ -411,11 +411,11 @@ pub(crate) struct Nodes<V, C> {
 
 /// Mean curvature vectors of the four nodes.
 #[inline(always)]
-fn curvatures<V: Lanes>(bridge: Vector<V>, wings: &[Wing<V>; 4]) -> [Vector<V>; 4] {
-    let in_p = (weight::curvature_part(bridge, &wings[0]), wings[0].sound);
-    let in_q = (weight::curvature_part(bridge, &wings[1]), wings[1].sound);
-    let out_p = (weight::curvature_part(bridge, &wings[2]), wings[2].sound);
-    let out_q = (weight::curvature_part(bridge, &wings[3]), wings[3].sound);
+fn curvatures<V: Lanes>(bridge: Vector<V>, triangles: &[BridgeTriangle<V>; 4]) -> [Vector<V>; 4] {
+    let in_p = (weight::curvature_part(bridge, &triangles[0]), triangles[0].sound);
+    let in_q = (weight::curvature_part(bridge, &triangles[1]), triangles[1].sound);
+    let out_p = (weight::curvature_part(bridge, &triangles[2]), triangles[2].sound);
+    let out_q = (weight::curvature_part(bridge, &triangles[3]), triangles[3].sound);
     [
         weight::mean_curvature(in_p, out_p),
         weight::mean_curvature(in_p, out_q),
@@ -436,7 +436,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        self.lattice.band_rows(self.simd, band)
+        self.arrays.band_rows(self.simd, band)
     }
     #[inline(always)]
     fn blank(&self) -> Self::State {
@@ -444,8 +444,8 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32 {
-        let (bridge, squared, wings) = self.lattice.wings(band, t);
-        let here = curvatures(bridge, &wings);
+        let (bridge, squared, triangles) = self.arrays.triangles(band, t);
+        let here = curvatures(bridge, &triangles);
         let f = 2 * C::FIELDS;
         // The nodes one step back: above (leaving by P) and left (leaving by Q), arrived at by P and by Q.
         let mut back = [
@@ -485,7 +485,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
             bits |= V::bits(choose_q) << (node * V::WIDTH);
         }
         if let Some(factors) = &self.factors {
-            let terms = self.terms(factors, bridge, squared, &wings, band, t);
+            let terms = self.terms(factors, bridge, squared, &triangles, band, t);
             for node in 0..4 {
                 cost[node] = cost[node].plus(terms[node]);
             }
@@ -525,10 +525,10 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
             top[f..2 * f].fill(0.0);
         }
         if seed != Seed::Open {
-            // The closing step leaves the last row: the curvature there, as the path's end will find it.
-            let band = self.lattice.band_rows::<f64>((), self.lattice.rows - 1);
-            let (bridge, _, wings) = self.lattice.wings::<f64>(&band, column);
-            let here = curvatures(bridge, &wings);
+            // The closing step leaves the last row. Its curvature is computed like that at the path's end.
+            let band = self.arrays.band_rows::<f64>((), self.arrays.rows - 1);
+            let (bridge, _, triangles) = self.arrays.triangles::<f64>(&band, column);
+            let here = curvatures(bridge, &triangles);
             for (at, curvature) in [(2 * f, here[0]), (2 * f + 3, here[2])] {
                 [top[at], top[at + 1], top[at + 2]] = [curvature.x, curvature.y, curvature.z];
             }
@@ -547,11 +547,11 @@ impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
         factors: &Factors,
         bridge: Vector<V>,
         squared: V,
-        wings: &[Wing<V>; 4],
+        triangles: &[BridgeTriangle<V>; 4],
         band: &BandRows<V>,
         t: usize,
     ) -> [V; 4] {
-        let (row, column, at) = (&self.lattice.row, &self.lattice.column, self.lattice.at(t));
+        let (row, column, at) = (&self.arrays.row, &self.arrays.column, self.arrays.at(t));
         let row_at = band.number * V::WIDTH;
         let mut shared = squared.constant(0.0);
         if factors.twist != 0.0 {
@@ -570,12 +570,12 @@ impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
             shared = shared + squared.constant(factors.normal_variation) * variation;
         }
         let (area, bending) = (squared.constant(factors.double_area), squared.constant(factors.bending));
-        let arrive = [shared + area * wings[0].length, shared + area * wings[1].length];
+        let arrive = [shared + area * triangles[0].length, shared + area * triangles[1].length];
         [
-            arrive[0] + bending * weight::bending(squared, &wings[0], &wings[2]),
-            arrive[0] + bending * weight::bending(squared, &wings[0], &wings[3]),
-            arrive[1] + bending * weight::bending(squared, &wings[1], &wings[2]),
-            arrive[1] + bending * weight::bending(squared, &wings[1], &wings[3]),
+            arrive[0] + bending * weight::bending(squared, &triangles[0], &triangles[2]),
+            arrive[0] + bending * weight::bending(squared, &triangles[0], &triangles[3]),
+            arrive[1] + bending * weight::bending(squared, &triangles[1], &triangles[2]),
+            arrive[1] + bending * weight::bending(squared, &triangles[1], &triangles[3]),
         ]
     }
 }

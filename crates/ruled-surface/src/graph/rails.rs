@@ -5,17 +5,17 @@ use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
 ///
-/// Kept in the solver's own coordinates: divided by a power of two so that the largest is about 1 (exact),
-/// then centred at p_0, then divided by a power of two again. Areas and lengths scale back exactly.
+/// Coordinates are divided by a power of two so that the largest is about 1 (exact), then centred at p_0, then divided
+/// by a power of two again. Areas and lengths scale back exactly.
 #[derive(Clone, Debug)]
 pub(crate) struct Rails {
     pub(crate) closed: bool,
     pub(crate) p: Rail,
     pub(crate) q: Rail,
-    /// A length in the caller's unit is one of ours times this (a power of two).
+    /// Factor from the solver's unit to the caller's: a power of two.
     pub(crate) unit: f64,
-    /// Largest distance by which rounding of the input moves a coordinate: the ulp of the largest |coordinate|, in our
-    /// unit.
+    /// Largest distance by which rounding of the input moves a coordinate: the ulp of the largest |coordinate|, in the
+    /// solver's unit.
     pub(crate) rounding: f64,
 }
 
@@ -24,13 +24,13 @@ pub(crate) struct Rail {
     pub(crate) points: Vec<DVec3>,
     /// The input times a power of two, uncentred: exact, for the exact predicates.
     pub(crate) raw: Vec<DVec3>,
-    /// Unit or zero; fitted when first asked for, unless given.
+    /// Unit tangents, or zero. If they are not given, they are fitted at the first use.
     tangents: OnceLock<Vec<DVec3>>,
-    /// Unit or zero; empty if not given.
+    /// Unit normals, or zero. Empty if they are not given.
     pub(crate) normals: Vec<DVec3>,
 }
 
-/// A directrix as given: points and what belongs to them, of the same length.
+/// A directrix of the caller: points, and lists of the same length of what belongs to them.
 #[derive(Clone, Copy, Debug)]
 pub struct Given<'a> {
     /// The points in order, in the caller's unit.
@@ -54,7 +54,7 @@ impl Rails {
             reach(sides[0]).max(reach(sides[1])).max_element()
         };
         let outer = power_of_two_above(largest([p.points, q.points], DVec3::ZERO));
-        // Dividing by a power of two is multiplying by its inverse, to the bit.
+        // Multiplying by the inverse of a power of two gives the same bits as dividing by it.
         let raw = |points: &[DVec3]| points.iter().map(|&v| v * outer.recip()).collect::<Vec<_>>();
         let (raw_p, raw_q) = (raw(p.points), raw(q.points));
         let centre = raw_p[0];
@@ -85,11 +85,11 @@ impl Rails {
     pub(crate) fn n(&self) -> usize {
         self.q.points.len()
     }
-    /// A closed directrix of one point is an apex: nothing runs around it.
+    /// Whether a directrix is an apex: a single point.
     pub(crate) fn has_apex(&self) -> bool {
         self.m() == 1 || self.n() == 1
     }
-    /// Triangles: m + n - 2 open, m + n closed, one fewer round an apex.
+    /// Number of triangles: m + n - 2 of an open strip, m + n of a closed one, and one fewer around an apex.
     pub(crate) fn triangles(&self) -> usize {
         match (self.closed, self.has_apex()) {
             (false, _) => self.m() + self.n() - 2,
@@ -112,7 +112,7 @@ impl Rails {
             })
             .collect()
     }
-    /// The corners of such a triangle.
+    /// The corners of a triangle of [`triangles_along`](Self::triangles_along).
     pub(crate) fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
         triangle.map(|v| {
             let v = v as usize;
@@ -161,7 +161,7 @@ fn power_of_two_above(length: f64) -> f64 {
     if length == 0.0 {
         return 1.0;
     }
-    // The exponent field, kept where the power and its inverse are normal numbers.
+    // The exponent is limited to powers that are normal numbers together with their inverses.
     let exponent = (length.to_bits() >> 52) & 0x7ff;
     f64::from_bits((exponent + 1).clamp(23, 2023) << 52)
 }

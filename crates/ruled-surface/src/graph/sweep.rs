@@ -1,12 +1,12 @@
 //! The shortest path through a layered graph: one sweep over the grid of bridges, whatever the objective.
 //!
-//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: a cell's two predecessors then
-//! lie one step back, in its own lane (left) and in the lane above, and the lanes do not wait for one another. A band
-//! hands the costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows
+//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: the two predecessors of a cell
+//! then lie one step back, in the cell's own lane (left) and in the lane above, and no lane waits for another. A band
+//! hands the costs of its last row to the next band. Back pointers are bits, one for each node. Only their table grows
 //! with m n.
 
+use super::cell_counter::{CELLS_BETWEEN_LOOKS, CellCounter};
 use super::lanes::{Lanes, MOST_LANES, Task};
-use super::pulse::{CELLS_BETWEEN_LOOKS, Pulse};
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
@@ -27,52 +27,52 @@ impl Score {
     }
 }
 
-/// How the bridge before a path's first was arrived at; the first itself is always arrived at by a P-step. Only the
-/// quadruple-layer graph looks back that far.
+/// The step that led to the bridge before a path's first bridge. A P-step always leads to the first bridge itself. Only
+/// the quadruple-layer graph needs this step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Seed {
-    /// There is none: an open strip's natural end.
+    /// No step: the natural end of an open strip.
     Open,
-    /// Either way, whichever is cheaper: a relaxation on a closed strip.
+    /// Either step, whichever is cheaper: a relaxation on a closed strip.
     Either,
     ByP,
     ByQ,
 }
 
-/// An objective on a graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row
-/// above hands down: `CARRY` numbers.
+/// An objective on a graph. A *node* of a bridge is numbered as its graph says; `top` has the `CARRY` numbers that a
+/// column of the row above hands down.
 pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
     type Band: Copy;
-    /// The values of the column before that a row of lanes remembers.
+    /// The values of the previous column that a row of lanes remembers.
     type State: Copy;
     fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
-    /// Nothing reached yet.
+    /// The state of lanes that no path has reached.
     fn blank(&self) -> Self::State;
     /// Visits the bridges of step `t` (lane r: column t - r) and returns their back pointers: bit `layer * WIDTH +
     /// lane` is set where the predecessor is the one by a Q-step.
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32;
-    /// Hands a lane down.
+    /// Writes the values of a lane to `top`, for the row below.
     fn keep(&self, state: &Self::State, lane: usize, top: &mut [f64]);
     fn unreached(&self, top: &mut [f64]);
-    /// A path may start at the bridge of row 0 in this column.
+    /// Writes the values of a path that starts at the bridge of row 0 in this column.
     fn source(&self, column: usize, seed: Seed, top: &mut [f64]);
     /// The cost of a path that leaves the last row here, having `arrived_by` P (0) or Q (1) (four layers only).
     fn end(&self, top: &[f64], arrived_by: usize) -> Score;
 }
 
-/// A kernel whose costs only grow along a path, so that what exceeds a bound need not be followed.
+/// A kernel whose costs never fall along a path, so that paths above a bound need not be followed.
 pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
     /// Whether a lane remembers a cost up to `bound`.
     fn is_alive(&self, state: &Self::State, bound: f64) -> bool;
-    /// Whether a column hands one down.
+    /// Whether a column hands down a cost up to `bound`.
     fn hands_down(&self, top: &[f64], bound: f64) -> bool;
 }
 
-/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what
-/// lies right of a band's end was never written and still says `unreached` to the next band.
+/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. Columns
+/// right of a band's end were therefore never written and are still `unreached` for the next band.
 #[derive(Clone, Debug)]
 pub(crate) struct Region {
     pub(crate) first: Vec<u32>,
@@ -97,7 +97,7 @@ pub(crate) struct BitTable {
     words: Vec<u64>,
 }
 
-/// A band's steps, and where its bits start.
+/// The steps of a band, and the position of its first bit.
 #[derive(Clone, Copy, Debug)]
 struct BandOf {
     word: usize,
@@ -165,7 +165,7 @@ pub(crate) struct Workspace {
     top: Vec<f64>,
 }
 
-/// Columns left of 0 that lanes pass through on their way in.
+/// Number of columns left of 0 through which lanes pass on their way in.
 const LEFT: usize = MOST_LANES;
 
 /// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
@@ -176,7 +176,7 @@ pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
     region: &Region,
     sources: (usize, usize, Seed),
     workspace: &mut Workspace,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<(), Interruption> {
     let (first, last, seed) = sources;
     let rows = region.first.len();
@@ -203,7 +203,7 @@ pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
             kernel.simd(),
             SweepPart { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position },
         );
-        if let Err(interruption) = pulse.beat(visited) {
+        if let Err(interruption) = counter.add(visited) {
             failure = Some(interruption);
             break;
         }
@@ -250,7 +250,7 @@ impl<V: Lanes, K: Kernel<V>> Task<V> for SweepPart<'_, V, K> {
             let room = (CELLS_BETWEEN_LOOKS as usize / V::WIDTH).next_multiple_of(64);
             let end = band.end.min(self.position.step + room);
             visited += ((end - self.position.step) * V::WIDTH) as u64;
-            // The last band may end before its last lane: the row that is handed down is then another one.
+            // The last band may end before its last lane. Its last row is then in an earlier lane.
             if (number + 1) * V::WIDTH <= self.rows {
                 steps::<V, K, true>(self.kernel, number, band, end, V::WIDTH - 1, self.top, self.words, self.position);
             } else {
@@ -306,20 +306,20 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     position.step = end;
 }
 
-/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than
-/// the cells that some path within the bound passes.
+/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits few cells besides
+/// those through which paths within the bound run.
 pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     kernel: &K,
     (rows, columns): (usize, usize),
     bound: f64,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<f64>, Interruption> {
     let mut top = vec![0.0; (LEFT + columns + V::WIDTH) * K::CARRY];
     for column in top.chunks_exact_mut(K::CARRY) {
         kernel.unreached(column);
     }
     kernel.source(0, Seed::Open, &mut top[LEFT * K::CARRY..(LEFT + 1) * K::CARRY]);
-    // Nobody walks back: one band's pointers are overwritten by the next.
+    // No path is read back, so each band overwrites the pointers of the band before.
     let mut words = vec![0; columns + V::WIDTH];
     let (mut band, mut written) = (0, Some((0, 0)));
     while let Some(columns_written) = written
@@ -328,7 +328,7 @@ pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
         let task = Pruned { kernel, rows, columns, bound, top: &mut top, words: &mut words, band, columns_written };
         let visited;
         (band, written, visited) = V::run(kernel.simd(), task);
-        pulse.beat(visited)?;
+        counter.add(visited)?;
     }
     let end = kernel.end(&top[(LEFT + columns - 1) * K::CARRY..], 0).value;
     Ok(written.filter(|&(_, last)| last + 1 == columns && end <= bound).map(|_| end))
@@ -348,11 +348,12 @@ struct Pruned<'a, K> {
 }
 
 impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
-    /// The next band, the columns written for it (none if nothing is left within the bound), and the cells visited.
+    /// The next band, the columns written for it (none if no path is within the bound), and the number of visited
+    /// cells.
     type Output = (usize, Option<(usize, usize)>, u64);
     #[inline(always)]
     fn run(mut self) -> Self::Output {
-        /// Steps between two looks at whether anything is alive.
+        /// Number of steps after which the search checks whether a path within the bound is left.
         const STEPS: usize = 16;
         let mut visited = 0;
         while visited < CELLS_BETWEEN_LOOKS && self.band * V::WIDTH < self.rows {
@@ -380,7 +381,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
                 }
             }
             visited += ((position.step - begin) * V::WIDTH) as u64;
-            // Further right stands what the row above handed down.
+            // The entries further right are those that the row above handed down.
             let written = position.step - lanes;
             for column in written + 1..=to {
                 let at = (LEFT + column) * K::CARRY;
@@ -399,7 +400,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
 pub(crate) fn walk_back(table: &BitTable, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
     let (mut i, mut j) = (rows - 1, column);
     let mut path = Vec::with_capacity(rows + column);
-    // The step that leaves the bridge, and (four layers) the one that led to it.
+    // The step that leaves the bridge and, on four layers, the step that led to it.
     let (mut leaving, mut arriving) = (0, arrived_by);
     loop {
         path.push([i as u32, j as u32]);

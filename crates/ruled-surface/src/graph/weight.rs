@@ -1,14 +1,14 @@
 //! The formulas of every objective, each once, over [`Lanes`]: the sweeps and the statistics call the same ones.
 //!
-//! Everything is said in terms of a bridge e = q_j - p_i and of the bank edges that meet it. The four triangles that a
-//! bridge can belong to each have one bank edge b and the (doubled) area vector b × e: arriving by a P-step
-//! (b = p_i - p_{i-1}), leaving by a P-step (p_{i+1} - p_i), arriving and leaving by a Q-step (q_j - q_{j-1},
-//! q_{j+1} - q_j). Coordinates are those of [`Rails`](super::rails::Rails): centred, the largest about 1.
+//! The formulas use a bridge e = q_j - p_i and the bank edges that meet it. The four triangles that a bridge can belong
+//! to each have one bank edge b and the (doubled) area vector b × e: arriving by a P-step (b = p_i - p_{i-1}), leaving
+//! by a P-step (p_{i+1} - p_i), arriving and leaving by a Q-step (q_j - q_{j-1}, q_{j+1} - q_j). Coordinates are those
+//! of [`Rails`](super::rails::Rails): centred, the largest about 1.
 
 use super::lanes::{Lanes, Vector};
 
 /// Square of the sine below which a cross product counts as zero: |u × v| <= 1e-14 |u| |v|, about fifty units of
-/// rounding. A larger value drops the terms of thin triangles that still have a normal.
+/// rounding. Triangles above it still have a normal.
 const DEGENERATE_SQUARED: f64 = 1e-28;
 /// Squared double areas below this count as zero too, where coordinates are about 1. No quotient of the formulas then
 /// over- or underflows.
@@ -16,17 +16,17 @@ const TINY: f64 = 1e-140;
 
 /// A triangle at a bridge.
 #[derive(Clone, Copy)]
-pub(crate) struct Wing<V: Lanes> {
+pub(crate) struct BridgeTriangle<V: Lanes> {
     pub(crate) bank: Vector<V>,
-    /// b × e: along the triangle's normal, twice its area long.
+    /// b × e: a vector along the triangle's normal whose length is twice the triangle's area.
     pub(crate) normal: Vector<V>,
     pub(crate) squared: V,
     pub(crate) length: V,
-    /// The triangle is not degenerate.
+    /// Whether the triangle is not degenerate.
     pub(crate) sound: V::Mask,
 }
 
-impl<V: Lanes> Wing<V> {
+impl<V: Lanes> BridgeTriangle<V> {
     #[inline(always)]
     pub(crate) fn new(bank: Vector<V>, bank_squared: V, bridge: Vector<V>, bridge_squared: V) -> Self {
         let normal = bank.cross(bridge);
@@ -88,7 +88,7 @@ fn half_variation<V: Lanes>(bridge: Vector<V>, bound: V, tangent: Vector<V>, giv
 /// |e|² s / (4A). s = sin²θ up to 90° and 2 - sin²θ beyond; |N_l × N_r| = |e| |N_l·b_r| gives sin²θ without an angle.
 /// 0 where a triangle is degenerate.
 #[inline(always)]
-pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &Wing<V>, right: &Wing<V>) -> V {
+pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &BridgeTriangle<V>, right: &BridgeTriangle<V>) -> V {
     let (zero, two) = (bridge_squared.constant(0.0), bridge_squared.constant(2.0));
     let height = left.normal.dot(right.bank);
     let both = left.squared * right.squared;
@@ -99,13 +99,13 @@ pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &Wing<V>, right: &Wing<
     V::select(left.sound & right.sound, energy, zero)
 }
 
-/// A wing's part of the mean curvature vector: e × n, n the triangle's unit normal.
+/// A triangle's part of the mean curvature vector: e × n with the triangle's unit normal n.
 #[inline(always)]
-pub(crate) fn curvature_part<V: Lanes>(bridge: Vector<V>, wing: &Wing<V>) -> Vector<V> {
-    bridge.cross(wing.normal).times(wing.length.constant(1.0) / wing.length)
+pub(crate) fn curvature_part<V: Lanes>(bridge: Vector<V>, triangle: &BridgeTriangle<V>) -> Vector<V> {
+    bridge.cross(triangle.normal).times(triangle.length.constant(1.0) / triangle.length)
 }
 
-/// The mean curvature vector (eq. 8): H_e = 2|e| sin(φ/2) n_e = e × (n_left - n_right), from the two wings' parts.
+/// The mean curvature vector (eq. 8): H_e = 2|e| sin(φ/2) n_e = e × (n_left - n_right), from the two triangles' parts.
 /// 0 where a triangle is degenerate.
 #[inline(always)]
 pub(crate) fn mean_curvature<V: Lanes>(left: (Vector<V>, V::Mask), right: (Vector<V>, V::Mask)) -> Vector<V> {

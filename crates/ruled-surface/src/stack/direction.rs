@@ -11,9 +11,9 @@
 
 use super::options::DirectionCriterion;
 use super::prepare::Prepared;
+use crate::graph::cell_counter::CellCounter;
 use crate::graph::convexity::ConvexityTest;
 use crate::graph::lanes::Widest;
-use crate::graph::pulse::Pulse;
 use crate::graph::rails::Rails;
 use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::solve_all;
@@ -38,7 +38,7 @@ pub(crate) fn choose_directions(
     goal: Goal,
     test: ConvexityTest,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<(), Error> {
     for k in 1..prepared.directrices.len() {
         let as_given = prepared.strip(k - 1);
@@ -47,12 +47,12 @@ pub(crate) fn choose_directions(
         }
         prepared.directrices[k].reverse();
         let ways = [as_given, prepared.strip(k - 1)];
-        let (is_reversed, criterion) = match evident_direction(&ways, lanes, pulse)? {
+        let (is_reversed, criterion) = match evident_direction(&ways, lanes, counter)? {
             Some(evident) => evident,
             None => {
                 let mut solve = |way: &Rails| -> Result<Statistics, Error> {
                     let way = std::slice::from_ref(way);
-                    Ok(solve_all(way, goal, test, lanes, pulse, &mut Vec::new())?.statistics[0])
+                    Ok(solve_all(way, goal, test, lanes, counter, &mut Vec::new())?.statistics[0])
                 };
                 let (as_given, reversed) = (solve(&ways[0])?, solve(&ways[1])?);
                 (is_better(&reversed, &as_given, goal), DirectionCriterion::Objective)
@@ -71,7 +71,7 @@ pub(crate) fn choose_directions(
 pub(crate) fn evident_direction(
     ways: &[Rails; 2],
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<(bool, DirectionCriterion)>, Error> {
     let [as_given, reversed] = ways;
     if as_given.closed
@@ -82,7 +82,7 @@ pub(crate) fn evident_direction(
     }
     let mut folds_back = |way: &Rails| -> Result<bool, Error> {
         let (way, goal) = (std::slice::from_ref(way), Goal::single(Objective::MinimalArea));
-        let solved = solve_all(way, goal, ConvexityTest::Within(0.0), lanes, pulse, &mut Vec::new())?;
+        let solved = solve_all(way, goal, ConvexityTest::Within(0.0), lanes, counter, &mut Vec::new())?;
         Ok(solved.statistics[0].folds_back())
     };
     let as_given_folds = folds_back(as_given)?;

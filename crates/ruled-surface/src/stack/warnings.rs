@@ -2,8 +2,8 @@
 
 use super::direction::evident_direction;
 use super::options::DirectionCriterion;
+use crate::graph::cell_counter::CellCounter;
 use crate::graph::lanes::Widest;
-use crate::graph::pulse::Pulse;
 use crate::graph::rails::Rails;
 use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::{least, least_bending_within};
@@ -33,7 +33,7 @@ pub(crate) fn of_strip(
     statistics: &Statistics,
     (goal, as_given): (Goal, bool),
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<Warning>, Error> {
     let mut warnings = Vec::new();
     if statistics.folds_back() {
@@ -59,7 +59,7 @@ pub(crate) fn of_strip(
     if strip.has_apex() {
         return Ok(warnings);
     }
-    if as_given && let Some((true, criterion)) = evident_direction(&thinned_ways(strip), lanes, pulse)? {
+    if as_given && let Some((true, criterion)) = evident_direction(&thinned_ways(strip), lanes, counter)? {
         let reason = match criterion {
             DirectionCriterion::AreaVectors => "they run round in opposite senses",
             DirectionCriterion::Folds => "the strip folds back, and does not if one of them is reversed",
@@ -71,7 +71,7 @@ pub(crate) fn of_strip(
         warnings.push(Warning::new("opposite_directions", detail).with_count("directrix", k));
     }
     if goal.objective != Objective::MinimalArea {
-        let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, pulse)?;
+        let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, counter)?;
         if factor > LARGE {
             let detail = format!("strip {k}: {factor:.2} times the area of the strip of minimal area");
             warnings.push(Warning::new("large_area", detail).with_count("strip", k).with("factor", factor));
@@ -85,7 +85,7 @@ pub(crate) fn of_strip(
         && statistics.bending_energy > rounding
     {
         let bound = statistics.bending_energy / BENT;
-        if let Some(least) = least_bending_within(strip, bound, lanes, pulse)? {
+        if let Some(least) = least_bending_within(strip, bound, lanes, counter)? {
             let warning = if least > rounding {
                 let factor = statistics.bending_energy / least;
                 let detail = format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least");

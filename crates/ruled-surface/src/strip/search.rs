@@ -2,16 +2,16 @@
 
 use super::objective::{Goal, Objective, Secondary, Weights};
 use super::statistics::{Evaluation, Statistics, evaluate};
+use crate::graph::cell_counter::CellCounter;
 use crate::graph::closed::{self, FoundPath, KernelSearch, PathSearch};
 use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::corridor::corridor;
 use crate::graph::lanes::{Lanes, Widest, with_lanes};
-use crate::graph::lattice::Lattice;
 use crate::graph::layers::{
     Area, Concave, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer, Twist,
 };
-use crate::graph::pulse::Pulse;
 use crate::graph::rails::Rails;
+use crate::graph::strip_arrays::StripArrays;
 use crate::graph::sweep::{Region, cost_within};
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::Interruption;
@@ -50,13 +50,13 @@ pub(crate) fn solve_all(
     goal: Goal,
     test: ConvexityTest,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<SolvedStrips, Error> {
     let mut factors = Vec::new();
     if let Objective::Weighted(weights) = goal.objective {
         for strip in strips {
-            factors.push(normalised(strip, weights, test, lanes, pulse, warnings)?);
+            factors.push(normalised(strip, weights, test, lanes, counter, warnings)?);
         }
     }
     let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
@@ -66,8 +66,8 @@ pub(crate) fn solve_all(
         let mut evaluations = Vec::with_capacity(strips.len());
         for (k, strip) in strips.iter().enumerate() {
             let asked = SearchGoal { goal, factors: factors.get(k), sign, test };
-            let path = optimal_path(strip, asked, lanes, pulse)?;
-            evaluations.push(evaluate(strip, &path, test, lanes, pulse.execution())?);
+            let path = optimal_path(strip, asked, lanes, counter)?;
+            evaluations.push(evaluate(strip, &path, test, lanes, counter.execution())?);
             paths.push(path);
         }
         // Where the objective has no say, the winding is the one that agrees with the normals.
@@ -92,13 +92,13 @@ pub(crate) fn path_of(
     goal: Goal,
     test: ConvexityTest,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Error> {
     if matches!(goal.objective, Objective::Weighted(_)) || goal.winding_matters() {
-        let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, pulse, &mut Vec::new())?;
+        let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, counter, &mut Vec::new())?;
         return Ok(solved.paths.swap_remove(0));
     }
-    Ok(optimal_path(strip, SearchGoal::plainly(goal, test), lanes, pulse)?)
+    Ok(optimal_path(strip, SearchGoal::plainly(goal, test), lanes, counter)?)
 }
 
 fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
@@ -143,7 +143,7 @@ fn normalised(
     weights: Weights,
     test: ConvexityTest,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Factors, Error> {
     let mut factors = weights.terms().map(|(_, weight)| weight);
@@ -157,7 +157,7 @@ fn normalised(
         if weight == 0.0 || !weights.normalise {
             continue;
         }
-        let own = solve_all(std::slice::from_ref(strip), Goal::single(objective), test, lanes, pulse, warnings)?;
+        let own = solve_all(std::slice::from_ref(strip), Goal::single(objective), test, lanes, counter, warnings)?;
         let optimum = own.statistics[0].objective_value / scale;
         if optimum > VANISHING * own.statistics[0].bridges as f64 {
             *factor = weight / optimum;
@@ -178,14 +178,14 @@ pub(crate) fn optimal_path(
     strip: &Rails,
     asked: SearchGoal<'_>,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Interruption> {
     let (m, n) = (strip.m() as u32, strip.n() as u32);
     if strip.has_apex() {
         // The only triangulation there is.
         return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
     }
-    let path = found(strip, asked, lanes, pulse)?.path;
+    let path = found(strip, asked, lanes, counter)?.path;
     Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
 }
 
@@ -195,9 +195,9 @@ pub(crate) fn least(
     strip: &Rails,
     objective: Objective,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<f64, Interruption> {
-    let cost = found(strip, SearchGoal::plainly(Goal::single(objective), ConvexityTest::Within(0.0)), lanes, pulse)?
+    let cost = found(strip, SearchGoal::plainly(Goal::single(objective), ConvexityTest::Within(0.0)), lanes, counter)?
         .score
         .value;
     Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
@@ -208,32 +208,32 @@ pub(crate) fn least_bending_within(
     strip: &Rails,
     bound: f64,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<f64>, Interruption> {
     if strip.closed {
-        return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?).filter(|&least| least <= bound));
+        return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, counter)?).filter(|&least| least <= bound));
     }
-    with_lanes!(lanes, V, simd => bending_within::<V>(simd, strip, bound, pulse))
+    with_lanes!(lanes, V, simd => bending_within::<V>(simd, strip, bound, counter))
 }
 
 fn bending_within<V: Lanes>(
     simd: V::Simd,
     strip: &Rails,
     bound: f64,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<f64>, Interruption> {
-    let lattice = &Lattice::new(strip, false);
-    let kernel = DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> };
-    cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
+    let arrays = &StripArrays::new(strip, false);
+    let kernel = DualLayer { simd, arrays, concave: None, cost: PhantomData::<PlainCost<V>> };
+    cost_within::<V, _>(&kernel, (arrays.rows, arrays.columns), bound, counter)
 }
 
 fn found(
     strip: &Rails,
     asked: SearchGoal<'_>,
     lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<FoundPath, Interruption> {
-    with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, pulse))
+    with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, counter))
 }
 
 /// Number of grid cells up to which the whole grid is swept without a corridor: so many are visited in less time than a
@@ -244,45 +244,45 @@ fn search<V: Lanes>(
     simd: V::Simd,
     strip: &Rails,
     SearchGoal { goal, factors, sign, test }: SearchGoal<'_>,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<FoundPath, Interruption> {
-    let lattice = &Lattice::new(strip, goal.needs_tangents());
-    let (rows, columns) = (lattice.rows, lattice.columns);
+    let arrays = &StripArrays::new(strip, goal.needs_tangents());
+    let (rows, columns) = (arrays.rows, arrays.columns);
     let table = match goal.objective {
-        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, (lattice, simd), test, pulse)?),
+        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, (arrays, simd), test, counter)?),
         _ => None,
     };
     let concave = table.as_ref();
     // An open strip of least area does not need the whole grid.
     let region = match goal.objective {
-        Objective::MinimalArea if !strip.closed && rows * columns > SMALL => corridor(strip, pulse)?,
+        Objective::MinimalArea if !strip.closed && rows * columns > SMALL => corridor(strip, counter)?,
         _ => Region::full(rows, 0, columns - 1),
     };
     macro_rules! run {
         ($kernel:expr) => {
-            find(strip.closed, &mut KernelSearch::<V, _>::new($kernel, rows, columns), &region, pulse)
+            find(strip.closed, &mut KernelSearch::<V, _>::new($kernel, rows, columns), &region, counter)
         };
     }
     match (goal.objective, goal.secondary, concave) {
         (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
-            run!(DualLayer { simd, lattice, concave, cost: PhantomData::<CoupledCost<V>> })
+            run!(DualLayer { simd, arrays, concave, cost: PhantomData::<CoupledCost<V>> })
         }
         (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
-            run!(QuadrupleLayer { simd, lattice, concave, factors: None, cost: PhantomData::<CoupledCost<V>> })
+            run!(QuadrupleLayer { simd, arrays, concave, factors: None, cost: PhantomData::<CoupledCost<V>> })
         }
         (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave { simd, table })),
-        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, lattice })),
-        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, lattice })),
-        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, lattice, sign })),
+        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, arrays })),
+        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, arrays })),
+        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, arrays, sign })),
         (Objective::MinimalBendingEnergy, ..) => {
-            run!(DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> })
+            run!(DualLayer { simd, arrays, concave: None, cost: PhantomData::<PlainCost<V>> })
         }
         (Objective::MinimalMeanCurvatureVariation, ..) => {
-            run!(QuadrupleLayer { simd, lattice, concave: None, factors: None, cost: PhantomData::<PlainCost<V>> })
+            run!(QuadrupleLayer { simd, arrays, concave: None, factors: None, cost: PhantomData::<PlainCost<V>> })
         }
         (Objective::Weighted(_), ..) => {
             let factors = factors.map(|factors| Factors { sign, ..*factors });
-            run!(QuadrupleLayer { simd, lattice, concave: None, factors, cost: PhantomData::<PlainCost<V>> })
+            run!(QuadrupleLayer { simd, arrays, concave: None, factors, cost: PhantomData::<PlainCost<V>> })
         }
     }
 }
@@ -291,9 +291,9 @@ fn find(
     is_closed: bool,
     search: &mut dyn PathSearch,
     region: &Region,
-    pulse: &mut Pulse<'_, '_>,
+    counter: &mut CellCounter<'_, '_>,
 ) -> Result<FoundPath, Interruption> {
-    if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }
+    if is_closed { closed::closed(search, counter) } else { closed::open(search, region, counter) }
 }
 
 #[cfg(test)]
@@ -320,11 +320,11 @@ mod tests {
             for wave in [0.0, 0.3, 1.0, 2.0] {
                 let strip = strip(m, n, wave);
                 for lanes in Widest::all() {
-                    let mut pulse = Pulse::new(&execution, 1);
-                    let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut pulse).unwrap();
+                    let mut counter = CellCounter::new(&execution, 1);
+                    let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut counter).unwrap();
                     for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {
                         let bound = if factor.is_finite() { factor * least } else { factor };
-                        let found = least_bending_within(&strip, bound, lanes, &mut pulse).unwrap();
+                        let found = least_bending_within(&strip, bound, lanes, &mut counter).unwrap();
                         assert_eq!(found, (least <= bound).then_some(least), "{m} x {n}, {wave}, {factor} times");
                     }
                 }
@@ -336,12 +336,12 @@ mod tests {
     fn a_bounded_search_leaves_most_of_the_grid_alone() {
         let strip = strip(1000, 1000, 1.0);
         let execution = Execution::default();
-        let mut pulse = Pulse::new(&execution, 1);
-        let least = least(&strip, Objective::MinimalBendingEnergy, Widest::get(), &mut pulse).unwrap();
+        let mut counter = CellCounter::new(&execution, 1);
+        let least = least(&strip, Objective::MinimalBendingEnergy, Widest::get(), &mut counter).unwrap();
         for (factor, share) in [(0.2, 0.1), (0.5, 0.25), (1.0, 0.7)] {
             let before = execution.work();
-            least_bending_within(&strip, factor * least, Widest::get(), &mut pulse).unwrap();
-            pulse.last_look().unwrap();
+            least_bending_within(&strip, factor * least, Widest::get(), &mut counter).unwrap();
+            counter.last_look().unwrap();
             let cells = (execution.work() - before) as f64;
             assert!(cells < share * 1e6, "{factor}: {cells} of 1e6");
         }

@@ -3,7 +3,7 @@
 use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
 use crate::graph::rails::Rails;
-use crate::graph::weight::{self, Wing};
+use crate::graph::weight::{self, BridgeTriangle};
 use plateau_mesh::DVec3;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
@@ -264,9 +264,9 @@ fn vector<V: Lanes>(simd: V::Simd, rows: &Rows) -> Vector<V> {
 }
 
 #[inline(always)]
-fn wing<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Wing<V> {
+fn triangle<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> BridgeTriangle<V> {
     let bank = vector(bridge_squared.simd(), bank);
-    Wing::new(bank, bank.dot(bank), bridge, bridge_squared)
+    BridgeTriangle::new(bank, bank.dot(bank), bridge, bridge_squared)
 }
 
 /// No closures over lanes here: the compiler does not take the instructions that [`Lanes::run`] enables into them.
@@ -307,15 +307,15 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
             let bridge = vector::<V>(simd, &rows[0]);
             let squared = bridge.dot(bridge);
             let length = squared.sqrt();
-            let wings = [
-                wing(&banks[0], bridge, squared),
-                wing(&banks[1], bridge, squared),
-                wing(&banks[2], bridge, squared),
-                wing(&banks[3], bridge, squared),
+            let triangles = [
+                triangle(&banks[0], bridge, squared),
+                triangle(&banks[1], bridge, squared),
+                triangle(&banks[2], bridge, squared),
+                triangle(&banks[3], bridge, squared),
             ];
-            let convex = convexity::are_convex(strip, &path[start..start + lanes], test, length, &wings);
-            let left = Wing::select(V::from_bits(simd, arrived_by_p), &wings[0], &wings[1]);
-            let right = Wing::select(V::from_bits(simd, leaves_by_p), &wings[2], &wings[3]);
+            let convex = convexity::are_convex(strip, &path[start..start + lanes], test, length, &triangles);
+            let left = BridgeTriangle::select(V::from_bits(simd, arrived_by_p), &triangles[0], &triangles[1]);
+            let right = BridgeTriangle::select(V::from_bits(simd, leaves_by_p), &triangles[2], &triangles[3]);
             let tangents = [vector::<V>(simd, &rows[1]), vector(simd, &rows[2])];
             let twist = weight::twist(bridge, tangents[0], tangents[1]);
             let zero = V::splat(simd, 0.0);

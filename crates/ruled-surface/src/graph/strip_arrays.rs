@@ -2,14 +2,14 @@
 
 use super::lanes::{Lanes, MOST_LANES, Vector};
 use super::rails::{Rail, Rails};
-use super::weight::Wing;
+use super::weight::BridgeTriangle;
 use plateau_mesh::DVec3;
 
 /// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row
 /// r one column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are
 /// never used.
 #[derive(Debug)]
-pub(crate) struct Lattice {
+pub(crate) struct StripArrays {
     pub(crate) rows: usize,
     /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
     pub(crate) columns: usize,
@@ -17,7 +17,8 @@ pub(crate) struct Lattice {
     pub(crate) column: RailNumbers,
 }
 
-/// Entries beyond both ends of a row of numbers: lanes of a skewed band run over the ends by at most their number.
+/// Number of entries beyond either end of a row of numbers. The lanes of a skewed band run over the ends by at most the
+/// number of lanes.
 const MARGIN: usize = MOST_LANES;
 
 /// Quantities along one directrix, each in a row of its own of length `stride`, in one piece of memory.
@@ -27,7 +28,7 @@ pub(crate) struct RailNumbers {
     numbers: Vec<f64>,
 }
 
-/// First rows of a [`RailNumbers`].
+/// Numbers of the first rows of a [`RailNumbers`].
 pub(crate) const POINT: usize = 0;
 /// The bank edge that ends at the point; zero where there is none.
 pub(crate) const BANK: usize = 3;
@@ -36,7 +37,7 @@ pub(crate) const TANGENT: usize = 7;
 pub(crate) const NORMAL: usize = 10;
 
 impl RailNumbers {
-    /// The points that `order` names: an index, and whether a bank edge ends there.
+    /// Stores the points in the order of `order`, whose items are an index and whether a bank edge ends there.
     fn new(
         directrix: &Rail,
         order: impl ExactSizeIterator<Item = (usize, bool)> + Clone,
@@ -84,7 +85,7 @@ impl RailNumbers {
         Vector::new(self.number(simd, row, at), self.number(simd, row + 1, at), self.number(simd, row + 2, at))
     }
 
-    /// Tangents and normals are there for the kernels that read them.
+    /// Tangents and normals are stored only for kernels that read them.
     #[inline(always)]
     pub(crate) fn number<V: Lanes>(&self, simd: V::Simd, row: usize, at: usize) -> V {
         let start = row * self.stride + at;
@@ -134,12 +135,13 @@ impl<V: Lanes, const ROWS: usize> Window<'_, V, ROWS> {
     }
 }
 
-impl Lattice {
-    /// `with_tangents` for the objectives that look at them.
+impl StripArrays {
+    /// Objectives that read tangents need `with_tangents`.
     pub(crate) fn new(rails: &Rails, with_tangents: bool) -> Self {
         let (rows, n, closed) = (rails.m(), rails.n(), rails.closed);
         let columns = if closed { 2 * n } else { n };
-        // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
+        // Row `rows` has the edge that leaves the last row. Entries beyond it are never used and only have to be
+        // finite.
         let down = (0..rows + 2 * MARGIN).map(|k| {
             let index = if closed { k % rows } else { k.min(rows - 1) };
             (index, closed || (k > 0 && k < rows))
@@ -162,7 +164,7 @@ impl Lattice {
         }
     }
 
-    /// Where the lanes of step `t` start in a column array: lane r holds column t - r.
+    /// Position in a column array at which the lanes of step `t` start: lane r has column t - r.
     #[inline(always)]
     pub(crate) fn at(&self, t: usize) -> usize {
         self.columns + MARGIN - 1 - t
@@ -177,7 +179,7 @@ pub(crate) struct BandRows<V> {
     banks: [(Vector<V>, V); 2],
 }
 
-impl Lattice {
+impl StripArrays {
     #[inline(always)]
     pub(crate) fn band_rows<V: Lanes>(&self, simd: V::Simd, band: usize) -> BandRows<V> {
         let (row, at) = (&self.row, band * V::WIDTH);
@@ -191,18 +193,18 @@ impl Lattice {
         }
     }
 
-    /// The bridges of step `t` and their four wings: arriving by P, by Q, leaving by P, by Q.
+    /// The bridges of step `t` and their four triangles: arriving by P, by Q, leaving by P, by Q.
     #[inline(always)]
-    pub(crate) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
+    pub(crate) fn triangles<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [BridgeTriangle<V>; 4]) {
         let (simd, at) = (rows.point.x.simd(), self.at(t));
-        // The columns are stored backwards, so the next column stands before this one.
+        // The columns are stored backwards, so the next column stands before the present one.
         let column: Window<'_, V, TANGENT> = self.column.window(simd, at);
         let bridge = column.vector::<0>(POINT).minus(rows.point);
         let squared = bridge.dot(bridge);
-        let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
-        let in_q = Wing::new(column.vector::<0>(BANK), column.number::<0>(BANK_SQUARED), bridge, squared);
-        let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
-        let out_q = Wing::new(column.vector::<1>(BANK), column.number::<1>(BANK_SQUARED), bridge, squared);
+        let in_p = BridgeTriangle::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
+        let in_q = BridgeTriangle::new(column.vector::<0>(BANK), column.number::<0>(BANK_SQUARED), bridge, squared);
+        let out_p = BridgeTriangle::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
+        let out_q = BridgeTriangle::new(column.vector::<1>(BANK), column.number::<1>(BANK_SQUARED), bridge, squared);
         (bridge, squared, [in_p, in_q, out_p, out_q])
     }
 }

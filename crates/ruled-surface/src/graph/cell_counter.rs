@@ -2,13 +2,13 @@
 
 use plateau_mesh::execution::{Execution, Interruption, Progress};
 
-/// Grid cells between two looks at the execution. The slowest kernel (four layers, no wide instructions) takes some
-/// milliseconds for so many; a larger value delays cancellation.
+/// Number of grid cells between two looks at the caller's signal. The slowest kernel (four layers, no wide
+/// instructions) takes a few milliseconds for this number, a tenth of the 50 ms that are promised.
 pub(crate) const CELLS_BETWEEN_LOOKS: u64 = 1 << 16;
 
-/// Progress and cancel of one solve, by cells visited.
+/// Counts the cells that a solve has visited; reports progress and looks at the caller's signal.
 #[derive(Debug)]
-pub(crate) struct Pulse<'a, 'e> {
+pub(crate) struct CellCounter<'a, 'e> {
     execution: &'a Execution<'e>,
     phase: &'static str,
     expected: u64,
@@ -18,7 +18,7 @@ pub(crate) struct Pulse<'a, 'e> {
     reported: f64,
 }
 
-impl<'a, 'e> Pulse<'a, 'e> {
+impl<'a, 'e> CellCounter<'a, 'e> {
     pub(crate) fn new(execution: &'a Execution<'e>, expected: u64) -> Self {
         Self {
             execution,
@@ -33,19 +33,21 @@ impl<'a, 'e> Pulse<'a, 'e> {
     pub(crate) fn phase(&mut self, phase: &'static str) {
         self.phase = phase;
     }
-    /// Cells that need no visit after all: progress only.
+    /// Counts cells that need no visit after all, for the progress only.
     pub(crate) fn leave_out(&mut self, cells: u64) {
         self.done += cells;
     }
-    /// Counts cells, looks when enough have gathered and reports every half per cent.
-    pub(crate) fn beat(&mut self, cells: u64) -> Result<(), Interruption> {
+    /// Counts visited cells. Looks at the signal after [`CELLS_BETWEEN_LOOKS`], and reports every half per cent of
+    /// progress.
+    pub(crate) fn add(&mut self, cells: u64) -> Result<(), Interruption> {
         self.done += cells;
         self.since_look += cells;
         if self.since_look < CELLS_BETWEEN_LOOKS {
             return Ok(());
         }
         self.last_look()?;
-        // More work than expected (closed strips search until the bounds meet) creeps towards 1.
+        // Closed strips search until the bounds meet and may need more work than expected. Beyond 0.9 the fraction
+        // therefore only approaches 1.
         let ratio = self.done as f64 / self.expected as f64;
         let fraction = if ratio <= 0.9 { ratio } else { 1.0 - 0.09 / ratio };
         self.fraction = self.fraction.max(fraction.min(0.999));
@@ -54,7 +56,7 @@ impl<'a, 'e> Pulse<'a, 'e> {
         }
         Ok(())
     }
-    /// Looks with what has gathered since.
+    /// Looks at the signal, with the work since the last look.
     pub(crate) fn last_look(&mut self) -> Result<(), Interruption> {
         self.execution.look(std::mem::take(&mut self.since_look))
     }
