@@ -146,7 +146,7 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
 }
 
 /// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it. Sails and
-/// halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles. A larger value refuses more requests.
+/// halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles.
 const BYTES_PER_TRIANGLE: f64 = 5_000.0;
 /// Number of bytes of memory per triangle of a mesh on which an edge slides: the triangle and its share of the tree.
 const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;

@@ -358,7 +358,7 @@ fn impossible_inputs_name_the_reason() {
     let mut huge = triangle.clone();
     huge[2].x = 1e300;
     assert!(refused(&[huge], &options(100)).starts_with("/boundaries/0/2:"));
-    // The products of such lengths vanish. Walking along such rings once did not end.
+    // Products of these lengths underflow to 0. A walk along such rings must end all the same.
     let tiny: Vec<DVec3> = circle(36, 1e-299, 0.0);
     let options_of_rings = Options { initial_mesh: InitialMesh::Rings, ..keep(100) };
     assert!(refused(&[tiny.clone(), moved(&tiny, DVec3::Z)], &options_of_rings).starts_with("/boundaries/0/0:"));

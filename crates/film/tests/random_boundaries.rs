@@ -143,7 +143,7 @@ fn boundaries(kind: &str, random: &mut Random) -> Vec<Vec<DVec3>> {
     vec![one]
 }
 
-/// The boundaries of a kind, and what is asked of the solver: a stationary film that is given as a mesh is not left.
+/// The boundaries of a kind, and the solver's options. A stationary film that is given as a mesh must stay as it is.
 fn request(kind: &str, random: &mut Random) -> (Vec<Vec<DVec3>>, Options) {
     if kind != "given_enneper" {
         return (boundaries(kind, random), Options::new(Resolution::Triangles(1000)));

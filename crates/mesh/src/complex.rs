@@ -116,7 +116,7 @@ impl fmt::Display for ComplexDefect {
 
 impl std::error::Error for ComplexDefect {}
 
-/// The sides of all triangles by their edge, sorted.
+/// The sides of all triangles, each as its edge's ends and its half-edge, sorted.
 fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
     let side = |t: usize, k: usize| {
         let (a, b) = (triangles[t][k], triangles[t][(k + 1) % 3]);

@@ -41,8 +41,8 @@ pub struct Progress {
 /// The channel between a solver and its caller.
 ///
 /// A solver calls [`look`](Self::look) at least every 50 ms on real hardware, except during one sparse factorisation,
-/// and passes the amount of work since the last look. Tests read
-/// [`largest_work_between_looks`](Self::largest_work_between_looks), which checks this promise without a clock.
+/// and passes the amount of work since the last look. Hidden counters of looks and work let tests check this promise
+/// without a clock.
 pub struct Execution<'a> {
     signal: &'a dyn Fn() -> Signal,
     report: &'a dyn Fn(Progress),
@@ -112,18 +112,21 @@ impl<'a> Execution<'a> {
     }
 
     /// Total work that was passed to [`look`](Self::look).
+    #[doc(hidden)]
     #[inline]
     pub fn work(&self) -> u64 {
         self.work.get()
     }
 
     /// Number of looks so far.
+    #[doc(hidden)]
     #[inline]
     pub fn looks(&self) -> u64 {
         self.looks.get()
     }
 
     /// Largest amount of work between two looks.
+    #[doc(hidden)]
     #[inline]
     pub fn largest_work_between_looks(&self) -> u64 {
         self.largest_work.get()

@@ -21,7 +21,6 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
 /// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (largest entries) is refined once, and then refused.
-/// A larger value accepts less accurate solutions.
 const RESIDUAL_TOLERANCE: f64 = 1e-9;
 
 /// Why a linear system has no reliable solution.

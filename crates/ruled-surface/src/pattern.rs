@@ -13,6 +13,7 @@ use unroll::unroll;
 
 /// The strips of an open surface laid flat, each in its own coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FlatPattern {
     /// The strips in the order of the stack.
     pub strips: Vec<FlatStrip>,

@@ -72,6 +72,7 @@ impl Method {
 
 /// The mesh beside the curved surface that it stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceFit {
     /// How the mesh was made.
     pub method: Method,
@@ -88,6 +89,7 @@ pub struct SurfaceFit {
 
 /// The figures of a result.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// Nodes, or lattice edges, by the objective.
     pub objective_value: usize,
@@ -125,6 +127,7 @@ pub struct Statistics {
 
 /// A uniform mesh and everything known about it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct UniformMesh {
     /// The input's points first (merged ones once), then further nodes on the boundary, then the inner nodes.
     pub mesh: Mesh,
@@ -154,6 +157,7 @@ pub struct UniformMesh {
 
 /// The deviation that a number of lengths costs.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LengthsRow {
     /// Number of different lengths.
     pub lengths: usize,

@@ -17,7 +17,7 @@ use plateau_mesh::{DVec2, Estimate};
 const MOST_NODES: f64 = 5e7;
 
 /// Number of bytes of memory per triangle of a polygon: the triangle with its members, their lengths, and a copy for a
-/// file. A larger value refuses more requests.
+/// file.
 const BYTES_PER_TRIANGLE: f64 = 600.0;
 
 /// Bytes per triangle on a surface, where the sparse factor comes on top.

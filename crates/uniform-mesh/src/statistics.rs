@@ -4,6 +4,7 @@ use plateau_mesh::measure::Spread;
 
 /// A group of edges at one stage: a row of Table 1 and a little more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Group {
     /// Count, minimum, mean, maximum, standard deviation (of the whole population).
     pub lengths: Spread,
@@ -27,6 +28,7 @@ impl Group {
 
 /// A stage of a solve, in Table 1's order.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Stage {
     /// `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes`, `optimised_lengths`.
     pub name: &'static str,

@@ -260,7 +260,7 @@ fn shared_lengths_get_closer_the_more_there_are_and_closer_than_sorting_alone() 
         }
         assert!(rows.iter().all(|row| row.deviation <= row.deviation_before));
         assert!(rows[6].deviation < 0.9 * rows[6].deviation_before, "{rows:?}");
-        // The last row is what the mesh has.
+        // The mesh has the lengths of the last row.
         assert_eq!(result.stages.last().unwrap().name, "shared_lengths");
         let within = 2.0 * rows[6].deviation * (1.0 + 1e-9);
         assert!(plateau_uniform_mesh::statistics::distinct_lengths(&result.lengths, within) <= 12);

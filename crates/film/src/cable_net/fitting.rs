@@ -185,7 +185,7 @@ impl<'a> Loss<'a> {
         if self.stays[e] { 0.0 } else { q }
     }
 
-    /// Finds the densities that stay.
+    /// Marks the densities that the next step must not change.
     fn hold(&mut self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<(), LinearError> {
         self.stays = self.net.edges.iter().map(|edge| edge.held).collect();
         let least = self.least;

@@ -38,7 +38,7 @@ use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
 /// Least double area of a triangle in every formula, as a fraction of its longest edge squared. A smaller one is raised
-/// to this, so that no weight is infinite. A larger value makes needles softer. It lies below the limit at which
+/// to this, so that no weight is infinite. It lies below the limit at which
 /// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle (1e-10), so that no valid mesh is changed.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 

@@ -158,9 +158,9 @@ impl Cable {
 /// The vertex of a cable farthest from the chord between its ends.
 struct Lowest {
     vertex: u32,
-    /// From the chord to the vertex.
+    /// The vector from the chord to the vertex.
     distance: DVec3,
-    /// How far along the chord it lies, as a fraction of the chord.
+    /// The place of the vertex along the chord, as a fraction of the chord.
     share: f64,
 }
 

@@ -15,8 +15,8 @@ use plateau_mesh::{DVec3, Execution, polyline};
 use std::fmt;
 use std::ops::Range;
 
-/// Largest distance of a vertex from its support, as a fraction of the radius of the body. A larger value accepts
-/// starts that the first step moves visibly. Rounding of coordinates needs about 1e-15.
+/// Largest distance of a vertex from its support, as a fraction of the radius of the body. Rounding of coordinates
+/// needs about 1e-15.
 const ON_SUPPORT: f64 = 1e-9;
 
 /// A complex of triangles with a surface tension per sheet, further energies, and a freedom for each vertex.
@@ -357,7 +357,7 @@ impl Report {
 #[derive(Debug)]
 pub(crate) struct Motion<'a> {
     body: &'a Body,
-    /// For each vertex the one whose unknowns it has: itself, or the first of its group.
+    /// For each vertex the vertex whose unknowns it shares: itself, or the first vertex of its group.
     owner: Vec<u32>,
     pattern: BlockPattern,
     radius: f64,

@@ -44,7 +44,7 @@ pub enum Determined {
     /// ½ `compliance` λ², belongs to the body's. Example: the length of an elastic cable, whose force is the
     /// multiplier. A stiff one is solved as easily as one of given length.
     Yielding {
-        /// The value without multiplier; not zero.
+        /// The value at which the multiplier is 0. It must not be 0.
         value: f64,
         /// Positive.
         compliance: f64,

@@ -55,7 +55,7 @@ struct Share {
     second: [DMat3; 3],
 }
 
-/// From the derivatives by the unit vectors u = x / |x| and v = y / |y| to those by x and y.
+/// Converts derivatives by the unit vectors u = x / |x| and v = y / |y| to derivatives by x and y.
 fn by_places(x: DVec3, y: DVec3, area: f64, gradient: [DVec3; 2], second: [DMat3; 3]) -> Share {
     let project = |x: DVec3| {
         let unit = x.normalize();
@@ -181,8 +181,8 @@ impl Contact {
     }
 }
 
-/// A pole for the solid angles of a chain of unit vectors: of some directions the one whose opposite is furthest from
-/// the chain, because the solid angle jumps where the chain passes the opposite of the pole.
+/// Chooses the pole for the solid angles of a chain of unit vectors. The solid angle jumps where the chain passes the
+/// opposite of the pole. Of a few directions the pole is therefore the one whose opposite is furthest from the chain.
 fn pole(units: &[DVec3]) -> DVec3 {
     let mean: DVec3 = units.iter().sum();
     let around: DVec3 = (0..units.len()).map(|k| units[k].cross(units[(k + 1) % units.len()])).sum();

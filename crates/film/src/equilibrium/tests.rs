@@ -561,8 +561,8 @@ fn bodies_whose_parts_do_not_fit_are_named() {
 
 #[test]
 fn junctions_of_a_complex_may_move_across_their_curve() {
-    // Three half-planes' quarter discs of one triangle a side meet on a line from z = 0 to z = 2 whose middle is off
-    // the axis.
+    // Three coarse sheets, of two triangles each, meet on a line from z = 0 to z = 2. The middle of the line is off the
+    // axis.
     let ends = [DVec3::ZERO, DVec3::new(0.2, 0.1, 1.0), DVec3::new(0.0, 0.0, 2.0)];
     let outer = |k: u32| DVec3::new(libm::cos(TAU * f64::from(k) / 3.0), libm::sin(TAU * f64::from(k) / 3.0), 1.0);
     let mut vertices = ends.to_vec();

@@ -8,8 +8,7 @@ use plateau_mesh::{DVec3, Execution};
 /// Each step's linear system is solved to this fraction of the residual. A smaller fraction takes more V-cycles, a
 /// larger one more steps.
 const FORCING: f64 = 1e-3;
-/// Below this residual the system is solved as far as the run's tolerance needs, because one step then ends the run. A
-/// larger value spends V-cycles on steps that are not the last.
+/// Below this residual the system is solved as far as the run's tolerance needs, because one step then ends the run.
 const LAST_STEP_BELOW: f64 = 2e-2;
 /// That far: this fraction of the tolerance.
 const LAST_STEP_GOAL: f64 = 0.2;

@@ -3,13 +3,12 @@
 use super::options::{InitialMesh, Objective, Options, Resolution};
 use plateau_mesh::{DVec3, Estimate};
 
-/// Rough number of triangles for each boundary point where the points are much closer than the edge length. A larger
-/// value raises the estimate for such boundaries.
+/// Rough number of triangles for each boundary point where the points are much closer than the edge length.
 const TRIANGLES_PER_POINT: f64 = 12.0;
 
 /// Number of bytes of memory per triangle. Area and Dirichlet energy took at most 650 bytes (100,000 and 400,000
 /// triangles, every solver, writing the mesh included). The rest is for sparse factors, which grow a little faster than
-/// the mesh. A larger value refuses more requests.
+/// the mesh.
 const BYTES_PER_TRIANGLE: f64 = 1_000.0;
 
 /// Bytes per triangle for the least squares of the mean curvatures. They took 6,740 bytes, because their normal

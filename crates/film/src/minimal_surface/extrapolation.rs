@@ -22,8 +22,7 @@ use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::f64::consts::{PI, TAU};
 
-/// Residual to which the finer mesh is solved. A larger value takes fewer steps; the error of the area is about the
-/// square of it.
+/// Residual to which the finer mesh is solved. The error of the area is about its square.
 const TOLERANCE: f64 = 1e-3;
 /// Largest number of Newton steps on the finer mesh.
 const MAX_STEPS: u32 = 6;

@@ -17,8 +17,7 @@ use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
-/// Residual at which conjugate gradients stop, as a fraction of the residual of the present positions. A larger value
-/// takes fewer iterations and gives a less exact step.
+/// Residual at which conjugate gradients stop, as a fraction of the residual of the present positions.
 const ITERATIVE_TOLERANCE: f64 = 1e-10;
 
 /// Whether a step needed a factorisation.

@@ -12,7 +12,7 @@ use plateau_mesh::film::Film;
 use plateau_mesh::self_intersections::{self, Order};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 
-/// Largest fraction by which a resolution may be missed without a warning. A larger value warns less often.
+/// Largest fraction by which a resolution may be missed without a warning.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
 
 /// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
@@ -26,6 +26,7 @@ pub struct ConstraintVertices {
 
 /// A mesh that spans the boundaries, and what is known about it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct MinimalSurface {
     /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
     /// coordinates; then points added on the boundaries; then the interior.

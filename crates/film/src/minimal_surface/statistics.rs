@@ -25,6 +25,7 @@ pub struct MeanCurvature {
 
 /// Everything that is reported about a minimal surface. Lengths in the caller's unit u, areas in u², angles in radians.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// The objective that was minimised.
     pub objective: Objective,

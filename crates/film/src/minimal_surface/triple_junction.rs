@@ -43,13 +43,13 @@ const DEFAULT_STEPS: u32 = 200;
 /// longer before it is improved.
 const STEPS_PER_ROUND: u32 = 4;
 const ROUNDS: u32 = 10;
-/// Rounds end when the residual is below this and no edge was flipped. A larger value ends the remeshing earlier.
+/// Rounds end when the residual is below this and no edge was flipped.
 const SETTLED: f64 = 1e-2;
 /// Number of harmonic solves before each remeshing, and the relative change of area at which those rounds end. With a
 /// larger change Newton's method starts earlier.
 const SOLVES_PER_ROUND: u32 = 3;
 const SETTLED_AREA: f64 = 1e-4;
-/// Number of sweeps of each remeshing. A larger value gives more even triangles.
+/// Number of sweeps of each remeshing.
 const SWEEPS: u32 = 4;
 /// Fractions of the progress at which the harmonic solves and the Newton rounds end.
 const SETTLE_SHARE: f64 = 0.4;

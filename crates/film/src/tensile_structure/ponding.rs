@@ -140,7 +140,7 @@ pub(super) fn find(roof: &Roof, exec: &Execution) -> Result<Option<Ponding>, Int
 }
 
 impl Roof<'_> {
-    /// Whether a triangle of which the vertex is no corner lies above it.
+    /// Whether a triangle lies above the vertex. Triangles around the vertex do not count.
     fn is_covered(&self, vertex: u32) -> bool {
         let (east, north) = self.up.any_orthonormal_pair();
         let place = self.at[vertex as usize];

@@ -10,6 +10,7 @@ use plateau_mesh::{DVec3, Mesh};
 
 /// A support at one vertex: the end of a cable, or an anchor in the air.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Reaction {
     /// The vertex.
     pub vertex: u32,
@@ -21,6 +22,7 @@ pub struct Reaction {
 
 /// The supports along the fixed parts of a boundary together, without those of [`Reaction`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct EdgeReaction {
     /// The boundary.
     pub boundary: usize,
@@ -30,6 +32,7 @@ pub struct EdgeReaction {
 
 /// A cable of the shape.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CableResult {
     /// Its vertices from the first end to the last.
     pub vertices: Vec<u32>,
@@ -49,6 +52,7 @@ pub struct CableResult {
 
 /// Principal stresses of the film over all triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Stress {
     /// The least principal stress, a force per length.
     pub min: f64,
@@ -63,6 +67,7 @@ pub struct Stress {
 
 /// The stresses of a woven film along warp and weft.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct WeaveStress {
     /// The prescribed quantity of the stresses.
     pub hold: WeaveHold,
@@ -82,6 +87,7 @@ pub struct WeaveStress {
 
 /// The least, the largest and the mean value over the film's area.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct StressRange {
     /// The least value.
     pub min: f64,
@@ -93,6 +99,7 @@ pub struct StressRange {
 
 /// A layer of the shape. Its triangles follow those of the layers before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LayerResult {
     /// Number of triangles.
     pub triangles: usize,
@@ -104,6 +111,7 @@ pub struct LayerResult {
 
 /// A chamber of the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ChamberResult {
     /// The pressure above that outside, given or found.
     pub pressure: f64,
@@ -113,6 +121,7 @@ pub struct ChamberResult {
 
 /// The sums of the forces.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ForceBalance {
     /// The sum of all loads: weights and pressure.
     pub loads: DVec3,
@@ -128,6 +137,7 @@ pub struct ForceBalance {
 
 /// The stability of the shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Stability {
     /// Whether the Morse index is 0: a true local minimum of the energy.
     pub stable: bool,
@@ -139,6 +149,7 @@ pub struct Stability {
 
 /// Figures of the shape and of the run.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// σ A + Σ T L + …, a force times a length.
     pub energy: f64,
@@ -189,6 +200,7 @@ pub struct Statistics {
 
 /// A tensile structure in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TensileStructure {
     /// Vertices: the input's points in input order, equal neighbours once, fixed ones at exactly the given coordinates;
     /// then the film's others; then those of cables in the air, which belong to no triangle.

@@ -6,7 +6,7 @@
 use crate::DVec3;
 use crate::execution::{Execution, Interruption};
 
-/// Number of segments in the smallest boxes. A larger value makes smaller trees and compares more segments.
+/// Number of segments in the smallest boxes.
 const RUN: usize = 4;
 /// Pairs of boxes between two looks at the execution.
 const PAIRS_PER_LOOK: u64 = 4096;

@@ -5,9 +5,9 @@ use crate::topology::{next, previous};
 use crate::{Execution, Interruption};
 
 /// Largest number of flips of one call, as a multiple of the number of edges. On curved surfaces flips can undo each
-/// other, and flips that lower an energy can be many. With a larger value a call may run longer.
+/// other, and flips that lower an energy can be many.
 const FLIPS_PER_EDGE: usize = 10;
-/// Number of visited edges between two looks, which takes about 20 ms. A larger value reacts to a cancel later.
+/// Number of visited edges between two looks, which takes about 20 ms.
 const LOOK_EVERY: u64 = 100_000;
 
 /// Flips edges for which `wants` holds until there are none, or until the largest number of flips is reached. Returns

@@ -16,30 +16,25 @@ use crate::{DVec3, Execution, Interruption};
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
 /// An edge is split if it exceeds this multiple of the target size at its ends. With √2 both halves are then as far
-/// below the size as the whole was above it. A larger value leaves longer edges.
+/// below the size as the whole was above it.
 const LONG: f64 = std::f64::consts::SQRT_2;
-/// An edge is collapsed if it is shorter than this multiple of the target size. A larger value gives fewer and more
-/// even edges, and takes more passes. Above √2 / 2 the halves of a split edge would collapse again.
+/// An edge is collapsed if it is shorter than this multiple of the target size. Above √2 / 2 the halves of a split edge
+/// would collapse again.
 const SHORT: f64 = 0.7;
-/// Growth of the target size per length of distance from a fine boundary. A larger value gives fewer and less even
-/// triangles.
+/// Growth of the target size per length of distance from a fine boundary.
 const GRADING: f64 = 0.3;
-/// Upper bound of the growth that is tried where [`GRADING`] would give more triangles than are wanted. A larger value
-/// allows more uneven triangles.
+/// Upper bound of the growth that is tried where [`GRADING`] would give more triangles than are wanted.
 const STEEPEST_GRADING: f64 = 5.0;
-/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. A larger value
-/// gives larger triangles there. Without the bound a fan of needles starts at the edge.
+/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. Without the bound
+/// a fan of needles starts at the edge.
 const FLOOR: f64 = 0.8;
-/// Decrease of that lower bound per length of distance from the edge. With a larger value the bound ends nearer to the
-/// edge.
+/// Decrease of that lower bound per length of distance from the edge.
 const FALL: f64 = 0.5;
 /// Upper bound of the decrease that is tried where too few triangles would be left for the rest of the film.
 const STEEPEST_FALL: f64 = 4.0;
-/// The lower bounds may reduce the largest target size to this fraction of its value without them. With a larger value
-/// the bounds are given up sooner.
+/// The lower bounds may reduce the largest target size to this fraction of its value without them.
 const ROOM: f64 = 0.7;
-/// A pass that changes the number of triangles by less than this fraction has settled. A larger value adjusts the
-/// target size after fewer passes.
+/// A pass that changes the number of triangles by less than this fraction has settled.
 const SETTLED_COUNT: f64 = 0.1;
 /// Passes end if there are more than this multiple of the wanted number of triangles, because the film then has no
 /// area.

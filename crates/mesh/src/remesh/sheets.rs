@@ -7,8 +7,8 @@ use crate::film::Film;
 use crate::measure;
 use crate::{DVec3, Error, Execution};
 
-/// Fraction of the way to the middle of its two neighbours that a vertex of a junction moves in one round. A larger
-/// value spreads the vertices in fewer rounds; from 1 on they oscillate.
+/// Fraction of the way to the middle of its two neighbours that a vertex of a junction moves in one round. From 1 on
+/// the vertices oscillate.
 const SPREAD: f64 = 0.5;
 
 /// Returns a sheet as a film whose edge (boundary and junctions) is fixed, and for each vertex of the film its number

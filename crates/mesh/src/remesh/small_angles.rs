@@ -18,8 +18,8 @@ use crate::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A change must raise the smallest angle by at least this much (radians). A larger value ends sooner; without it the
-/// changes could go on by ever smaller gains.
+/// A change must raise the smallest angle by at least this much (radians). Without this bound the changes could go on
+/// by ever smaller gains.
 const LEAST_GAIN: f64 = 0.01;
 /// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle
 /// is known.
@@ -30,12 +30,12 @@ const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
 /// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn
-/// over, and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh. A
-/// larger value takes longer there.
+/// over, and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh.
 const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
-/// First length of such a move, as a fraction of the mean edge at the vertex, and how often it is halved.
+/// Length of the first trial move, as a fraction of the mean edge at the vertex, and largest number of times that the
+/// length is halved.
 const FIRST_MOVE: f64 = 0.4;
 const HALVINGS: u32 = 4;
 

@@ -369,7 +369,7 @@ impl Tree {
     }
 }
 
-/// Bits of the curve along each axis, which are also those sorted by in one pass.
+/// Number of bits of the curve along each axis. Each pass of the sort takes as many bits.
 const BITS: u32 = 10;
 
 /// Position of a cell of a cube of 2^[`BITS`] cells along each axis on Hilbert's curve (J. Skilling, *Programming the

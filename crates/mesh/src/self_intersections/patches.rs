@@ -10,7 +10,7 @@ use crate::{DVec3, Execution, Interruption};
 use std::ops::Range;
 
 /// Blocks of triangles are compact if the squares of their extents exceed those of as many equal triangles, which fill
-/// a triangle of their own shape, by less than this factor. A larger value makes larger patches.
+/// a triangle of their own shape, by less than this factor.
 const COMPACT: f64 = 2.5;
 
 /// Connected triangles that follow each other in [`Patches::order`].

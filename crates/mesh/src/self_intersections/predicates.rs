@@ -17,8 +17,8 @@ pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
         .find_map(|(one, other)| (0..3).find_map(|k| segment_meets_triangle(one[k], one[(k + 1) % 3], other)))
 }
 
-/// Whether the triangles on two sides of a common edge, with their third corners there, lie folded onto each other in
-/// one plane.
+/// Whether the two triangles at a common edge, with the third corners `third` and `fourth`, lie in one plane and folded
+/// onto each other.
 pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: DVec3) -> Option<DVec3> {
     let triangle = [from, to, third];
     if volume(&triangle, fourth) != 0.0 {

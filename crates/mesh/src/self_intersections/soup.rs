@@ -8,7 +8,7 @@ pub(super) const LOOK: usize = 1 << 14;
 /// No vertex, triangle or label.
 pub(super) const NONE: u32 = u32::MAX;
 /// A triangle counts as facing a vertex normal if the cosine, times the sine of its angle at the vertex, exceeds this.
-/// A larger value sends more triangles to the exact predicates; a value near rounding (1e-15) would not be safe.
+/// Values near rounding (1e-15) are not safe.
 const FACING: f64 = 1e-7;
 /// The same for the sine of the angle between two edges at a vertex.
 const APART: f64 = 1e-11;

@@ -4,6 +4,7 @@ use plateau_mesh::DVec2;
 
 /// A strip in the plane, its lower left corner at the origin, its longer extent mostly along x.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FlatStrip {
     /// The two directrices' points, in order.
     pub p: Vec<DVec2>,

@@ -10,7 +10,7 @@ use plateau_mesh::execution::Execution;
 
 /// Depth of an overlap, as a fraction of the pattern's size, up to which it counts as rounding.
 pub(crate) const TOLERANCE: f64 = 1e-9;
-/// Triangles in a leaf of the tree. A larger value needs less memory and tests more pairs.
+/// Triangles in a leaf of the tree.
 const LEAF: usize = 4;
 /// Number of directions of the bounding polygons, one every 22.5°: long thin triangles at any angle stay apart. More
 /// directions cost more for each node.

@@ -6,7 +6,6 @@ use crate::strip::objective::{Goal, Objective};
 use plateau_mesh::Estimate;
 
 /// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file.
-/// A larger value refuses more requests.
 const BYTES_PER_POINT: u64 = 2_000;
 
 /// Estimates the cost of a stack of directrices with these numbers of points. An open strip visits exactly as many

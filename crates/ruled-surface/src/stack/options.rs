@@ -16,8 +16,8 @@ pub struct Options {
     pub objective: Objective,
     /// With [`Objective::MaximalConvexity`] only.
     pub secondary: Option<Secondary>,
-    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact
-    /// answer.
+    /// Angle, in radians, by which a direction may reach beyond the half-plane of a locally convex bridge. 0 asks for
+    /// the exact test.
     pub convexity_tolerance: f64,
     /// Whether directrices may be reversed.
     pub direction: Direction,

@@ -10,6 +10,7 @@ use plateau_mesh::self_intersections::SelfIntersectionCheck;
 
 /// A triangulated stack of strips.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RuledSurface {
     /// Vertices: the directrices' points, directrix by directrix. Triangles: strip by strip along the path, then caps.
     pub mesh: Mesh,
@@ -40,6 +41,7 @@ pub struct RuledSurface {
 
 /// A row of Table 1.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Comparison {
     /// The objective that was minimised.
     pub objective: Objective,

@@ -12,12 +12,12 @@ use plateau_mesh::DVec3;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::measure::is_degenerate;
 
-/// Area, as a multiple of the least area, above which a strip is reported. A larger value reports fewer strips.
+/// Area, as a multiple of the least area, above which a strip is reported.
 const LARGE: f64 = 1.25;
 /// Bending energy, as a multiple of the least one, above which a strip is reported. A strip of least area alone has 10
 /// to 20 times the least bending energy on Wang and Tang's examples.
 const BENT: f64 = 50.0;
-/// Grid cells up to which an open strip is searched for a path that bends so much less. A larger value takes more time.
+/// Grid cells up to which an open strip is searched for a path that bends so much less.
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// The same for closed strips, which take a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;

@@ -184,7 +184,7 @@ impl Goal {
         named.map(Self::single).chain(coupled)
     }
 
-    /// Nodes a bridge in the goal's graph.
+    /// Number of nodes of each bridge in the goal's graph.
     pub(crate) fn layers(&self) -> u64 {
         match (self.objective, self.secondary) {
             (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)

@@ -237,7 +237,7 @@ fn found(
 }
 
 /// Number of grid cells up to which the whole grid is swept without a corridor: so many are visited in less time than a
-/// corridor takes to find. A larger value slows down strips of some hundred points.
+/// corridor takes to find.
 const SMALL: usize = 16384;
 
 fn search<V: Lanes>(

@@ -14,6 +14,7 @@ pub(crate) const SMALLER_FOLD: f64 = 1e-6;
 
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Statistics {
     /// Number of triangles, caps not counted.
     pub triangles: usize,
@@ -80,10 +81,11 @@ impl Statistics {
 
 /// The secondaries of the couplings: sums over the bridges that are not locally convex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CoupledValues {
-    /// Of the folds at such a bridge.
+    /// Bending energy of the folds at such bridges.
     pub bending_energy: f64,
-    /// Of the steps that enter such a bridge.
+    /// Mean curvature variation of the steps that enter such bridges.
     pub mean_curvature_variation: f64,
 }
 
@@ -162,7 +164,7 @@ struct AtBridge {
     double_area: f64,
     twist: f64,
     variation: [f64; 2],
-    /// Of the fold between two triangles that are not degenerate.
+    /// The angle between two neighbouring triangles, if neither is degenerate.
     fold: Option<Angle>,
     bending: f64,
     curvature: Vector<f64>,

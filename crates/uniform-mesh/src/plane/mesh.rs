@@ -57,11 +57,12 @@ impl From<Interruption> for Failure {
     }
 }
 
-/// Meshes the domain by that one of the `outlines`, which differ in how its sides are divided, on which the most
-/// lattice edges fit; the first one where none fits. Returns its index too. Progress runs over `span`.
+/// Meshes the domain. The `outlines` differ in the division of its sides. The outline on which most lattice edges fit
+/// is taken, or the first one if no lattice edge fits on any. Also returns the outline's index. Progress runs over
+/// `span`.
 ///
 /// # Errors
-/// The outline's tangles, or the interruption. A passed deadline returns the valid mesh reached so far.
+/// The crossings of the outline, or the interruption. A passed deadline returns the valid mesh reached so far.
 pub(crate) fn mesh(
     outlines: &[&Outline],
     objective: Objective,
@@ -160,7 +161,7 @@ pub(crate) fn deadline(result: Result<(), Interruption>) -> Result<bool, Interru
     }
 }
 
-/// How many nodes farthest-point insertion makes of an area in ℓ²: measured, about 0.70 to 0.75 a unit.
+/// Number of nodes that farthest-point insertion places on an area in ℓ². Measured were 0.70 to 0.75 nodes on each ℓ².
 fn expected_nodes(area: f64) -> usize {
     (0.72 * area.max(0.0)) as usize
 }

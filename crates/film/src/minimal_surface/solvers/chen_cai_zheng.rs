@@ -31,8 +31,7 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 /// Largest number of sweeps if the caller gives none.
 const DEFAULT_SWEEPS: u32 = 10_000;
 
-/// Number of triangles visited between two looks, which takes less than a millisecond. A larger value reacts to a
-/// cancel later.
+/// Number of triangles visited between two looks, which takes less than a millisecond.
 const LOOK_EVERY: u64 = 20_000;
 
 /// Relaxes the film stage by stage. The mesh is valid at every moment; a deadline ends the run with the present mesh.

@@ -22,8 +22,7 @@ use plateau_mesh::{Error, Execution, Interruption};
 
 /// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Factor on the threshold angle after a linear system was refused, so that wider triangles are removed too. A larger
-/// value removes more triangles of a collapsed neck at once.
+/// Factor on the threshold angle after a linear system was refused, so that wider triangles are removed too.
 const WIDER: f64 = 4.0;
 
 /// Steps 1 to 3 on a film.
