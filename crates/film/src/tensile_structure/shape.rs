@@ -52,7 +52,6 @@ pub struct CableResult {
 
 /// Principal stresses of the film over all triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
 pub struct Stress {
     /// The least principal stress, a force per length.
     pub min: f64,
