@@ -96,7 +96,8 @@ pub(super) struct Piece {
     pub to: [f64; 4],
     /// Parameters on the segment, 0 to 1.
     pub range: [f64; 2],
-    /// The mirror image of the leaf in which the piece lies: -1 along the axes that are reflected, else 1.
+    /// The reflections that map the leaf to the mirror image in which the piece lies: -1 along the axes that are
+    /// reflected, else 1.
     pub flips: DVec3,
 }
 

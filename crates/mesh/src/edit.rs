@@ -344,7 +344,7 @@ mod tests {
         }
     }
 
-    /// Whether the half-edge structure is the one that building from its triangles gives, gaps apart.
+    /// Whether the half-edge structure, without its gaps, equals the structure that is built from its triangles.
     fn is_sound(topology: &Topology) -> bool {
         let left: Vec<u32> = (0..topology.triangles().len() as u32).filter(|&t| !topology.is_removed(t)).collect();
         let triangles: Vec<[u32; 3]> = left.iter().map(|&t| topology.triangles()[t as usize]).collect();

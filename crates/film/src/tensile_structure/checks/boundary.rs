@@ -40,33 +40,47 @@ pub(super) fn check_cable(
     if cable.course.is_mast() && !matches!(cable.mode, CableMode::Force(_) | CableMode::Length(_)) {
         errors.push(InputError::new(place().then("mode"), "a mast has the mode force or length"));
     }
+    if check_course(structure, k, cable, taken, errors) {
+        check_mode(structure, k, cable, errors);
+    }
+}
+
+/// Checks where a cable runs, and takes its segments of the boundary. Returns false if the course has no two ends.
+fn check_course(
+    structure: &Structure,
+    k: usize,
+    cable: &Cable,
+    taken: &mut [Vec<Option<usize>>],
+    errors: &mut Vec<InputError>,
+) -> bool {
+    let place = || cable_place(structure, k);
     match &cable.course {
         Course::Boundary { boundary, from, to } => {
             let along = || place().then("along");
             let Some(points) = structure.boundaries.get(*boundary) else {
                 let detail = format!("there are {} boundaries, numbered from 0", structure.boundaries.len());
                 errors.push(InputError::new(along().then("boundary"), detail));
-                return;
+                return false;
             };
             for (name, point) in [("from", *from), ("to", *to)] {
                 if point >= points.len() {
                     let detail = format!("the boundary has {} points, numbered from 0", points.len());
                     errors.push(InputError::new(along().then(name), detail));
-                    return;
+                    return false;
                 }
             }
             let merged = merge_near_neighbours(points, true);
             if merged.vertex_of[*from] == merged.vertex_of[*to] {
                 errors
                     .push(InputError::new(along().then("to"), "must be another point than the one at which it begins"));
-                return;
+                return false;
             }
             for segment in stretch(points.len(), *from, *to) {
                 let owner = &mut taken[*boundary][segment];
                 if let Some(other) = *owner {
                     let detail = format!("runs along a part of the boundary on which cable {other} runs already");
                     errors.push(InputError::new(along(), detail));
-                    return;
+                    return false;
                 }
                 *owner = Some(k);
             }
@@ -75,14 +89,14 @@ pub(super) fn check_cable(
             if structure.layers.len() > 1 {
                 let detail = "is not offered for several layers: a cable runs along a boundary or in the air";
                 errors.push(InputError::new(place().then("across"), detail));
-                return;
+                return false;
             }
             for (i, point) in points.iter().enumerate() {
                 require(errors, is_usable(*point), place().then("across").at(i), COORDINATE);
             }
             if points.len() < 2 || points[0] == points[points.len() - 1] {
                 errors.push(InputError::new(place().then("across"), "needs two distinct ends"));
-                return;
+                return false;
             }
             for i in [0, points.len() - 1] {
                 let detail = "must be a point of the boundaries, at exactly its coordinates";
@@ -96,10 +110,16 @@ pub(super) fn check_cable(
             }
             if ends[0] == ends[1] {
                 errors.push(InputError::new(place().then("points"), "needs two distinct points"));
-                return;
+                return false;
             }
         }
     }
+    true
+}
+
+/// Checks that the mode is possible for the chord between the cable's ends.
+fn check_mode(structure: &Structure, k: usize, cable: &Cable, errors: &mut Vec<InputError>) {
+    let place = || cable_place(structure, k);
     let Some(chord) = chord(structure, cable) else { return };
     if ends_freely(structure, cable) {
         return;
@@ -222,14 +242,20 @@ pub(super) fn check_sliding(
             return;
         }
     }
-    let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
-    let allowed = ON_SUPPORT * polyline::radius(&all);
     let sliders: Vec<usize> = match sliding.part {
         SlidingPart::Edge { .. } => segments.into_iter().skip(1).collect(),
         SlidingPart::Boundary(_) => segments,
         SlidingPart::Point(point) => vec![point.point],
     };
-    for point in sliders {
+    check_distances(structure, k, boundary, &sliders, errors);
+}
+
+/// Checks that points of a boundary lie on the support on which they slide.
+fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[usize], errors: &mut Vec<InputError>) {
+    let (sliding, points) = (&structure.sliding[k], &structure.boundaries[boundary]);
+    let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
+    let allowed = ON_SUPPORT * polyline::radius(&all);
+    for &point in sliders {
         let place = || Place::field("boundaries").at(boundary).at(point);
         if let Support::Mesh { surface, origin } = &sliding.on {
             // The distance of a point with coordinates that are no numbers is none either.
