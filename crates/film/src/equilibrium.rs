@@ -31,6 +31,7 @@ mod mesh_surface;
 pub(crate) mod newton;
 mod normal_motion;
 pub(crate) mod residual;
+pub(crate) mod settling;
 pub(crate) mod stability;
 #[cfg(test)]
 mod tests;

@@ -55,8 +55,10 @@ mod options;
 mod outcome;
 mod ponding;
 mod reactions;
+mod remeshing;
 mod shape;
 mod stress;
+mod travel;
 mod warnings;
 mod weave;
 
@@ -71,8 +73,9 @@ pub use shape::{
 };
 
 use crate::equilibrium::Support;
-use crate::minimal_surface;
+use crate::minimal_surface::{self, Resolution};
 use catenary::{Catenary, TooSmall};
+use form_finding::Found;
 use model::Model;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
@@ -88,11 +91,38 @@ use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
 /// boundaries or no mesh; [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
 pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Result<TensileStructure, Error> {
     check(structure, options)?;
-    let mut model = exec
-        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, exec))
-        .map_err(|error| placed(structure, error))?;
-    let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, exec))?;
+    let (model, found) = if remeshing::travels(structure) {
+        travel(structure, options, exec)?
+    } else {
+        let mut model = exec
+            .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
+            .map_err(|error| placed(structure, error))?;
+        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
+        let stands = found.is_shape() && model.flipped() == 0;
+        if remeshing::may_travel(structure) && found.gave_up() && !stands {
+            travel(structure, options, exec)?
+        } else {
+            (model, found)
+        }
+    };
     outcome::finish(model, found, structure, exec)
+}
+
+/// Finds the shape on meshes that are renewed, from a coarse one on.
+fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
+    let count = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options)).triangles;
+    let (start, share) = if count > travel::COARSE {
+        let coarse = Resolution::Triangles(travel::COARSE as usize);
+        (Options { resolution: coarse, ..*options }, (travel::COARSE / count).sqrt())
+    } else {
+        (*options, 1.0)
+    };
+    let mut model = exec
+        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, &start, share, exec))
+        .map_err(|error| placed(structure, error))?;
+    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(count), exec);
+    let found = exec.part([0.1, 1.0], run)?;
+    Ok((model, found))
 }
 
 /// Checks the arguments of [`solve`] before any work: linear in the number of points.

@@ -101,11 +101,11 @@ fn every_mode_finds_the_sail_whose_cables_have_a_force_of_ten() {
         let result = found(&structure, 0.8);
         for cable in &result.cables {
             println!("{} {} {} {}", mode.name(), cable.force, cable.length, cable.sag);
-            // The meshes differ, and with them lengths and sags by a small part of the mesh's error.
+            // The meshes differ, and with them lengths and sags by a part of the mesh's error, which is 4e-3.
             assert!((cable.force - 10.0).abs() < 4e-3, "{mode:?} {}", cable.force);
-            assert!((cable.length - length).abs() < 2e-4 && (cable.sag - sag).abs() < 1e-3, "{mode:?}");
+            assert!((cable.length - length).abs() < 2e-3 && (cable.sag - sag).abs() < 4e-3, "{mode:?}");
             let unstressed = cable.unstressed_length.unwrap();
-            assert!((unstressed - cable.length / 1.02).abs() < 1e-4);
+            assert!((unstressed - cable.length / (1.0 + cable.force / stiffness)).abs() < 1e-9);
         }
     }
 }
@@ -502,7 +502,7 @@ fn a_half_catenoid_holds_up_to_the_height_of_0_66274_radii() {
     };
     let (coarse, fine) = (limit(48), limit(96));
     println!("{coarse} {fine}");
-    assert!((fine - 0.66274).abs() < 6e-3 && coarse - 0.66274 > 3.5 * (fine - 0.66274), "{coarse} {fine}");
+    assert!((fine - 0.66274).abs() < 1e-3 && (coarse - 0.66274).abs() < 2.5e-3, "{coarse} {fine}");
 }
 
 #[test]

@@ -51,6 +51,7 @@ pub struct SolveError {
 pub const FAILURES: &[(&str, &str)] = &[
     ("deadline", "The deadline passed"),
     ("degenerate-boundary", "The boundary has no usable initial mesh"),
+    ("equilibrium-not-found", "No equilibrium was found"),
     ("internal", "The server failed"),
     ("invalid-geometry", "The geometry is invalid"),
     ("invalid-mesh", "The solver produced an invalid mesh"),

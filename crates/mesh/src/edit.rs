@@ -132,7 +132,7 @@ impl Topology {
 
     /// Merges a vertex into a neighbour and takes out the triangles at their edge. Only where [`may_collapse`] allows
     /// it.
-    pub(crate) fn collapse(&mut self, kept: u32, merged: u32) {
+    pub fn collapse(&mut self, kept: u32, merged: u32) {
         debug_assert!(may_collapse(self, kept, merged));
         let sides = [self.half_edge(kept, merged), self.half_edge(merged, kept)];
         let around: Vec<u32> = self.outgoing_half_edges(merged).collect();

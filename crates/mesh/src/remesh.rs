@@ -4,6 +4,7 @@ pub mod area_flips;
 pub mod delaunay;
 mod flips;
 pub mod isotropic;
+pub mod moving;
 pub mod sheets;
 pub mod small_angles;
 pub mod subdivision;

@@ -42,6 +42,10 @@ use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 /// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle (1e-10), so that no valid mesh is changed.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 
+/// Least double area of a triangle in the springs, as a fraction of the sum of its squared edges. Without it a needle
+/// would be held by springs that differ by more than rounding allows.
+const LEAST_SPRUNG_AREA: f64 = 1e-6;
+
 /// A triangle: the edges opposite to its corners, its unit normal and double area (never zero).
 pub(crate) struct Facet {
     pub edges: [DVec3; 3],
@@ -86,6 +90,24 @@ pub struct Area {
     pub tension: f64,
 }
 
+/// The springs of the Dirichlet energy of triangles with the tension `tension(t)` in triangle t.
+pub(crate) fn visit_springs(
+    triangles: &[[u32; 3]],
+    at: &[DVec3],
+    tension: impl Fn(usize) -> f64,
+    visit: &mut dyn FnMut(u32, u32, f64),
+) {
+    for (t, triangle) in triangles.iter().enumerate() {
+        let Facet { edges, double_area, .. } = Facet::of(at, triangle);
+        let sum: f64 = edges.iter().map(|edge| edge.length_squared()).sum();
+        let factor = -0.5 * tension(t) / double_area.max(LEAST_SPRUNG_AREA * sum);
+        for k in 0..3 {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            visit(triangle[i], triangle[j], factor * edges[i].dot(edges[j]));
+        }
+    }
+}
+
 impl Term for Area {
     fn value(&self, at: &[DVec3]) -> f64 {
         self.tension * self.triangles.iter().map(|triangle| 0.5 * Facet::of(at, triangle).double_area).sum::<f64>()
@@ -109,6 +131,12 @@ impl Term for Area {
                 add(triangle[next], triangle[k], block.transpose());
             }
         }
+    }
+
+    // A map of singular values σ₁, σ₂ has the area σ₁ σ₂ and the Dirichlet energy ½ (σ₁² + σ₂²). Single cotangents may
+    // be negative; a triangle's three together are semidefinite.
+    fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        visit_springs(&self.triangles, at, |_| self.tension, visit);
     }
 
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {

@@ -208,6 +208,13 @@ impl Term for Cable {
         }
     }
 
+    // Φ(L) = T L is concave in L², and Φ = q L² / 2 has L² ≤ Σ ℓ² L / ℓ_k by Cauchy and Schwarz.
+    fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        for (k, &segment) in self.segments.iter().enumerate() {
+            visit(segment[0], segment[1], (self.force(k, at) / length::length(segment, at)).max(0.0));
+        }
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.segments.iter().for_each(|segment| visit(segment));
     }

@@ -112,6 +112,12 @@ impl Term for Length {
         add_second_derivative(&self.segments, at, shift, add, |_, length| self.stretch(length));
     }
 
+    // The square root is concave: ℓ ≤ ½ (ℓ² / ℓ_k + ℓ_k). A negative tension gives the negative springs, for the
+    // constraint of a length whose multiplier decides on the sign.
+    fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        self.segments.iter().for_each(|&segment| visit(segment[0], segment[1], self.tension / length(segment, at)));
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.segments.iter().for_each(|segment| visit(segment));
     }

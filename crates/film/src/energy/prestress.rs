@@ -120,6 +120,10 @@ impl Term for Prestress {
         self.edges(|a, b, coefficient| add_blocks(add, [a, b], (1.0 + shift) * coefficient));
     }
 
+    fn visit_springs(&self, _at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        self.edges(visit);
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.triangles.iter().for_each(|triangle| visit(triangle));
     }
@@ -154,6 +158,10 @@ impl Term for ForceDensity {
         for (&segment, &q) in self.segments.iter().zip(&self.densities) {
             add_blocks(add, segment, if q > 0.0 { (1.0 + shift) * q } else { q });
         }
+    }
+
+    fn visit_springs(&self, _at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        self.segments.iter().zip(&self.densities).for_each(|(segment, q)| visit(segment[0], segment[1], q.max(0.0)));
     }
 
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {

@@ -83,6 +83,12 @@ impl Term for Weight {
         }
     }
 
+    // Where the weight lowers the tension the film's own springs alone stand, which are stiffer than both together.
+    fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
+        let more = |t: usize| self.tension(&self.triangles[t], at).max(0.0);
+        super::area::visit_springs(&self.triangles, at, more, visit);
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.triangles.iter().for_each(|triangle| visit(triangle));
     }

@@ -14,13 +14,14 @@
 //!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
 use super::mixing::Mixing;
-use super::model::{ForceBy, Model, Renewal};
+use super::model::{ForceBy, Model, Renewal, Stage};
 use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
 use super::weave::StressField;
 use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
 use crate::equilibrium::newton::{State, keeps_orientation};
 use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
 use crate::minimal_surface::StopReason;
+use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{double_area_vector, normals};
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use plateau_mesh::sparse::LinearError;
@@ -59,6 +60,17 @@ const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
 const BALANCED: f64 = 1e-12;
 
+/// How a search without a result ended.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Ending {
+    /// A vertex moves away without end.
+    RunsAway(String),
+    /// A part closes; its place in the input if it has one.
+    Collapses(String, Option<InputError>),
+    /// The rounds are used up, or no step keeps the mesh.
+    NotFound(String),
+}
+
 /// The shape that was found.
 #[derive(Debug)]
 pub(super) struct Found {
@@ -78,6 +90,8 @@ pub(super) struct Found {
     pub balance: Option<Balance>,
     /// Cables across the film whose given length is not reached, so that they bear no force in this shape.
     pub slack: Vec<usize>,
+    /// How the search ended, if it found no shape.
+    pub ending: Option<Ending>,
 }
 
 /// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are
@@ -98,7 +112,13 @@ impl Found {
             length_forces: vec![0.0; cables],
             balance: None,
             slack: Vec::new(),
+            ending: None,
         }
+    }
+
+    /// Whether the form finding ended without having used up its solves or its time.
+    pub fn gave_up(&self) -> bool {
+        matches!(self.stop_reason, StopReason::Stalled | StopReason::Collapsed)
     }
 
     /// Whether the shape is an equilibrium up to the tolerance or nearly so.
@@ -131,18 +151,24 @@ pub(super) struct Balance {
 }
 
 /// State of a run.
-struct Run<'a> {
-    structure: &'a Structure,
-    options: &'a Options,
-    exec: &'a Execution<'a>,
-    model: &'a mut Model,
-    solves: u32,
-    limit: u32,
-    fraction: f64,
+pub(super) struct Run<'a> {
+    pub structure: &'a Structure,
+    pub options: &'a Options,
+    pub exec: &'a Execution<'a>,
+    pub model: &'a mut Model,
+    pub solves: u32,
+    pub limit: u32,
+    pub fraction: f64,
+    /// Number of triangles that are wanted.
+    pub count: f64,
+    /// The size with which remeshing comes to the wanted number of triangles, over that of equilateral ones.
+    pub calibration: f64,
+    /// Whether the mesh is renewed as the structure moves.
+    pub travels: bool,
 }
 
 /// Why a phase ended early.
-enum Stop {
+pub(super) enum Stop {
     Reason(StopReason),
     Failed(Error),
 }
@@ -160,7 +186,8 @@ fn too_large(error: LinearError) -> Error {
     Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
 }
 
-/// Finds the shape. The model's vertices become those of the shape.
+/// Finds the shape. The model's vertices become those of the shape. With a `count` of triangles the structure travels:
+/// the model is a coarse mesh, which is renewed as it moves and gets as many triangles.
 ///
 /// # Errors
 /// The cancel; [`Error::NoResult`] for a mesh that is too large.
@@ -168,10 +195,22 @@ pub(super) fn run(
     model: &mut Model,
     structure: &Structure,
     options: &Options,
+    count: Option<f64>,
     exec: &Execution,
 ) -> Result<Found, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
-    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0 };
+    let mut run = Run {
+        structure,
+        options,
+        exec,
+        model,
+        solves: 0,
+        limit,
+        fraction: 0.0,
+        count: count.unwrap_or(0.0),
+        calibration: 1.0,
+        travels: count.is_some(),
+    };
     let start = run.model.clone();
     let mut found = run.attempt()?;
     run.release_slack(&start, &mut found)?;
@@ -180,6 +219,13 @@ pub(super) fn run(
 }
 
 impl Run<'_> {
+    /// Allows another attempt its solves, if the caller gave no limit.
+    pub fn more_solves(&mut self) {
+        if self.options.max_iterations.is_none() {
+            self.limit = self.solves + DEFAULT_SOLVES;
+        }
+    }
+
     /// All steps from the model's present shape.
     fn attempt(&mut self) -> Result<Found, Error> {
         let mut found = Found::nothing(self.structure.cables.len(), self.structure.chambers.len());
@@ -207,8 +253,7 @@ impl Run<'_> {
             (Course::Across(_), CableMode::Length(length) | CableMode::UnstressedLength(length)) => Some(length),
             _ => None,
         };
-        let gave_up =
-            matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations);
+        let gave_up = found.gave_up() || found.stop_reason == StopReason::MaxIterations;
         let stands = |found: &Found, model: &Model| found.is_shape() && model.flipped() == 0;
         if !gave_up || stands(found, self.model) {
             return Ok(());
@@ -218,9 +263,7 @@ impl Run<'_> {
         while !released.is_empty() {
             *self.model = start.clone();
             released.iter().for_each(|&k| self.model.let_go(k));
-            if self.options.max_iterations.is_none() {
-                self.limit = self.solves + DEFAULT_SOLVES;
-            }
+            self.more_solves();
             let loose = self.attempt()?;
             if !stands(&loose, self.model) {
                 break;
@@ -238,6 +281,13 @@ impl Run<'_> {
     }
 
     fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
+        if self.travels {
+            self.search(found)?;
+            if found.is_shape() && self.model.flipped() == 0 {
+                self.balance(found)?;
+            }
+            return Ok(());
+        }
         let mut first_round = 1;
         for attempt in 0..=MAX_RETURNS {
             self.settle(first_round)?;
@@ -261,7 +311,7 @@ impl Run<'_> {
 
     /// The residual and the energy of a shape that was left before Newton's method began.
     fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
-        let mut body = self.model.body(self.structure, 1.0, false)?;
+        let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let settings = Settings { max_steps: 0, ..Settings::default() };
         let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}).map_err(too_large)?;
         (found.residual, found.energy) = (state.residual, state.energy);
@@ -301,7 +351,7 @@ impl Run<'_> {
         }
     }
 
-    fn look(&self) -> Result<(), Stop> {
+    pub fn look(&self) -> Result<(), Stop> {
         let count: usize = self.model.layers.iter().map(|layer| layer.film.triangles().len()).sum();
         let work = 20 * count as u64;
         self.exec.look(work).map_err(|interruption| Stop::from(Error::from(interruption)))
@@ -318,7 +368,7 @@ impl Run<'_> {
             // The stresses vary even if their magnitudes are to be held. Otherwise the vertices of a film whose
             // stresses cannot be in equilibrium would move within it from round to round.
             self.renew_stresses(Renewal::Balance)?;
-            let mut body = self.model.body(self.structure, grown, true)?;
+            let mut body = self.model.body(self.structure, grown, Stage::Reference)?;
             self.look()?;
             let before = body.vertices.clone();
             if self.model.stress_field.is_none() {
@@ -395,7 +445,7 @@ impl Run<'_> {
                 renewal = Renewal::Keep;
                 mixing.clear();
             }
-            let mut body = self.model.body(self.structure, 1.0, false)?;
+            let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
             let solves = self.solves;
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
@@ -432,10 +482,10 @@ impl Run<'_> {
     }
 
     /// Step 2.
-    fn newton(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+    pub fn newton(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: NEWTON_STEPS };
         for _ in 0..MAX_RENEWALS {
-            let mut body = self.model.body(self.structure, 1.0, false)?;
+            let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
             let mut weights = self.model.weights(self.structure, &body.vertices);
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
@@ -482,7 +532,7 @@ impl Run<'_> {
 
     /// The stability of the converged shape.
     fn stability(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
-        let mut body = self.model.body(self.structure, 1.0, false)?;
+        let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         // The terms' own renewals end at once, because the coefficients have just been renewed.
         let settings = Settings {
             aim: Aim::Stationary,
@@ -523,7 +573,7 @@ impl Run<'_> {
     /// Step 3.
     fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
         let structure = self.structure;
-        let mut body = self.model.body(structure, 1.0, false)?;
+        let mut body = self.model.body(structure, 1.0, Stage::Exact)?;
         let reference = body.vertices.clone();
         let triangles = self.model.triangles();
         let stresses = self.reference_stresses(&reference);

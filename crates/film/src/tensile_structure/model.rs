@@ -33,7 +33,7 @@ pub(super) struct Model {
     pub centre: DVec3,
     pub layers: Vec<Layer>,
     /// Number of vertices of all layers.
-    films: usize,
+    pub films: usize,
     /// Vertices of cables in the air, numbered after those of the layers.
     pub air: Vec<DVec3>,
     /// For each vertex in the air whether it is a support.
@@ -106,6 +106,19 @@ pub(super) enum Renewal {
     Required,
 }
 
+/// For what a body is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// The rounds from far away: an elastic cable is a constraint that yields; a cable whose length is given or whose
+    /// force an equation determines has the force densities and the loads of its present shape.
+    Settling,
+    /// The rounds on a mesh that stays: every cable has the force densities and the loads of its present shape and of a
+    /// force that comes near the required one.
+    Reference,
+    /// The equilibrium itself.
+    Exact,
+}
+
 /// The quantity that determines the force of a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum ForceBy {
@@ -140,7 +153,8 @@ pub(super) fn start_options(structure: &Structure, options: &Options) -> minimal
 
 impl Model {
     /// Meshes the boundaries and finds the vertices of the cables.
-    pub fn build(structure: &Structure, options: &Options, exec: &Execution) -> Result<Self, Error> {
+    /// The edges of the final mesh are `share` times as long as those of this one.
+    pub fn build(structure: &Structure, options: &Options, share: f64, exec: &Execution) -> Result<Self, Error> {
         let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
         let centre = polyline::mean(&all);
         let centred: Vec<Vec<DVec3>> =
@@ -193,7 +207,7 @@ impl Model {
         model.join(structure);
         model.cap_volume = model.caps();
         model.free = structure.free_points.iter().map(|&point| model.input_vertex(point)).collect();
-        let edge = model.mean_edge();
+        let edge = share * model.mean_edge();
         model.start_edge = edge;
         for cable in &structure.cables {
             let chain = match &cable.course {
@@ -215,6 +229,40 @@ impl Model {
         model.stress_field =
             structure.weave().map(|weave| StressField::new(weave, centre, film.triangles(), film.vertices.len()));
         Ok(model)
+    }
+
+    /// Whether the length of a cable is given, exactly or by its stiffness.
+    pub fn holds_length(&self, k: usize) -> bool {
+        matches!(self.forces_by[k], ForceBy::Length(_) | ForceBy::Elastic { .. })
+    }
+
+    /// Whether the length of a cable is a constraint of the rounds from far away.
+    pub fn constrains_length(&self, k: usize) -> bool {
+        match self.forces_by[k] {
+            ForceBy::Length(_) => self.cables[k].segments.len() <= 1,
+            ForceBy::Elastic { .. } => true,
+            ForceBy::Law | ForceBy::Equation(_) => false,
+        }
+    }
+
+    /// The corners of the film at which an edge that moves ends, each with its boundary and its point.
+    pub fn corners(&self) -> Vec<(u32, usize, usize)> {
+        let mut moves = vec![false; self.films];
+        for chain in &self.chains {
+            for &v in chain.iter().filter(|&&v| (v as usize) < self.films) {
+                moves[v as usize] = true;
+            }
+        }
+        let inner: BTreeSet<u32> =
+            self.chains.iter().flat_map(|chain| chain.get(1..chain.len() - 1).unwrap_or_default()).copied().collect();
+        let slides =
+            |v: u32| self.sliding.iter().any(|(own, freedom)| *own == v && matches!(freedom, Freedom::AcrossOn { .. }));
+        let corner = |v: u32| moves[v as usize] && !inner.contains(&v) && !slides(v);
+        let of = |(boundary, points): (usize, &Vec<u32>)| {
+            let one = |(point, &v): (usize, &u32)| corner(v).then_some((v, boundary, point));
+            points.iter().enumerate().filter_map(one).collect::<Vec<_>>()
+        };
+        self.input_vertices.iter().enumerate().flat_map(of).collect()
     }
 
     pub fn input_vertex(&self, BoundaryPoint { boundary, point }: BoundaryPoint) -> u32 {
@@ -503,9 +551,8 @@ impl Model {
     }
 
     /// The body with the terms of the structure, first those of the layers. `grown` is the part of the chambers' given
-    /// volumes that they are to have. At the `start` every cable has the force densities and the loads of its present
-    /// shape and of a force that comes near the required one.
-    pub fn body(&self, structure: &Structure, grown: f64, start: bool) -> Result<Body, Error> {
+    /// volumes that they are to have.
+    pub fn body(&self, structure: &Structure, grown: f64, stage: Stage) -> Result<Body, Error> {
         let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
         let complex =
             |layer: &Layer| Complex::build(layer.film.triangles().to_vec(), layer.film.vertices.len()).map_err(invalid);
@@ -564,7 +611,17 @@ impl Model {
         for (k, (cable, &by)) in self.cables.iter().zip(&self.forces_by).enumerate() {
             // A straight cable in the air has no other shape, so its length is a constraint from the start.
             let by_length = matches!(by, ForceBy::Length(_) | ForceBy::Elastic { .. });
-            if start && !(by_length && cable.segments.len() == 1) {
+            let at_start = match stage {
+                // The length of a straight chain has no gradient across it, so it cannot be a constraint yet.
+                Stage::Settling => match by {
+                    ForceBy::Equation(_) => true,
+                    ForceBy::Length(_) => cable.segments.len() > 1,
+                    ForceBy::Law | ForceBy::Elastic { .. } => false,
+                },
+                Stage::Reference => !(by_length && cable.segments.len() == 1),
+                Stage::Exact => false,
+            };
+            if at_start {
                 self.add_start(&mut body, structure, k);
                 continue;
             }

@@ -1,6 +1,6 @@
 //! A shape that was found: mesh, forces, figures and warnings, at the position of the caller's boundaries.
 
-use super::form_finding::Found;
+use super::form_finding::{Ending, Found};
 use super::model::{Model, MovingRing, forces};
 use super::options::{CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord};
 use super::ponding::{self, Ponding, Roof};
@@ -37,15 +37,37 @@ fn weak_cables(structure: &Structure) -> Vec<InputError> {
     structure.cables.iter().enumerate().filter_map(weak).collect()
 }
 
-fn no_equilibrium(structure: &Structure) -> Error {
+/// The error of a search that found no shape.
+fn no_shape(structure: &Structure, found: &Found) -> Error {
     let places = weak_cables(structure);
-    let detail = if places.is_empty() {
-        "no shape in equilibrium was reached: the film collapses or bulges without end; try larger cable forces, a \
-         smaller pressure, or supports nearer to each other"
-    } else {
-        "no shape in equilibrium was reached: the film pulls the edge cables in without end; give them larger forces"
+    let named = |detail: &str, own: Option<&InputError>| {
+        let places = if places.is_empty() { own.cloned().into_iter().collect() } else { places.clone() };
+        let remedy = if weak_cables(structure).is_empty() {
+            "try larger cable forces, a smaller pressure, or supports nearer to each other"
+        } else {
+            "give the edge cables larger forces"
+        };
+        let detail = format!("no shape in equilibrium is reached: {detail}; {remedy}");
+        Error::NoResult { reason: "no_equilibrium", detail, places }
     };
-    Error::NoResult { reason: "no_equilibrium", detail: detail.into(), places }
+    match &found.ending {
+        Some(Ending::RunsAway(detail)) => named(detail, None),
+        Some(Ending::Collapses(detail, own)) => named(detail, own.as_ref()),
+        Some(Ending::NotFound(detail)) => {
+            let detail = format!(
+                "no shape in equilibrium was found, which does not say that there is none: {detail}; start nearer to \
+                 the shape, or try another resolution"
+            );
+            Error::NoResult { reason: "equilibrium_not_found", detail, places }
+        }
+        // The form finding on a mesh that stays gives no evidence but that of cables that are too weak.
+        None if !places.is_empty() => named("the film pulls the edge cables in without end", None),
+        None => {
+            let detail = "no shape in equilibrium was found, which does not say that there is none; try larger cable \
+                          forces, a smaller pressure, or supports nearer to each other";
+            Error::NoResult { reason: "equilibrium_not_found", detail: detail.into(), places }
+        }
+    }
 }
 
 /// A cable of given length or shape that would have to push.
@@ -72,9 +94,8 @@ pub(super) fn finish(
     structure: &Structure,
     exec: &Execution,
 ) -> Result<TensileStructure, Error> {
-    let gave_up = matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed);
-    if !found.residual.is_finite() || (gave_up && !(found.is_shape() && model.flipped() == 0)) {
-        return Err(no_equilibrium(structure));
+    if !found.residual.is_finite() || (found.gave_up() && !(found.is_shape() && model.flipped() == 0)) {
+        return Err(no_shape(structure, &found));
     }
     let at = model.vertices();
     if let Some(error) = pushing_cable(structure, &model, &found, &at) {

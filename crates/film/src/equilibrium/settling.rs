@@ -1,0 +1,446 @@
+//! A round of the settling: a step that lowers the energy from anywhere, however far the equilibrium is.
+//!
+//! At the present shape every energy is replaced by springs (`Term::visit_springs`) that touch it there and exceed it
+//! elsewhere: for a film the cotangent Laplacian of the present triangles, for a segment of a cable of force F and
+//! length ℓ the spring F / ℓ. The step d solves H d = -∇E with the springs' matrix H, and ω d lowers E on any mesh for
+//! 0 < ω < 2. A chain of springs F / ℓ has the stiffness F / L of its whole length, so corners travel spans in few
+//! rounds, and every vertex slides freely: along its cable, along its support, within the film.
+//!
+//! - Where nothing slides on a support, x, y and z do not meet, and one scalar factor serves three right-hand sides.
+//! - On a curved support the positive part of its curvature stiffens the step.
+//! - A constraint is a row of a border. An elastic cable is a row that yields.
+//! - A step that breaks a triangle is halved: any fraction lowers the energy.
+//! - While the energy falls and the mesh holds, the step is doubled. Near the end the directions are conjugate.
+//!
+//! Sources: majorisation and minimisation (Hunter, Lange, *A tutorial on MM algorithms*, 2004); for a film alone the
+//! iteration is that of Pinkall and Polthier (1993).
+
+use super::body::Body;
+use super::constraint::Determined;
+use super::dense::Lu;
+use super::freedom::Freedom;
+use plateau_mesh::DVec3;
+use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::sparse::pattern::BlockPattern;
+use plateau_mesh::sparse::{LinearError, Symbolic};
+
+/// A step may turn no triangle by more than the angle of this cosine. From 30° to 80° random structures are found
+/// equally often.
+const LEAST_COSINE: f64 = 0.5;
+/// A step may not make a triangle's quality 4 √3 A / Σ ℓ² fall below this and below half of what it is. From 0.05 to
+/// 0.3 random structures are found equally often.
+const LEAST_QUALITY: f64 = 0.15;
+/// A step must lower the energy by this fraction of what its slope promises (Armijo).
+const LEAST_GAIN: f64 = 1e-4;
+/// Changes of the energy below this fraction of it are rounding errors.
+const ROUNDING: f64 = 1e-12;
+/// The shortest fraction of a step that is tried.
+const LEAST_FRACTION: f64 = 1e-3;
+/// Directions are conjugate below this step, in edges.
+const CONJUGATE_BELOW: f64 = 0.5;
+/// Largest factor of a lengthened step.
+const LONGEST_FACTOR: f64 = 30.0;
+/// Added to the diagonal, as a fraction of its largest entry, for vertices that nothing holds.
+const LEAST_STIFFNESS: f64 = 1e-12;
+
+/// How the rounds go on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pace {
+    /// ω.
+    pub relaxation: f64,
+    /// Largest motion of a vertex in a round, in edges.
+    pub longest: f64,
+    /// Whether steps are lengthened and directions conjugate.
+    pub accelerated: bool,
+}
+
+impl Pace {
+    /// Steps of any length, over-relaxed.
+    pub const BOLD: Self = Self { relaxation: 1.5, longest: f64::INFINITY, accelerated: true };
+    /// The gradient flow: short steps without acceleration.
+    pub const CAUTIOUS: Self = Self { relaxation: 1.0, longest: 0.2, accelerated: false };
+}
+
+/// The result of a round.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Round {
+    /// The largest motion of a vertex in the whole step.
+    pub step: f64,
+    /// The fraction of it that was taken; 0 if none keeps the mesh.
+    pub fraction: f64,
+    /// The largest motion of a vertex.
+    pub moved: f64,
+    pub energy: f64,
+}
+
+/// The multipliers and the last direction, from round to round.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Settler {
+    /// Per constraint its multiplier; filled with those of the start by the caller.
+    pub multipliers: Vec<f64>,
+    last: Option<Last>,
+}
+
+#[derive(Clone, Debug)]
+struct Last {
+    gradient: Vec<DVec3>,
+    slope: f64,
+    direction: Vec<DVec3>,
+}
+
+/// A row of the border.
+struct Row {
+    gradient: Vec<DVec3>,
+    compliance: f64,
+    missing: f64,
+}
+
+impl Settler {
+    /// Forgets the last direction, because the mesh has changed.
+    pub fn restart(&mut self) {
+        self.last = None;
+    }
+
+    /// Moves the body's vertices by one round. `edge` is the length of an edge. Constraints of the body keep their
+    /// value or yield; those with a condition have no place here.
+    ///
+    /// # Errors
+    /// The linear solver's, if the springs hold nothing.
+    pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace) -> Result<Round, LinearError> {
+        let at = body.vertices.clone();
+        self.multipliers.resize(body.constraints.len(), 0.0);
+        let mut gradient = vec![DVec3::ZERO; at.len()];
+        body.terms.iter().for_each(|term| term.add_gradient(&at, &mut gradient));
+        let (mut rows, mut of_row) = (Vec::new(), Vec::new());
+        for (k, constraint) in body.constraints.iter().enumerate() {
+            let (excess, compliance) = match constraint.by {
+                Determined::Value(value) => (constraint.quantity.value(&at) - value, 0.0),
+                Determined::Yielding { value, compliance } => {
+                    let excess = constraint.quantity.value(&at) - value;
+                    self.multipliers[k] = (-excess / compliance).max(0.0);
+                    if self.multipliers[k] == 0.0 {
+                        continue;
+                    }
+                    (0.0, compliance)
+                }
+                Determined::Condition(_) => continue,
+            };
+            let mut own = vec![DVec3::ZERO; at.len()];
+            constraint.quantity.add_gradient(&at, &mut own);
+            gradient.iter_mut().zip(&own).for_each(|(sum, own)| *sum -= self.multipliers[k] * *own);
+            rows.push(Row { gradient: own, compliance, missing: -excess });
+            of_row.push(k);
+        }
+        let (direction, changes) = self.direction(body, &at, &gradient, &rows)?;
+        for (&k, change) in of_row.iter().zip(changes) {
+            self.multipliers[k] -= change;
+        }
+        let constrained = rows.iter().any(|row| row.compliance == 0.0);
+        let slope = -dot(&gradient, &direction);
+        let step = largest(&direction);
+        let mut chosen = direction.clone();
+        if let Some(last) = self.last.take()
+            && pace.accelerated
+            && !constrained
+            && step < CONJUGATE_BELOW * edge
+            && last.gradient.len() == gradient.len()
+        {
+            let against: f64 =
+                direction.iter().zip(&gradient).zip(&last.gradient).map(|((d, g), h)| d.dot(*g - *h)).sum();
+            let beta = (-against / last.slope).max(0.0);
+            let conjugate: Vec<DVec3> = direction.iter().zip(&last.direction).map(|(d, e)| *d + beta * *e).collect();
+            if -dot(&gradient, &conjugate) >= 0.1 * slope {
+                chosen = conjugate;
+            }
+        }
+        let before = energy(body, &at);
+        let is_conjugate = chosen != direction;
+        let tries = if is_conjugate { vec![chosen, direction] } else { vec![direction] };
+        for (n, direction) in tries.into_iter().enumerate() {
+            let length = largest(&direction).max(f64::MIN_POSITIVE);
+            let slope = -dot(&gradient, &direction);
+            let conjugate = is_conjugate && n == 0;
+            let cap = if conjugate { pace.longest.min(1.0) } else { pace.longest } * edge / length;
+            let whole = if constrained || conjugate { 1.0 } else { pace.relaxation };
+            let Some((places, fraction, after)) =
+                search(body, &at, &direction, whole.min(cap), before, slope, constrained, |fraction| {
+                    pace.accelerated && !constrained && 2.0 * fraction * length < edge && fraction < LONGEST_FACTOR
+                })
+            else {
+                continue;
+            };
+            body.vertices = places;
+            self.last = Some(Last { gradient, slope, direction });
+            return Ok(Round { step, fraction, moved: fraction * length, energy: after });
+        }
+        Ok(Round { step, fraction: 0.0, moved: 0.0, energy: before })
+    }
+
+    /// The step of the springs, and the changes of the multipliers of the rows.
+    fn direction(
+        &self,
+        body: &Body,
+        at: &[DVec3],
+        gradient: &[DVec3],
+        rows: &[Row],
+    ) -> Result<(Vec<DVec3>, Vec<f64>), LinearError> {
+        let basis = Basis::new(body, at);
+        let pattern = BlockPattern::new(&basis.counts, |couple| {
+            let mut visit = |element: &[u32]| {
+                let owners: Vec<u32> = element.iter().map(|&v| basis.owner[v as usize]).collect();
+                couple(&owners);
+            };
+            let quantities = body.constraints.iter().map(|constraint| &constraint.quantity);
+            body.terms.iter().chain(quantities).for_each(|term| term.visit_elements(&mut visit));
+        });
+        let mut matrix = pattern.matrix();
+        let values = &mut matrix.values;
+        let mut spring = |a: u32, b: u32, stiffness: f64| {
+            for (v, w, sign) in [(a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)] {
+                let Some(position) = pattern.position(basis.owner[v as usize], basis.owner[w as usize]) else {
+                    continue;
+                };
+                let (own, other) = (basis.of(v), basis.of(w));
+                for i in 0..own.len() {
+                    for j in 0..other.len() {
+                        let cosine = if basis.scalar { 1.0 } else { own[i].dot(other[j]) };
+                        values[position.at(i, j)] += sign * stiffness * cosine;
+                    }
+                }
+            }
+        };
+        body.terms.iter().for_each(|term| term.visit_springs(at, &mut spring));
+        for (constraint, multiplier) in body.constraints.iter().zip(&self.multipliers) {
+            constraint.quantity.visit_springs(at, &mut |a, b, k| spring(a, b, (-multiplier * k).max(0.0)));
+        }
+        for (v, freedom) in body.freedoms.iter().enumerate() {
+            let Some(number) = freedom.support() else { continue };
+            let Some(position) = pattern.position(v as u32, v as u32) else { continue };
+            let support = &body.supports[number as usize];
+            let tangents = basis.of(v as u32);
+            let curvature =
+                |i: usize, j: usize| gradient[v].dot(support.second_fundamental_form(at[v], tangents[i], tangents[j]));
+            if tangents.len() == 1 {
+                values[position.at(0, 0)] += curvature(0, 0).max(0.0);
+            } else {
+                let positive = positive_part(curvature(0, 0), curvature(0, 1), curvature(1, 1));
+                for i in 0..2 {
+                    for j in 0..2 {
+                        values[position.at(i, j)] += positive[i + j];
+                    }
+                }
+            }
+        }
+        let order = pattern.order();
+        let most = (0..order).map(|row| matrix.diagonal(row).abs()).fold(0.0, f64::max);
+        for row in 0..order {
+            matrix.values[matrix.row_start[row] as usize] += LEAST_STIFFNESS * most;
+        }
+        let columns = if basis.scalar { 3 } else { 1 };
+        let reduced = |vectors: &[DVec3], into: &mut Vec<f64>| {
+            let start = into.len();
+            into.resize(start + columns * order, 0.0);
+            for (v, vector) in vectors.iter().enumerate() {
+                let unknowns = pattern.unknowns(basis.owner[v]);
+                if basis.scalar {
+                    for k in unknowns {
+                        (0..3).for_each(|c| into[start + c * order + k] += vector[c]);
+                    }
+                } else {
+                    unknowns.zip(basis.of(v as u32)).for_each(|(k, towards)| into[start + k] += vector.dot(*towards));
+                }
+            }
+        };
+        let mut right = Vec::new();
+        reduced(gradient, &mut right);
+        rows.iter().for_each(|row| reduced(&row.gradient, &mut right));
+        let factorised = Symbolic::analyse(&matrix, None)?;
+        factorised.factorise(&matrix)?.solve(&mut right)?;
+        let full = |solution: &[f64]| -> Vec<DVec3> {
+            let of = |v: usize| {
+                let unknowns = pattern.unknowns(basis.owner[v]);
+                if basis.scalar {
+                    unknowns.map(|k| DVec3::from_array([0, 1, 2].map(|c| solution[c * order + k]))).sum()
+                } else {
+                    unknowns.zip(basis.of(v as u32)).map(|(k, towards)| solution[k] * *towards).sum()
+                }
+            };
+            (0..at.len()).map(of).collect()
+        };
+        let mut solutions = right.chunks_exact((columns * order).max(1)).map(full);
+        let Some(mut direction) = solutions.next() else { return Ok((vec![DVec3::ZERO; at.len()], Vec::new())) };
+        direction.iter_mut().for_each(|d| *d = -*d);
+        let of_rows: Vec<Vec<DVec3>> = solutions.collect();
+        let schur = Lu::new(rows.len(), |i, j| {
+            dot(&rows[i].gradient, &of_rows[j]) + if i == j { rows[i].compliance } else { 0.0 }
+        });
+        let wanted: Vec<f64> = rows.iter().map(|row| dot(&row.gradient, &direction) - row.missing).collect();
+        let changes = schur.solve(&wanted);
+        if changes.iter().any(|change| !change.is_finite()) {
+            return Err(LinearError::Singular);
+        }
+        for (change, own) in changes.iter().zip(&of_rows) {
+            direction.iter_mut().zip(own).for_each(|(d, y)| *d -= *change * *y);
+        }
+        Ok((direction, changes))
+    }
+}
+
+/// The directions of the unknowns of a settling body.
+struct Basis {
+    /// Every vertex that moves does so in all directions, and has one unknown for the three.
+    scalar: bool,
+    counts: Vec<u8>,
+    /// For each vertex the one whose unknowns it has.
+    owner: Vec<u32>,
+    start: Vec<u32>,
+    directions: Vec<DVec3>,
+}
+
+impl Basis {
+    fn new(body: &Body, at: &[DVec3]) -> Self {
+        let moves_anywhere = |freedom: &Freedom| {
+            matches!(freedom, Freedom::Fixed | Freedom::Normal | Freedom::Across(_) | Freedom::Free)
+        };
+        let scalar = body.freedoms.iter().all(moves_anywhere);
+        let mut first_of = vec![None; body.groups.len()];
+        let owner: Vec<u32> = (0u32..)
+            .zip(&body.freedoms)
+            .map(|(v, freedom)| match *freedom {
+                Freedom::Together(group) => *first_of[group as usize].get_or_insert(v),
+                _ => v,
+            })
+            .collect();
+        let (mut counts, mut start, mut directions) = (Vec::new(), vec![0], Vec::new());
+        for (v, freedom) in body.freedoms.iter().enumerate() {
+            match *freedom {
+                Freedom::Fixed => {}
+                Freedom::Normal | Freedom::Across(_) | Freedom::Free if scalar => directions.push(DVec3::ZERO),
+                Freedom::Normal | Freedom::Across(_) | Freedom::Free => directions.extend(DVec3::AXES),
+                Freedom::On(number) | Freedom::AcrossOn { support: number, .. } => {
+                    let support = &body.supports[number as usize];
+                    directions.extend(&support.tangents(at[v])[..usize::from(support.dimension())]);
+                }
+                Freedom::Together(group) if owner[v] as usize == v => directions.push(body.groups[group as usize]),
+                Freedom::Together(_) => {}
+            }
+            counts.push((directions.len() - start[v] as usize) as u8);
+            start.push(directions.len() as u32);
+        }
+        Self { scalar, counts, owner, start, directions }
+    }
+
+    fn of(&self, v: u32) -> &[DVec3] {
+        let owner = self.owner[v as usize] as usize;
+        &self.directions[self.start[owner] as usize..self.start[owner + 1] as usize]
+    }
+}
+
+/// The entries (0, 0), (0, 1) and (1, 1) of the positive part of a symmetric matrix of these entries.
+fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
+    let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
+    let (low, high) = (mean - half, mean + half);
+    if low >= 0.0 || half == 0.0 {
+        let whole = f64::from(u8::from(low >= 0.0));
+        return [whole * a, whole * b, whole * c];
+    }
+    // high times the projector (M - low) / (high - low).
+    let factor = high.max(0.0) / (high - low);
+    [factor * (a - low), factor * b, factor * (c - low)]
+}
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum()
+}
+
+fn largest(vectors: &[DVec3]) -> f64 {
+    vectors.iter().map(|vector| vector.length()).fold(0.0, f64::max)
+}
+
+/// The energy that the rounds lower: that of the terms and of the constraints that yield.
+pub(crate) fn energy(body: &Body, at: &[DVec3]) -> f64 {
+    let yielding = body.constraints.iter().map(|constraint| match constraint.by {
+        Determined::Yielding { value, compliance } => {
+            let force = ((value - constraint.quantity.value(at)) / compliance).max(0.0);
+            0.5 * compliance * force * force
+        }
+        Determined::Value(_) | Determined::Condition(_) => 0.0,
+    });
+    body.terms.iter().map(|term| term.value(at)).sum::<f64>() + yielding.sum::<f64>()
+}
+
+fn moved(body: &Body, at: &[DVec3], direction: &[DVec3], fraction: f64) -> Vec<DVec3> {
+    let one = |((freedom, &place), &d): ((&Freedom, &DVec3), &DVec3)| match freedom.support() {
+        Some(support) => body.supports[support as usize].nearest(place + fraction * d),
+        None => place + fraction * d,
+    };
+    body.freedoms.iter().zip(at).zip(direction).map(one).collect()
+}
+
+/// The longest of the fraction, its half and so on that keeps the mesh and lowers the energy, lengthened while `may`
+/// allows it and the energy falls. Returns the places, the fraction and the energy there.
+#[expect(clippy::too_many_arguments, reason = "a line search: everything it has is needed at each step")]
+fn search(
+    body: &Body,
+    at: &[DVec3],
+    direction: &[DVec3],
+    first: f64,
+    before: f64,
+    slope: f64,
+    constrained: bool,
+    may_lengthen: impl Fn(f64) -> bool,
+) -> Option<(Vec<DVec3>, f64, f64)> {
+    let mut fraction = first;
+    while fraction >= LEAST_FRACTION * first.min(1.0) {
+        let places = moved(body, at, direction, fraction);
+        if keeps_mesh(body.triangles(), at, &places) {
+            let after = energy(body, &places);
+            if constrained || after <= before - LEAST_GAIN * fraction * slope + ROUNDING * before.abs() {
+                let mut best = (places, fraction, after);
+                while may_lengthen(best.1) {
+                    let places = moved(body, at, direction, 2.0 * best.1);
+                    if !keeps_mesh(body.triangles(), at, &places) {
+                        break;
+                    }
+                    let after = energy(body, &places);
+                    if after >= best.2 {
+                        break;
+                    }
+                    best = (places, 2.0 * best.1, after);
+                }
+                // The minimum of the parabola through the slope and the two energies.
+                let bend = best.2 - before + best.1 * slope;
+                if may_lengthen(0.0) && bend > 0.0 {
+                    let bottom = best.1 * best.1 * slope / (2.0 * bend);
+                    if may_lengthen(0.5 * bottom) {
+                        let places = moved(body, at, direction, bottom);
+                        if keeps_mesh(body.triangles(), at, &places) {
+                            let after = energy(body, &places);
+                            if after < best.2 {
+                                best = (places, bottom, after);
+                            }
+                        }
+                    }
+                }
+                return Some(best);
+            }
+        }
+        fraction = if fraction > 1.0 { 1.0 } else { 0.5 * fraction };
+    }
+    None
+}
+
+/// Whether no triangle breaks: turns by too large an angle, or becomes too thin.
+pub(crate) fn keeps_mesh(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec3]) -> bool {
+    let quality = |[p, q, r]: [DVec3; 3], double_area: f64| {
+        let squares = p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
+        2.0 * 3f64.sqrt() * double_area / squares.max(f64::MIN_POSITIVE)
+    };
+    triangles.iter().all(|triangle| {
+        let (old, new) = (triangle.map(|v| before[v as usize]), triangle.map(|v| after[v as usize]));
+        let (normal, turned) = (double_area_vector(old), double_area_vector(new));
+        let (size, grown) = (normal.length(), turned.length());
+        let is = quality(new, grown);
+        normal.dot(turned) >= LEAST_COSINE * size * grown && (is >= LEAST_QUALITY || is >= 0.5 * quality(old, size))
+    })
+}

@@ -1,0 +1,313 @@
+//! The mesh of a structure that travels: remeshed while its corners and edges move.
+//!
+//! A vertex of the boundary is kept where the film is held, where two parts of the boundary meet, where a cable ends and
+//! where a point moves by itself. All others move along their stretch. A point of the input inside a stretch is any
+//! vertex of it, because nothing but the order tells them apart.
+
+use super::model::Model;
+use super::options::{Course, Pressure, SlidingPart, Structure};
+use crate::equilibrium::Freedom;
+use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
+use plateau_mesh::{DVec3, Execution, Interruption};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Fewest vertices inside a stretch of a cable or of a sliding edge.
+const FEWEST: usize = 3;
+
+/// The cable and the support along a part of a boundary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Along {
+    cable: Option<usize>,
+    support: Option<usize>,
+}
+
+/// How fine the mesh becomes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fineness {
+    /// The length of an edge.
+    pub size: f64,
+    pub rounds: u32,
+    /// Whether every point of the input gets a vertex of its own.
+    pub all_points: bool,
+}
+
+impl Model {
+    /// The cable and the support of each edge of each boundary.
+    fn parts(&self, structure: &Structure) -> Vec<Vec<Along>> {
+        let mut parts: Vec<Vec<Along>> =
+            self.boundaries().iter().map(|rim| vec![Along::default(); rim.len()]).collect();
+        let mut mark = |boundary: usize, first: u32, last: u32, set: &dyn Fn(&mut Along)| {
+            let rim = &self.boundaries()[boundary];
+            let place = |v: u32| rim.iter().position(|&w| w == v).unwrap_or_default();
+            let (mut k, end) = (place(first), place(last));
+            loop {
+                set(&mut parts[boundary][k]);
+                k = (k + 1) % rim.len();
+                if k == end {
+                    break;
+                }
+            }
+        };
+        for (k, (cable, chain)) in structure.cables.iter().zip(&self.chains).enumerate() {
+            if let Course::Boundary { boundary, .. } = cable.course {
+                mark(boundary, chain[0], chain[chain.len() - 1], &|along| along.cable = Some(k));
+            }
+        }
+        for (k, sliding) in structure.sliding.iter().enumerate() {
+            match sliding.part {
+                SlidingPart::Point(_) => {}
+                SlidingPart::Edge { boundary, from, to } => {
+                    let [first, last] = [from, to].map(|point| self.input_vertices[boundary][point]);
+                    mark(boundary, first, last, &|along| along.support = Some(k));
+                }
+                SlidingPart::Boundary(boundary) => {
+                    let first = self.boundaries()[boundary][0];
+                    mark(boundary, first, first, &|along| along.support = Some(k));
+                }
+            }
+        }
+        parts
+    }
+
+    /// Vertices of the boundaries that keep their identity wherever they stand.
+    fn named(&self, structure: &Structure) -> BTreeSet<u32> {
+        let ends = self.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
+        let points = structure.sliding.iter().filter_map(|sliding| match sliding.part {
+            SlidingPart::Point(point) => Some(self.input_vertex(point)),
+            SlidingPart::Edge { .. } | SlidingPart::Boundary(_) => None,
+        });
+        let edges = structure.sliding.iter().flat_map(|sliding| match sliding.part {
+            SlidingPart::Edge { boundary, from, to } => {
+                [from, to].map(|point| Some(self.input_vertices[boundary][point]))
+            }
+            SlidingPart::Point(_) | SlidingPart::Boundary(_) => [None; 2],
+        });
+        let films = self.films as u32;
+        let all = ends.chain(self.free.iter().copied()).chain(points).chain(edges.flatten());
+        all.filter(|&v| v < films).collect()
+    }
+
+    /// Remeshes the film. Returns the narrowest neck.
+    pub fn remesh(
+        &mut self,
+        structure: &Structure,
+        fineness: Fineness,
+        exec: &Execution,
+    ) -> Result<Option<Neck>, Interruption> {
+        let parts = self.parts(structure);
+        let named = self.named(structure);
+        let film = &self.layers[0].film;
+        let mut kinds = vec![Kind::Inside; film.vertices.len()];
+        let mut curves = Vec::new();
+        // For each stretch its support; stretch 0 has all edges that are held.
+        let mut supports: Vec<Option<usize>> = vec![None];
+        let mut flexible = vec![false];
+        for (rim, along) in film.boundaries.iter().zip(&parts) {
+            let count = rim.len();
+            let is_kept = |k: usize| {
+                let (before, after) = (along[(k + count - 1) % count], along[k]);
+                before != after || after == Along::default() || named.contains(&rim[k])
+            };
+            let first = (0..count).find(|&k| is_kept(k)).unwrap_or(0);
+            let mut curve = Curve { vertices: Vec::with_capacity(count), stretches: Vec::with_capacity(count) };
+            let mut stretch = None;
+            for k in (0..count).map(|k| (first + k) % count) {
+                let kept = is_kept(k);
+                if kept || stretch.is_none() {
+                    stretch = Some(if along[k] == Along::default() {
+                        0
+                    } else {
+                        supports.push(along[k].support);
+                        flexible.push(true);
+                        flexible.len() as u32 - 1
+                    });
+                }
+                let stretch = stretch.unwrap_or(0);
+                kinds[rim[k] as usize] = if kept { Kind::Kept } else { Kind::Along(stretch) };
+                curve.vertices.push(rim[k]);
+                curve.stretches.push(stretch);
+            }
+            curves.push(curve);
+        }
+        let mut crossed = BTreeSet::new();
+        let lines = || {
+            let across = |(cable, _): &(&super::options::Cable, _)| matches!(cable.course, Course::Across(_));
+            structure.cables.iter().zip(&self.chains).filter(across).map(|(_, chain)| chain)
+        };
+        for chain in lines() {
+            let mut curve = Curve { vertices: chain.clone(), stretches: Vec::new() };
+            for (k, &v) in chain.iter().enumerate() {
+                let is_end = k == 0 || k + 1 == chain.len();
+                let is_kept = is_end || kinds[v as usize] != Kind::Inside || crossed.contains(&v);
+                if is_kept {
+                    supports.push(None);
+                    flexible.push(true);
+                }
+                if !is_end {
+                    kinds[v as usize] = if is_kept { Kind::Kept } else { Kind::Along(flexible.len() as u32 - 1) };
+                    crossed.insert(v);
+                }
+                if k + 1 < chain.len() {
+                    curve.stretches.push(flexible.len() as u32 - 1);
+                }
+            }
+            curves.push(curve);
+        }
+        // A vertex that a later line keeps may lie inside a stretch of an earlier one, whose edges stay one stretch.
+        let mut inside = vec![Vec::new(); flexible.len()];
+        for (points, rim) in self.input_vertices.iter().zip(&curves) {
+            let place: BTreeMap<u32, usize> = rim.vertices.iter().enumerate().map(|(k, &v)| (v, k)).collect();
+            let mut own: Vec<u32> = points.clone();
+            own.sort_unstable_by_key(|v| place.get(v));
+            own.dedup();
+            for v in own {
+                if let Kind::Along(stretch) = kinds[v as usize] {
+                    inside[stretch as usize].push(v);
+                }
+            }
+        }
+        let points = |stretch: usize| if fineness.all_points { inside[stretch].len() } else { 0 };
+        let fewest = (0..flexible.len()).map(|stretch| points(stretch).max(FEWEST)).collect();
+        let before: Vec<u32> = (0..).zip(&kinds).filter(|(_, kind)| **kind == Kind::Kept).map(|(v, _)| v).collect();
+        let mut moving = MovingFilm { film: film.clone(), kinds, curves, flexible, fewest, named: before.clone() };
+        moving.renew_curves();
+        let onto = |stretch: u32, place: DVec3| match supports[stretch as usize] {
+            Some(support) => self.supports[support].nearest(place),
+            None => place,
+        };
+        let neck = moving.remesh(fineness.size, fineness.rounds, &onto, exec)?;
+        let mut number: BTreeMap<u32, u32> = before.into_iter().zip(moving.named.iter().copied()).collect();
+        // The points inside a stretch are spread evenly over its vertices.
+        let mut present = vec![Vec::new(); moving.flexible.len()];
+        for &v in moving.curves.iter().flat_map(|curve| &curve.vertices) {
+            if let Kind::Along(stretch) = moving.kinds[v as usize] {
+                present[stretch as usize].push(v);
+            }
+        }
+        for (points, vertices) in inside.iter().zip(&present) {
+            for (k, &point) in points.iter().enumerate() {
+                number.insert(point, vertices[(2 * k + 1) * vertices.len() / (2 * points.len())]);
+            }
+        }
+        self.take(structure, moving, |v| number.get(&v).copied());
+        Ok(neck)
+    }
+
+    /// Replaces the film. `number` gives the new number of every vertex that has a name.
+    fn take(&mut self, structure: &Structure, moving: MovingFilm, number: impl Fn(u32) -> Option<u32>) {
+        let (old, new) = (self.films as u32, moving.film.vertices.len() as u32);
+        let renumbered = |v: u32| if v >= old { v - old + new } else { number(v).unwrap_or(0) };
+        let boundaries = moving.film.boundaries.len();
+        self.layers[0].film = moving.film;
+        self.layers[0].numbers = (0..new).collect();
+        self.films = new as usize;
+        self.input_vertices.iter_mut().flatten().for_each(|v| *v = renumbered(*v));
+        self.free.iter_mut().for_each(|v| *v = renumbered(*v));
+        for (structure, ring) in structure.rings.iter().zip(&mut self.rings) {
+            let mut vertices = self.layers[0].film.boundaries[structure.boundary].clone();
+            vertices.extend(structure.hub.and_then(|_| ring.vertices.last()).map(|&hub| renumbered(hub)));
+            ring.vertices = vertices;
+        }
+        let mut lines = moving.curves.into_iter().skip(boundaries);
+        for k in 0..self.chains.len() {
+            let chain = &self.chains[k];
+            let chain = match structure.cables[k].course {
+                Course::Boundary { boundary, .. } => {
+                    let ends = [chain[0], chain[chain.len() - 1]].map(renumbered);
+                    self.between(boundary, ends)
+                }
+                Course::Across(_) => lines.next().map(|curve| curve.vertices).unwrap_or_default(),
+                Course::Air(_) | Course::Mast(_) => chain.iter().map(|&v| renumbered(v)).collect(),
+            };
+            self.cables[k].segments = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+            self.chains[k] = chain;
+        }
+        self.renew_sliding(structure);
+    }
+
+    fn renew_sliding(&mut self, structure: &Structure) {
+        let mut sliding = Vec::new();
+        for (number, part) in (0u32..).zip(&structure.sliding) {
+            let (vertices, closed) = match part.part {
+                SlidingPart::Point(point) => {
+                    sliding.push((self.input_vertex(point), Freedom::On(number)));
+                    continue;
+                }
+                SlidingPart::Edge { boundary, from, to } => {
+                    let ends = [from, to].map(|point| self.input_vertices[boundary][point]);
+                    (self.between(boundary, ends), false)
+                }
+                SlidingPart::Boundary(boundary) => (self.boundaries()[boundary].clone(), true),
+            };
+            let count = vertices.len();
+            for k in if closed { 0..count } else { 1..count - 1 } {
+                let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
+                sliding.push((vertices[k], Freedom::AcrossOn { support: number, beside }));
+            }
+        }
+        self.sliding = sliding;
+    }
+
+    /// The vertices of a boundary from one to another.
+    fn between(&self, boundary: usize, [first, last]: [u32; 2]) -> Vec<u32> {
+        let rim = &self.boundaries()[boundary];
+        let place = |v: u32| rim.iter().position(|&w| w == v).unwrap_or_default();
+        let count = (place(last) + rim.len() - place(first)) % rim.len();
+        (0..=count).map(|k| rim[(place(first) + k) % rim.len()]).collect()
+    }
+
+    /// Gives the points of the input the first numbers, in their order, and lets every boundary begin with its first.
+    pub fn order_input_first(&mut self, structure: &Structure) {
+        let count = self.films;
+        let mut place = vec![u32::MAX; count];
+        let mut next = 0;
+        let rims = self.boundaries().iter().flatten();
+        for &v in self.input_vertices.iter().flatten().chain(rims) {
+            if place[v as usize] == u32::MAX {
+                place[v as usize] = next;
+                next += 1;
+            }
+        }
+        for own in &mut place {
+            if *own == u32::MAX {
+                *own = next;
+                next += 1;
+            }
+        }
+        let renumbered = |v: u32| place.get(v as usize).copied().unwrap_or(v);
+        let film = self.layers[0].film.clone().renumbered(&place);
+        self.layers[0].film = film;
+        let points = self.input_vertices.iter_mut().flatten();
+        let rings = self.rings.iter_mut().flat_map(|ring| &mut ring.vertices);
+        points
+            .chain(&mut self.free)
+            .chain(self.chains.iter_mut().flatten())
+            .chain(rings)
+            .for_each(|v| *v = renumbered(*v));
+        for (points, rim) in self.input_vertices.iter().zip(&mut self.layers[0].film.boundaries) {
+            let first = points.first().and_then(|first| rim.iter().position(|v| v == first)).unwrap_or(0);
+            rim.rotate_left(first);
+        }
+        for (cable, chain) in self.cables.iter_mut().zip(&self.chains) {
+            cable.segments = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        }
+        self.renew_sliding(structure);
+    }
+}
+
+/// Whether the form finding may remesh the structure: one film of the same tension in all directions, whose edges meet
+/// their supports at no given angle. Others keep the mesh with which they begin.
+pub(super) fn may_travel(structure: &Structure) -> bool {
+    let at_no_angle = |sliding: &super::options::Sliding| sliding.contact_angle.is_none();
+    structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
+}
+
+/// Whether the form finding begins on a coarse mesh: an edge or a corner moves, or a tube has a given volume. A film
+/// whose edges are held, or whose rings move along their axes, keeps the mesh of its start as long as that leads to a
+/// shape.
+pub(super) fn travels(structure: &Structure) -> bool {
+    let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
+    let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
+    let moves = edges || !structure.sliding.is_empty() || !structure.free_points.is_empty();
+    may_travel(structure) && structure.rings.is_empty() && (moves || by_volume && structure.boundaries.len() > 1)
+}

@@ -1,0 +1,524 @@
+//! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
+//!
+//! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
+//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, the
+//! gradient flow, and bold steps while the film's tension grows. If none does, the first one's ending says why.
+
+use super::form_finding::{Ending, Found, Run, Stop};
+use super::model::{Model, Stage};
+use super::options::{Course, FilmPrestress, Pressure, cable_place};
+use super::remeshing::Fineness;
+use crate::equilibrium::settling::{Pace, Settler, energy};
+use crate::equilibrium::{Body, Determined};
+use crate::minimal_surface::StopReason;
+use plateau_mesh::error::InputError;
+use plateau_mesh::remesh::moving::Neck;
+use plateau_mesh::{DVec3, Error, Place, Progress};
+
+/// Triangles of the first level. From 100 to 300 random structures are found equally often.
+pub(super) const COARSE: f64 = 300.0;
+/// Triangles of a level over those of the level before.
+const GROWTH: f64 = 3.5;
+/// A mesh is renewed after a round that moves a vertex by more than this, in edges. From 0.1 to 1 random structures are
+/// found equally often.
+const REMESH_ABOVE: f64 = 0.3;
+/// Newton's method begins below this step, in edges. From 0.1 to 2 random structures are found equally often.
+const NEWTON_BELOW: f64 = 0.5;
+/// A coarse level is left below this step, in edges.
+const SETTLED: f64 = 0.05;
+/// Largest number of rounds of an attempt.
+const MAX_ROUNDS: u32 = 400;
+/// Rounds between two tries of Newton's method.
+const WAIT: u32 = 2;
+/// Rounds in a row without a step after which an attempt ends.
+const MAX_STUCK: u32 = 6;
+/// Rounds in which a corner or a strait goes on closing before it counts as closed.
+const CLOSING: u32 = 10;
+/// First part of the film's tension, and the rounds in which it grows to all of it, in the third attempt.
+const FIRST_TENSION: f64 = 0.3;
+const TENSION_ROUNDS: u32 = 8;
+/// A vertex runs away beyond this distance from the start's centre, in radii of the start.
+const FAR: f64 = 20.0;
+/// Largest number of kicks along an unstable mode, and their length in edges.
+const MAX_KICKS: u32 = 3;
+const KICK: f64 = 0.3;
+/// Newton's method may fail this often in an attempt.
+const MAX_FAILURES: u32 = 12;
+/// Largest number of remeshings for the number of triangles on the last level.
+const CALIBRATIONS: u32 = 4;
+/// The number of triangles is met within this fraction.
+const COUNT_TOLERANCE: f64 = 0.05;
+
+/// Figures that the rounds of an attempt watch.
+struct Watch {
+    centre: DVec3,
+    radius: f64,
+    span: f64,
+    area: f64,
+    least_angle: f64,
+    closing: u32,
+    narrow: Option<Strait>,
+    last_width: f64,
+    pinching: u32,
+    necks: u32,
+    last_neck: Option<Neck>,
+    compressed: u32,
+}
+
+/// The narrowest place between two sides of the film.
+#[derive(Clone, Copy)]
+struct Strait {
+    /// The width over the distance from the nearest corner.
+    ratio: f64,
+    width: f64,
+    place: DVec3,
+}
+
+impl Run<'_> {
+    /// The searches of all attempts. The model begins and ends with every attempt that fails as it was.
+    pub fn search(&mut self, found: &mut Found) -> Result<(), Stop> {
+        let start = self.model.clone();
+        self.check_side()?;
+        let plain = self.structure.chambers.is_empty();
+        let mut first = None;
+        for (number, (pace, ramp)) in
+            [(Pace::BOLD, 1.0), (Pace::CAUTIOUS, 1.0), (Pace::BOLD, FIRST_TENSION)].into_iter().enumerate()
+        {
+            if number == 2 && !plain {
+                break;
+            }
+            if number > 0 {
+                *self.model = start.clone();
+                self.more_solves();
+            }
+            let Some((ending, last)) = self.attempt_at(pace, ramp, found)? else {
+                found.ending = None;
+                return Ok(());
+            };
+            let surer =
+                |known: &(Ending, _)| matches!(known.0, Ending::NotFound(_)) && !matches!(ending, Ending::NotFound(_));
+            if first.as_ref().is_none_or(surer) {
+                first = Some((ending.clone(), last));
+            }
+            if matches!(ending, Ending::RunsAway(_)) {
+                break;
+            }
+        }
+        if let Some((ending, last)) = first {
+            *self.model = last;
+            found.ending = Some(ending);
+        }
+        found.stop_reason = StopReason::Stalled;
+        Ok(())
+    }
+
+    /// Refuses a volume on the other side of a tube's loops.
+    fn check_side(&self) -> Result<(), Stop> {
+        let own = self.model.volume(0, &self.model.vertices());
+        for chamber in &self.structure.chambers {
+            if let Pressure::Volume(volume) = chamber.holds
+                && self.structure.boundaries.len() > 1
+                && own < -0.1 * volume
+            {
+                let place = super::options::chamber_place(self.structure, 0);
+                let detail = format!(
+                    "lies on the other side of the loops: the film between them encloses {own:.4} with their \
+                     direction; reverse every loop"
+                );
+                return Err(Stop::Failed(Error::Input(vec![InputError::new(place, detail)])));
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of triangles that are wanted at the present area.
+    fn wanted(&self) -> f64 {
+        match self.options.resolution {
+            crate::minimal_surface::Resolution::EdgeLength(edge) => {
+                4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * edge * edge)
+            }
+            _ => self.count,
+        }
+    }
+
+    fn size(&self, count: f64) -> f64 {
+        (4.0 * self.model.layers[0].film.area().max(f64::MIN_POSITIVE) / (3f64.sqrt() * count)).sqrt()
+    }
+
+    /// Makes one attempt. Returns the ending and the last shape if there is no result.
+    #[expect(clippy::too_many_lines, reason = "one loop over the rounds of all levels, whose order is the method")]
+    fn attempt_at(&mut self, pace: Pace, ramp: f64, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+        let mut settler = Settler::default();
+        let mut watch = self.watch();
+        let mut level = COARSE.min(self.wanted());
+        let (mut rounds, mut stuck, mut wait, mut failures, mut kicks) = (0, 0, 0, 0, 0);
+        let mut fresh = true;
+        loop {
+            let is_last = level >= 0.99 * self.wanted();
+            if is_last {
+                level = self.wanted();
+            }
+            let mut edge = self.size(level);
+            if fresh {
+                self.calibration = 1.0;
+                let passes = if rounds == 0 { 3 } else { 2 };
+                self.renew_mesh(edge, passes, is_last, &mut watch)?;
+                for _ in 0..CALIBRATIONS {
+                    if !is_last || !self.misses_count(edge) {
+                        break;
+                    }
+                    self.renew_mesh(edge, 1, is_last, &mut watch)?;
+                }
+                settler.restart();
+                fresh = false;
+            }
+            if rounds >= MAX_ROUNDS {
+                let detail = format!("{rounds} rounds of form finding were not enough");
+                return Ok(Some((Ending::NotFound(detail), self.model.clone())));
+            }
+            rounds += 1;
+            let grown = ramp + (1.0 - ramp) * f64::from(rounds.min(TENSION_ROUNDS)) / f64::from(TENSION_ROUNDS);
+            self.model.hang(self.structure);
+            let (mut body, complete) = self.settling_body(grown, edge)?;
+            if rounds == 1 {
+                settler.multipliers = self.start_multipliers(&body);
+            }
+            self.look()?;
+            self.count_solve("settle", energy(&body, &body.vertices))?;
+            let round = match settler.round(&mut body, edge, pace) {
+                Ok(round) => round,
+                Err(error) => {
+                    let detail = format!("nothing holds the structure: {error:?}");
+                    return Ok(Some((Ending::NotFound(detail), self.model.clone())));
+                }
+            };
+            self.model.set_vertices(&body.vertices);
+            self.model.renew_start_forces(self.structure);
+            if let Some(ending) = self.ending(&mut watch, edge) {
+                return Ok(Some((ending, self.model.clone())));
+            }
+            stuck = if round.fraction == 0.0 { stuck + 1 } else { 0 };
+            if stuck >= MAX_STUCK {
+                return Ok(Some((self.stuck(&watch), self.model.clone())));
+            }
+            let ramping = ramp < 1.0 && rounds <= TENSION_ROUNDS;
+            let moves = round.moved > REMESH_ABOVE * edge;
+            if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || stuck > 0 || ramping {
+                edge = self.size(level);
+                self.renew_mesh(edge, 1, is_last, &mut watch)?;
+                settler.restart();
+            }
+            if ramping || moves || stuck > 0 || !complete || rounds < wait {
+                continue;
+            }
+            if !is_last {
+                if round.step < SETTLED * edge {
+                    level = (GROWTH * level).min(self.wanted());
+                    fresh = true;
+                }
+                continue;
+            }
+            if round.step >= NEWTON_BELOW * edge {
+                continue;
+            }
+            let before = self.model.clone();
+            let reason = self.newton(found)?;
+            found.stop_reason = reason;
+            let whole = self.model.flipped() == 0;
+            match reason {
+                StopReason::Residual if whole => {
+                    let unstable = found.stability.is_some_and(|stability| stability.morse_index > 0);
+                    if unstable && kicks < MAX_KICKS {
+                        kicks += 1;
+                        self.kick(found, KICK * edge);
+                        settler.restart();
+                        continue;
+                    }
+                    if self.travelled(&before) > edge && failures < MAX_FAILURES {
+                        // Newton's method moves vertices along the normals, which wears triangles out.
+                        failures += 3;
+                        self.renew_mesh(edge, 1, true, &mut watch)?;
+                        settler.restart();
+                        continue;
+                    }
+                    self.model.order_input_first(self.structure);
+                    let again = self.newton(found)?;
+                    found.stop_reason = again;
+                    return Ok(None);
+                }
+                StopReason::Residual | StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations
+                    if failures < MAX_FAILURES =>
+                {
+                    failures += 1;
+                    wait = rounds + WAIT;
+                    *self.model = before;
+                    settler.restart();
+                }
+                _ => {
+                    let detail = format!("Newton's method does not converge: the residual is {:.1e}", found.residual);
+                    *self.model = before;
+                    return Ok(Some((Ending::NotFound(detail), self.model.clone())));
+                }
+            }
+        }
+    }
+
+    /// The largest distance between a vertex and where it was.
+    fn travelled(&self, before: &Model) -> f64 {
+        let (old, new) = (before.vertices(), self.model.vertices());
+        old.iter().zip(&new).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+    }
+
+    /// The body of a round and whether it has all of its volume.
+    fn settling_body(&self, tension: f64, edge: f64) -> Result<(Body, bool), Stop> {
+        let mut scaled;
+        let structure = if tension < 1.0 {
+            scaled = self.structure.clone();
+            for layer in &mut scaled.layers {
+                if let FilmPrestress::Isotropic(own) = &mut layer.prestress {
+                    *own *= tension;
+                }
+            }
+            &scaled
+        } else {
+            self.structure
+        };
+        let mut body = self.model.body(structure, 1.0, Stage::Settling)?;
+        let volumes =
+            self.structure.chambers.iter().filter(|chamber| matches!(chamber.holds, Pressure::Volume(_))).count();
+        let most = 0.5 * edge * self.model.layers[0].film.area();
+        let mut complete = true;
+        let count = body.constraints.len();
+        for constraint in &mut body.constraints[count - volumes..] {
+            if let Determined::Value(target) = &mut constraint.by {
+                let own = constraint.quantity.value(&body.vertices);
+                complete &= (*target - own).abs() <= most;
+                *target = own + (*target - own).clamp(-most, most);
+            }
+        }
+        Ok((body, complete))
+    }
+
+    /// The multipliers with which the rounds begin: the forces of the cables of given length.
+    fn start_multipliers(&self, body: &Body) -> Vec<f64> {
+        let lengths = (0..self.structure.cables.len()).filter(|&k| self.model.constrains_length(k));
+        let mut multipliers: Vec<f64> = lengths
+            .map(|k| if self.structure.cables[k].course.is_mast() { 0.0 } else { self.model.start_forces[k] })
+            .collect();
+        multipliers.resize(body.constraints.len(), 0.0);
+        multipliers
+    }
+
+    fn renew_mesh(&mut self, size: f64, rounds: u32, is_last: bool, watch: &mut Watch) -> Result<(), Stop> {
+        let fineness = Fineness { size: self.calibration * size, rounds, all_points: is_last };
+        let neck = self.model.remesh(self.structure, fineness, self.exec).map_err(Error::from)?;
+        watch.necks = if neck.is_some() { watch.necks + 1 } else { 0 };
+        watch.last_neck = neck;
+        // A coarse mesh has more triangles than are wanted where the boundary is finer.
+        if is_last && self.misses_count(size) {
+            self.calibration = (self.calibration * self.count_ratio(size).sqrt()).clamp(0.7, 1.5);
+        }
+        Ok(())
+    }
+
+    /// The number of triangles over that of equilateral ones of a size.
+    fn count_ratio(&self, size: f64) -> f64 {
+        let wanted = 4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * size * size);
+        self.model.layers[0].film.triangles().len() as f64 / wanted
+    }
+
+    fn misses_count(&self, size: f64) -> bool {
+        (self.count_ratio(size) - 1.0).abs() > COUNT_TOLERANCE
+    }
+
+    /// Moves the vertices along the lowest mode, to the side on which the energy is lower.
+    fn kick(&mut self, found: &Found, length: f64) {
+        let Some(mode) = &found.lowest_mode else { return };
+        let at = self.model.vertices();
+        let Ok((body, _)) = self.settling_body(1.0, length) else { return };
+        let moved = |sign: f64| -> Vec<DVec3> {
+            let place = |((v, p), d): ((usize, &DVec3), &DVec3)| {
+                let place = *p + sign * length * *d;
+                match body.freedoms[v].support() {
+                    Some(support) => body.supports[support as usize].nearest(place),
+                    None => place,
+                }
+            };
+            at.iter().enumerate().zip(mode).map(place).collect()
+        };
+        let [ahead, back] = [moved(1.0), moved(-1.0)];
+        let lower = if energy(&body, &ahead) <= energy(&body, &back) { ahead } else { back };
+        self.model.set_vertices(&lower);
+    }
+
+    fn count_solve(&mut self, phase: &'static str, energy: f64) -> Result<(), Stop> {
+        if self.solves >= self.limit {
+            return Err(Stop::Reason(StopReason::MaxIterations));
+        }
+        self.solves += 1;
+        self.fraction += 0.02 * (0.95 - self.fraction);
+        self.exec.report(Progress {
+            fraction: self.fraction,
+            phase,
+            iteration: u64::from(self.solves),
+            objective_value: Some(energy),
+            residual: None,
+        });
+        Ok(())
+    }
+
+    fn watch(&self) -> Watch {
+        let at = self.model.vertices();
+        let centre = plateau_mesh::polyline::mean(&at);
+        let radius = at.iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
+        let (low, high) = at.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
+        Watch {
+            centre,
+            radius,
+            span: low.distance(high),
+            area: self.model.layers[0].film.area(),
+            least_angle: f64::INFINITY,
+            closing: 0,
+            narrow: None,
+            last_width: f64::INFINITY,
+            pinching: 0,
+            necks: 0,
+            last_neck: None,
+            compressed: 0,
+        }
+    }
+
+    /// The ending that the present shape shows.
+    fn ending(&self, watch: &mut Watch, edge: f64) -> Option<Ending> {
+        let at = self.model.vertices();
+        let place = |p: DVec3| {
+            let DVec3 { x, y, z } = p + self.model.centre;
+            format!("({x:.4}, {y:.4}, {z:.4})")
+        };
+        let far = at.iter().max_by(|a, b| a.distance(watch.centre).total_cmp(&b.distance(watch.centre)))?;
+        let distance = far.distance(watch.centre);
+        if distance.is_nan() || distance > FAR * watch.radius {
+            let detail = format!(
+                "a vertex runs away: it is at {}, {:.0} times the radius of the start from its centre",
+                place(*far),
+                distance / watch.radius
+            );
+            return Some(Ending::RunsAway(detail));
+        }
+        if let Some(ending) = self.corner(watch, &at, &place) {
+            return Some(ending);
+        }
+        self.narrowest(watch, &at, edge);
+        if watch.pinching >= CLOSING
+            && let Some(strait) = watch.narrow
+        {
+            let detail = format!("the film pinches off: it is {:.3e} wide near {}", strait.width, place(strait.place));
+            return Some(Ending::Collapses(detail, None));
+        }
+        if watch.necks >= 6
+            && let Some(neck) = watch.last_neck
+        {
+            let detail =
+                format!("the film pinches off at a neck of girth {:.4} near {}", neck.girth, place(neck.place));
+            return Some(Ending::Collapses(detail, None));
+        }
+        for (k, cable) in self.structure.cables.iter().enumerate() {
+            let length = self.model.cables[k].length(&at);
+            let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
+            if length < least * watch.span && !self.model.holds_length(k) {
+                let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
+                let own = InputError::new(cable_place(self.structure, k), "shrinks to nothing");
+                return Some(Ending::Collapses(detail, Some(own)));
+            }
+        }
+        let area = self.model.layers[0].film.area();
+        if area < 1e-4 * watch.area {
+            return Some(Ending::Collapses(format!("the film shrinks to an area of {area:.3e}"), None));
+        }
+        if self.structure.has_heavy_layers() {
+            let weights = self.model.weights(self.structure, &at);
+            let least = self.model.triangles().iter().map(|t| weights[0].tension(t, &at)).fold(0.0, f64::min);
+            let tension = self.structure.layers[0].mean() + least;
+            watch.compressed = if tension <= 0.0 { watch.compressed + 1 } else { 0 };
+            if watch.compressed >= 5 {
+                let detail = format!(
+                    "the film's lowest part would be in compression: its weight leaves a tension of {tension:.4}"
+                );
+                let own = InputError::new(Place::field("film").then("weight"), "is more than the tension bears");
+                return Some(Ending::Collapses(detail, Some(own)));
+            }
+        }
+        None
+    }
+
+    /// Whether the film closes at a corner.
+    fn corner(&self, watch: &mut Watch, at: &[DVec3], place: &dyn Fn(DVec3) -> String) -> Option<Ending> {
+        let mut angles = vec![0.0; at.len()];
+        for triangle in self.model.layers[0].film.triangles() {
+            for k in 0..3 {
+                let [a, b, c] = [0, 1, 2].map(|i| at[triangle[(k + i) % 3] as usize]);
+                angles[triangle[k] as usize] += libm::atan2((b - a).cross(c - a).length(), (b - a).dot(c - a));
+            }
+        }
+        let corners = self.model.corners();
+        let &(v, boundary, point) =
+            corners.iter().min_by(|a, b| angles[a.0 as usize].total_cmp(&angles[b.0 as usize]))?;
+        let angle = angles[v as usize].to_degrees();
+        watch.closing = if angle < 3.0 && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
+        watch.least_angle = angle;
+        (watch.closing >= CLOSING || angle < 0.2).then(|| {
+            let detail = format!(
+                "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
+                place(at[v as usize])
+            );
+            let own = Place::field("boundaries").at(boundary).at(point);
+            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point")))
+        })
+    }
+
+    /// Finds the narrowest chord between two sides.
+    fn narrowest(&self, watch: &mut Watch, at: &[DVec3], edge: f64) {
+        let topology = &self.model.layers[0].film.topology;
+        let kept: Vec<DVec3> = self.model.corners().iter().map(|corner| at[corner.0 as usize]).collect();
+        let mut narrow = None::<Strait>;
+        for h in 0..topology.twin.len() as u32 {
+            let (a, b) = (topology.from(h), topology.to(h));
+            if topology.twin[h as usize] <= h
+                || topology.hinge(h).is_none()
+                || !topology.is_boundary(a)
+                || !topology.is_boundary(b)
+            {
+                continue;
+            }
+            let middle = 0.5 * (at[a as usize] + at[b as usize]);
+            let distance = kept.iter().map(|p| p.distance(middle)).fold(watch.span, f64::min);
+            let width = at[a as usize].distance(at[b as usize]);
+            if distance > 1.5 * edge && narrow.is_none_or(|known| width / distance < known.ratio) {
+                narrow = Some(Strait { ratio: width / distance, width, place: middle });
+            }
+        }
+        let thin = narrow.filter(|strait| strait.ratio < 0.03 && strait.width < 0.15 * edge);
+        let goes_on = thin.is_some_and(|strait| strait.width <= 1.05 * watch.last_width);
+        watch.pinching = if goes_on { watch.pinching + 1 } else { 0 };
+        watch.last_width = thin.map_or(f64::INFINITY, |strait| strait.width);
+        watch.narrow = narrow;
+    }
+
+    /// The ending of an attempt in which no step keeps the mesh.
+    fn stuck(&self, watch: &Watch) -> Ending {
+        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.05);
+        if watch.least_angle < 10.0 {
+            let detail = format!("the film closes at a corner: its sides meet at {:.2} degrees", watch.least_angle);
+            return Ending::Collapses(detail, None);
+        }
+        match narrow {
+            Some(strait) => {
+                let DVec3 { x, y, z } = strait.place + self.model.centre;
+                let detail =
+                    format!("the film pinches off: it is {:.3e} wide near ({x:.4}, {y:.4}, {z:.4})", strait.width);
+                Ending::Collapses(detail, None)
+            }
+            None => Ending::NotFound("no step of the form finding keeps the mesh whole".into()),
+        }
+    }
+}

@@ -1,0 +1,445 @@
+//! Remeshing of a film whose edges move: its edge lengths stay near one size while corners and curves travel.
+//!
+//! One round splits long edges, collapses short ones, flips edges and relaxes vertices within the film. Vertices of a
+//! flexible stretch (a cable, an edge that slides) are split, collapsed and relaxed along their own stretch. Vertices
+//! that are kept stay where they are and keep their identity.
+//!
+//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4.
+
+use super::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::edit::may_collapse;
+use crate::film::Film;
+use crate::measure::double_area_vector;
+use crate::topology::{NONE, Topology};
+use crate::{DVec3, Execution, Interruption};
+use std::collections::BTreeMap;
+
+/// An edge is split if it exceeds this multiple of the size at its ends.
+const LONG: f64 = 1.4;
+/// An edge is collapsed if it is shorter than this multiple of the size. From 0.5 to 0.65 random structures are found
+/// equally often.
+const SHORT: f64 = 0.65;
+/// No collapse makes an edge longer than this multiple of the size.
+const LONGEST: f64 = 1.5;
+/// Growth of the size per length of distance from a short edge that keeps its length.
+const GRADING: f64 = 0.4;
+/// A loop of three edges that bounds no triangle is a neck if its girth is below this multiple of the size.
+const NECK: f64 = 3.0 * SHORT;
+/// Sweeps along the curves in a relaxation. With fewer the segments of a cable are less even.
+const CURVE_SWEEPS: u32 = 4;
+/// Keys of edges are compared in steps of this relative size, so that rounding does not decide between edges of equal
+/// length. The value has no round multiples among the lengths of regular meshes.
+const KEY_STEP: f64 = 1.234_567_891e-6;
+
+/// The changes that remeshing may make to a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Move within the film, and merge with any vertex.
+    Inside,
+    /// Move along the stretch of this number, and merge with vertices of it.
+    Along(u32),
+    /// Nothing: the vertex stays and keeps its identity.
+    Kept,
+}
+
+/// A boundary loop, or a line across the film.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    pub vertices: Vec<u32>,
+    /// For each edge, from each vertex to the next, the number of its stretch. A closed curve has one more edge.
+    pub stretches: Vec<u32>,
+}
+
+impl Curve {
+    fn edge(&self, k: usize) -> [u32; 2] {
+        [self.vertices[k], self.vertices[(k + 1) % self.vertices.len()]]
+    }
+}
+
+/// A film with the curves along which its vertices move.
+#[derive(Clone, Debug)]
+pub struct MovingFilm {
+    pub film: Film,
+    pub kinds: Vec<Kind>,
+    /// The boundaries in the order of the film's, then the lines across it.
+    pub curves: Vec<Curve>,
+    /// For each stretch whether its vertices move along it. On others no vertex moves, and new ones are kept.
+    pub flexible: Vec<bool>,
+    /// For each stretch the fewest vertices inside it.
+    pub fewest: Vec<usize>,
+    /// Kept vertices, which renumbering follows.
+    pub named: Vec<u32>,
+}
+
+/// A place where the film closes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neck {
+    pub place: DVec3,
+    /// The length of the loop of three edges.
+    pub girth: f64,
+}
+
+fn ordered(edge: [u32; 2]) -> [u32; 2] {
+    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+}
+
+fn key(ratio: f64) -> u64 {
+    (libm::log(ratio.max(1e-30)) / KEY_STEP + 1e10) as u64
+}
+
+impl MovingFilm {
+    /// Brings the edge lengths near `size`. `onto` takes a point near a stretch onto the stretch's support. Returns the
+    /// narrowest neck of the last round.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`; the film is valid in that case too.
+    pub fn remesh(
+        &mut self,
+        size: f64,
+        rounds: u32,
+        onto: &dyn Fn(u32, DVec3) -> DVec3,
+        exec: &Execution,
+    ) -> Result<Option<Neck>, Interruption> {
+        let mut neck = None;
+        for _ in 0..rounds {
+            let mut sizes = self.sizes(size);
+            for _ in 0..6 {
+                exec.look(20 * self.film.triangles().len() as u64)?;
+                if !self.split_long(&mut sizes, onto) {
+                    break;
+                }
+                flip_to_delaunay(&mut self.film, exec)?;
+            }
+            for _ in 0..4 {
+                exec.look(20 * self.film.triangles().len() as u64)?;
+                let collapsed;
+                (collapsed, neck) = self.collapse_short(&mut sizes, onto);
+                if !collapsed {
+                    break;
+                }
+            }
+            for _ in 0..2 {
+                flip_to_delaunay(&mut self.film, exec)?;
+                for _ in 0..CURVE_SWEEPS {
+                    self.relax_curves(onto);
+                }
+                tangential_relaxation(&mut self.film, 1);
+            }
+            flip_to_delaunay(&mut self.film, exec)?;
+        }
+        Ok(neck.filter(|neck| neck.girth < NECK * size))
+    }
+
+    /// The stretch of every edge of a curve.
+    fn stretches(&self) -> BTreeMap<[u32; 2], u32> {
+        let of = |curve: &Curve| -> Vec<([u32; 2], u32)> {
+            curve.stretches.iter().enumerate().map(|(k, &stretch)| (ordered(curve.edge(k)), stretch)).collect()
+        };
+        self.curves.iter().flat_map(of).collect()
+    }
+
+    /// For each stretch the number of vertices inside it.
+    fn numbers_inside(&self) -> Vec<usize> {
+        let mut numbers = vec![0; self.flexible.len()];
+        for kind in &self.kinds {
+            if let Kind::Along(stretch) = kind {
+                numbers[*stretch as usize] += 1;
+            }
+        }
+        numbers
+    }
+
+    /// The size at every vertex: the given one, and less beside shorter edges that keep their length and beside
+    /// stretches that need more vertices.
+    fn sizes(&self, size: f64) -> Vec<f64> {
+        let mut sizes = vec![size; self.film.vertices.len()];
+        let at = &self.film.vertices;
+        let stretches = self.stretches();
+        let length = |edge: &[u32; 2]| at[edge[0] as usize].distance(at[edge[1] as usize]);
+        let mut lengths = vec![0.0; self.flexible.len()];
+        stretches.iter().for_each(|(edge, &stretch)| lengths[stretch as usize] += length(edge));
+        for (edge, &stretch) in &stretches {
+            let stretch = stretch as usize;
+            let spacing = if self.flexible[stretch] {
+                lengths[stretch] / (self.fewest[stretch] + 1) as f64
+            } else {
+                length(edge)
+            };
+            if spacing < 0.7 * size {
+                edge.iter().for_each(|&v| sizes[v as usize] = sizes[v as usize].min(1.1 * spacing));
+            }
+        }
+        if sizes.iter().any(|&own| own < size) {
+            let topology = &self.film.topology;
+            for _ in 0..30 {
+                let mut changed = false;
+                for h in 0..topology.twin.len() as u32 {
+                    let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+                    let grown = GRADING * at[a].distance(at[b]);
+                    for (near, far) in [(a, b), (b, a)] {
+                        if sizes[far] > (sizes[near] + grown) * (1.0 + 1e-9) {
+                            sizes[far] = sizes[near] + grown;
+                            changed = true;
+                        }
+                    }
+                }
+                if !changed {
+                    break;
+                }
+            }
+        }
+        sizes
+    }
+
+    /// A half-edge for each edge, with the edge's length over the size.
+    fn ratios(&self, sizes: &[f64]) -> Vec<(f64, u32)> {
+        let (topology, at) = (&self.film.topology, &self.film.vertices);
+        let ratio = |h: u32| {
+            let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+            (at[a].distance(at[b]) / (0.5 * (sizes[a] + sizes[b])), h)
+        };
+        (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] > h).map(ratio).collect()
+    }
+
+    fn split_long(&mut self, sizes: &mut Vec<f64>, onto: &dyn Fn(u32, DVec3) -> DVec3) -> bool {
+        let stretches = self.stretches();
+        let inside = self.numbers_inside();
+        let mut long = self.ratios(sizes);
+        for (ratio, h) in &mut long {
+            let ends = ordered([self.film.topology.from(*h), self.film.topology.to(*h)]);
+            let lacks = |&&stretch: &&u32| {
+                self.flexible[stretch as usize] && inside[stretch as usize] < self.fewest[stretch as usize]
+            };
+            if stretches.get(&ends).filter(lacks).is_some() {
+                *ratio *= 2.0 * LONG / ratio.min(1.0);
+            }
+        }
+        long.retain(|&(ratio, _)| ratio > LONG);
+        long.sort_by_key(|&(ratio, h)| (u64::MAX - key(ratio), h));
+        let film = &mut self.film;
+        let mut taken = vec![false; film.triangles().len()];
+        let mut triangles = film.triangles().to_vec();
+        let mut middles = BTreeMap::new();
+        let mut any = false;
+        for (_, h) in long {
+            let twin = film.topology.twin[h as usize];
+            let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
+            if is_taken(h) || is_taken(twin) {
+                continue;
+            }
+            let (a, b) = (film.topology.from(h), film.topology.to(h));
+            let middle = film.vertices.len() as u32;
+            let place = 0.5 * (film.vertices[a as usize] + film.vertices[b as usize]);
+            let (kind, place) = match stretches.get(&ordered([a, b])) {
+                None => (Kind::Inside, place),
+                Some(&stretch) => {
+                    middles.insert(ordered([a, b]), middle);
+                    if self.flexible[stretch as usize] {
+                        (Kind::Along(stretch), onto(stretch, place))
+                    } else {
+                        (Kind::Kept, place)
+                    }
+                }
+            };
+            any = true;
+            film.vertices.push(place);
+            film.fixed.push(kind != Kind::Inside);
+            self.kinds.push(kind);
+            sizes.push(0.5 * (sizes[a as usize] + sizes[b as usize]));
+            for (half, from, to) in [(h, a, b), (twin, b, a)] {
+                if half != NONE {
+                    taken[half as usize / 3] = true;
+                    let apex = film.topology.opposite(half);
+                    triangles[half as usize / 3] = [from, middle, apex];
+                    triangles.push([middle, to, apex]);
+                }
+            }
+        }
+        if any {
+            film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
+            if !middles.is_empty() {
+                for curve in &mut self.curves {
+                    let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
+                    for (k, &v) in curve.vertices.iter().enumerate() {
+                        vertices.push(v);
+                        let Some(&stretch) = curve.stretches.get(k) else { continue };
+                        stretches.push(stretch);
+                        if let Some(&middle) = middles.get(&ordered(curve.edge(k))) {
+                            vertices.push(middle);
+                            stretches.push(stretch);
+                        }
+                    }
+                    *curve = Curve { vertices, stretches };
+                }
+                self.renew_curves();
+            }
+        }
+        any
+    }
+
+    /// The boundaries and locked edges of the film from the curves.
+    pub fn renew_curves(&mut self) {
+        let count = self.film.boundaries.len();
+        self.film.boundaries = self.curves[..count].iter().map(|curve| curve.vertices.clone()).collect();
+        self.film.locked = self.curves[count..]
+            .iter()
+            .flat_map(|curve| (0..curve.stretches.len()).map(|k| ordered(curve.edge(k))))
+            .collect();
+        self.film.locked.sort_unstable();
+    }
+
+    fn collapse_short(&mut self, sizes: &mut Vec<f64>, onto: &dyn Fn(u32, DVec3) -> DVec3) -> (bool, Option<Neck>) {
+        let mut short: Vec<(f64, u32)> = self.ratios(sizes).into_iter().filter(|&(ratio, _)| ratio < SHORT).collect();
+        short.sort_by_key(|&(ratio, h)| (key(ratio), h));
+        let stretches = self.stretches();
+        let mut left = self.numbers_inside();
+        let mut touched = vec![false; self.film.vertices.len()];
+        let mut dead = vec![false; self.film.vertices.len()];
+        let (mut any, mut neck) = (false, None::<Neck>);
+        for (_, h) in short {
+            let topology = &self.film.topology;
+            if topology.is_removed(h / 3) {
+                continue;
+            }
+            let (a, b) = (topology.from(h), topology.to(h));
+            let near = || topology.neighbours(a).chain(topology.neighbours(b)).chain([a, b]);
+            if near().any(|v| touched[v as usize]) {
+                continue;
+            }
+            let (kind_a, kind_b) = (self.kinds[a as usize], self.kinds[b as usize]);
+            let stretch = stretches.get(&ordered([a, b])).copied();
+            // The vertex that leaves, the one that stays, and whether they meet in the middle.
+            let (leaves, stays, in_the_middle) = match (stretch, kind_a, kind_b) {
+                (Some(s), _, _) if left[s as usize] <= self.fewest[s as usize] => continue,
+                (Some(_), Kind::Along(_), Kind::Along(_)) | (None, Kind::Inside, Kind::Inside) => (a, b, true),
+                (Some(_), Kind::Along(_), _) | (None, Kind::Inside, _) => (a, b, false),
+                (Some(_), _, Kind::Along(_)) | (None, _, Kind::Inside) => (b, a, false),
+                _ => continue,
+            };
+            if !may_collapse(topology, leaves, stays) {
+                if let Some(found) = self.neck_at(a, b)
+                    && neck.is_none_or(|known| found.girth < known.girth)
+                {
+                    neck = Some(found);
+                }
+                continue;
+            }
+            let at = &self.film.vertices;
+            let meeting = if in_the_middle {
+                let middle = 0.5 * (at[a as usize] + at[b as usize]);
+                stretch.map_or(middle, |stretch| onto(stretch, middle))
+            } else {
+                at[stays as usize]
+            };
+            let keeps = self.keeps_shape(sizes, leaves, stays, meeting)
+                && (!in_the_middle || self.keeps_shape(sizes, stays, leaves, meeting));
+            if !keeps {
+                continue;
+            }
+            let around: Vec<u32> = near().collect();
+            around.into_iter().for_each(|v| touched[v as usize] = true);
+            self.film.topology.collapse(stays, leaves);
+            self.film.vertices[stays as usize] = meeting;
+            dead[leaves as usize] = true;
+            if let Some(stretch) = stretch {
+                left[stretch as usize] -= 1;
+            }
+            any = true;
+        }
+        if any {
+            self.remove(&dead, sizes);
+        }
+        (any, neck)
+    }
+
+    /// The loop of three edges that keeps an edge from collapsing, if it bounds no triangle.
+    fn neck_at(&self, a: u32, b: u32) -> Option<Neck> {
+        let topology = &self.film.topology;
+        let corners = [(a, b), (b, a)].map(|(from, to)| topology.half_edge(from, to).map(|h| topology.opposite(h)));
+        if corners.contains(&None) || [a, b].iter().any(|&v| topology.degree(v) <= 3) {
+            return None;
+        }
+        let is_neck = |v: &u32| {
+            *v != b && !corners.contains(&Some(*v)) && topology.are_adjacent(*v, b) && topology.degree(*v) > 3
+        };
+        let third = topology.neighbours(a).find(is_neck)?;
+        let [p, q, r] = [a, b, third].map(|v| self.film.vertices[v as usize]);
+        Some(Neck { place: (p + q + r) / 3.0, girth: p.distance(q) + q.distance(r) + r.distance(p) })
+    }
+
+    /// Whether the triangles around `v` without `other` stay whole when `v` moves to `place`.
+    fn keeps_shape(&self, sizes: &[f64], v: u32, other: u32, place: DVec3) -> bool {
+        let (topology, at) = (&self.film.topology, &self.film.vertices);
+        topology.outgoing_half_edges(v).all(|h| {
+            let (j, k) = (topology.to(h), topology.opposite(h));
+            if j == other || k == other {
+                return true;
+            }
+            let (p, q) = (at[j as usize], at[k as usize]);
+            let longest = LONGEST * sizes[v as usize];
+            stays_whole([at[v as usize], p, q], [place, p, q], 0.3, 0.08)
+                && place.distance(p).max(place.distance(q)) < longest
+        })
+    }
+
+    fn remove(&mut self, dead: &[bool], sizes: &mut Vec<f64>) {
+        let kept: Vec<usize> = (0..dead.len()).filter(|&v| !dead[v]).collect();
+        let mut place = vec![NONE; dead.len()];
+        kept.iter().enumerate().for_each(|(new, &old)| place[old] = new as u32);
+        let film = &mut self.film;
+        let left = film.triangles().iter().filter(|triangle| triangle[0] != NONE);
+        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| place[v as usize])).collect();
+        film.topology = Topology::build(&triangles, kept.len()).expect("the link condition keeps a manifold");
+        film.vertices = kept.iter().map(|&v| film.vertices[v]).collect();
+        film.fixed = kept.iter().map(|&v| film.fixed[v]).collect();
+        self.kinds = kept.iter().map(|&v| self.kinds[v]).collect();
+        *sizes = kept.iter().map(|&v| sizes[v]).collect();
+        self.named.iter_mut().for_each(|v| *v = place[*v as usize]);
+        for curve in &mut self.curves {
+            let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
+            for (k, &v) in curve.vertices.iter().enumerate() {
+                // Both edges at a vertex that leaves are of one stretch.
+                if !dead[v as usize] {
+                    vertices.push(place[v as usize]);
+                    stretches.extend(curve.stretches.get(k));
+                }
+            }
+            *curve = Curve { vertices, stretches };
+        }
+        self.renew_curves();
+    }
+
+    /// Moves each vertex of a flexible stretch along its curve towards the middle between its neighbours.
+    fn relax_curves(&mut self, onto: &dyn Fn(u32, DVec3) -> DVec3) {
+        for curve in &self.curves {
+            let count = curve.vertices.len();
+            for (k, &v) in curve.vertices.iter().enumerate() {
+                let Kind::Along(stretch) = self.kinds[v as usize] else { continue };
+                let at = &self.film.vertices;
+                let here = at[v as usize];
+                let [before, after] = [k + count - 1, k + 1].map(|k| at[curve.vertices[k % count] as usize]);
+                let (back, ahead) = (here.distance(before), here.distance(after));
+                let shift = 0.25 * (ahead - back);
+                let towards = if shift > 0.0 { after - here } else { here - before };
+                let place = onto(stretch, here + shift * towards.normalize_or_zero());
+                let topology = &self.film.topology;
+                let keeps = topology.outgoing_half_edges(v).all(|h| {
+                    let [p, q] = [topology.to(h), topology.opposite(h)].map(|w| at[w as usize]);
+                    stays_whole([here, p, q], [place, p, q], 0.3, 0.05)
+                });
+                if keeps {
+                    self.film.vertices[v as usize] = place;
+                }
+            }
+        }
+    }
+}
+
+/// Whether a triangle that moves turns by less than the angle of this cosine and does not become thin: twice its area
+/// stays above the fraction `thin` of the sum of its squared sides, or grows against it.
+fn stays_whole(before: [DVec3; 3], after: [DVec3; 3], cosine: f64, thin: f64) -> bool {
+    let squares = |[p, q, r]: [DVec3; 3]| p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
+    let (normal, moved) = (double_area_vector(before), double_area_vector(after));
+    let (was, is) = (normal.length() / squares(before), moved.length() / squares(after).max(f64::MIN_POSITIVE));
+    (was < 1e-3 || normal.dot(moved) >= cosine * normal.length() * moved.length()) && (is >= thin || is >= was)
+}
