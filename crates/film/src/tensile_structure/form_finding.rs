@@ -1,8 +1,9 @@
 //! From the initial mesh to the shape in equilibrium.
 //!
-//! 1. *Settle*: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)). The film's area is
-//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the
-//!    mesh follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
+//! 1. *Settle*: a structure whose edges or corners move does so on meshes that are renewed ([`travel`](super::travel)).
+//!    Others keep their mesh: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)) replace
+//!    the film's area by the quadratic energy of its present shape, in which every vertex inside moves freely. Between
+//!    the rounds edges are flipped and vertices slide within the film.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
 //!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
 //!    renewed between solves. Then the stability is analysed. A woven film has no energy whose minimum its shape could
