@@ -58,9 +58,9 @@ pub trait Term: fmt::Debug {
     fn visit_rank_one_parts(&self, _at: &[DVec3], _add: &mut dyn FnMut(f64, &[DVec3])) {}
 
     /// Calls `visit(v, w, k)` with springs between vertices. With ½ Σ k |d_w - d_v|² over the displacements d added to
-    /// the value and the slope at `at` they are a quadratic function that the energy touches at `at` and exceeds nowhere,
-    /// or nearly nowhere where the documentation says so. An energy that is linear or falls away from its tangent has
-    /// none. The form finding settles by them (`equilibrium::settling`).
+    /// the value and the slope at `at` they are a quadratic function that the energy touches at `at` and exceeds
+    /// nowhere, or nearly nowhere where the documentation says so. An energy that is linear or falls away from its
+    /// tangent has none. The form finding settles by them (`equilibrium::settling`).
     fn visit_springs(&self, _at: &[DVec3], _visit: &mut dyn FnMut(u32, u32, f64)) {}
 
     /// Calls `visit` with the vertices of each element. Two vertices without a common element have no block.

@@ -204,8 +204,8 @@ fn a_corner_that_nothing_ties_back_closes_and_is_named() {
     assert_eq!(reason, "no_equilibrium");
 }
 
-/// A structure with 3 to 8 corners around a wavy ring and a cable along each side. A stay holds one corner, or it slides
-/// on a line; the corner starts displaced by a part of the span.
+/// A structure with 3 to 8 corners around a wavy ring and a cable along each side. A stay holds one corner, or the
+/// corner slides on a line; it starts displaced by a part of the span.
 fn random_structure(seed: u64, displaced: f64) -> Structure {
     let mut random = SplitMix64::new(seed);
     let mut unit = || random.below(1 << 30) as f64 / f64::from(1 << 30);

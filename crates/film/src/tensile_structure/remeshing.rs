@@ -1,7 +1,7 @@
 //! The mesh of a structure that travels: remeshed while its corners and edges move.
 //!
-//! A vertex of the boundary is kept where the film is held, where two parts of the boundary meet, where a cable ends and
-//! where a point moves by itself. All others move along their stretch. A point of the input inside a stretch is any
+//! A vertex of the boundary is kept where the film is held, where two parts of the boundary meet, where a cable ends
+//! and where a point moves by itself. All others move along their stretch. A point of the input inside a stretch is any
 //! vertex of it, because nothing but the order tells them apart.
 
 use super::model::Model;

@@ -1,6 +1,6 @@
 //! Remeshing of a film whose edges move: its edge lengths stay near one size while corners and curves travel.
 //!
-//! One round splits long edges, collapses short ones, flips edges and relaxes vertices within the film. Vertices of a
+//! A round splits long edges, collapses short ones, flips edges and relaxes vertices within the film. Vertices of a
 //! flexible stretch (a cable, an edge that slides) are split, collapsed and relaxed along their own stretch. Vertices
 //! that are kept stay where they are and keep their identity.
 //!
