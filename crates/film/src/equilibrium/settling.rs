@@ -201,9 +201,9 @@ impl Settler {
                     continue;
                 };
                 let (own, other) = (basis.of(v), basis.of(w));
-                for i in 0..own.len() {
-                    for j in 0..other.len() {
-                        let cosine = if basis.scalar { 1.0 } else { own[i].dot(other[j]) };
+                for (i, u) in own.iter().enumerate() {
+                    for (j, w) in other.iter().enumerate() {
+                        let cosine = if basis.scalar { 1.0 } else { u.dot(*w) };
                         values[position.at(i, j)] += sign * stiffness * cosine;
                     }
                 }

@@ -146,7 +146,6 @@ impl Run<'_> {
     }
 
     /// Makes one attempt. Returns the ending and the last shape if there is no result.
-    #[expect(clippy::too_many_lines, reason = "one loop over the rounds of all levels, whose order is the method")]
     fn attempt_at(&mut self, pace: Pace, ramp: f64, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
         let mut settler = Settler::default();
         let mut watch = self.watch();
