@@ -101,8 +101,9 @@ fn every_mode_finds_the_sail_whose_cables_have_a_force_of_ten() {
         let result = found(&structure, 0.8);
         for cable in &result.cables {
             println!("{} {} {} {}", mode.name(), cable.force, cable.length, cable.sag);
-            // The meshes differ, and with them lengths and sags by a part of the mesh's error, which is 4e-3.
-            assert!((cable.force - 10.0).abs() < 4e-3, "{mode:?} {}", cable.force);
+            // The meshes differ, and with them lengths and sags by a part of the mesh's error, which is 4e-3. An arc
+            // that is longer by 4e-3 has a force that is smaller by 4e-2.
+            assert!((cable.force - 10.0).abs() < 4e-2, "{mode:?} {}", cable.force);
             assert!((cable.length - length).abs() < 2e-3 && (cable.sag - sag).abs() < 4e-3, "{mode:?}");
             let unstressed = cable.unstressed_length.unwrap();
             assert!((unstressed - cable.length / (1.0 + cable.force / stiffness)).abs() < 1e-9);
