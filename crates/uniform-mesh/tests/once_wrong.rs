@@ -291,3 +291,24 @@ fn a_fixed_point_outside_is_named() {
     let Err(Error::Input(errors)) = spanned(&outline, &options) else { panic!("a point lies outside") };
     assert_eq!(errors[0].place.to_string(), "/constraints/points/1");
 }
+
+/// Two near rings have an annulus of area 1.6e-4, and two discs of 6.26 were called the least.
+#[test]
+fn best_finds_the_film_between_near_rings_and_gives_a_small_ring_its_triangles() {
+    let rings = [ring(40, 1.0, 0.0), ring(40, 1.0, 2.6e-5)];
+    let surface = spanned(&rings, &by_topology(TopologyRule::Best, 1200)).unwrap();
+    assert!(surface.statistics.area < 2e-4, "{}", surface.statistics.area);
+    let rings = [ring(27, 1.0, 0.0), ring(19, 0.001, 3.0)];
+    let surface = spanned(&rings, &by_topology(TopologyRule::Best, 800)).unwrap();
+    assert!(surface.statistics.converged && surface.statistics.components == 2);
+}
+
+/// The disc over the smaller ring was solved to its own radius, and judged by that of both rings.
+#[test]
+fn films_over_some_of_the_boundaries_converge_by_the_radius_of_all() {
+    let tilted: Vec<DVec3> =
+        ring(16, 0.3, 0.0).into_iter().map(|p| DVec3::new(p.x, p.y, 0.1 * p.x * p.y + 2.0)).collect();
+    let surface = spanned(&[ring(16, 1.0, 0.0), tilted], &by_topology(TopologyRule::Best, 2000)).unwrap();
+    assert!(surface.statistics.converged, "{}", surface.statistics.residual);
+    assert!(surface.statistics.residual <= 1e-6);
+}

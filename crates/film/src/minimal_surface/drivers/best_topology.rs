@@ -5,16 +5,21 @@
 //!    flipped triangle.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
-//! 3. The partition of least area is returned. The statistics list the others. Partitions whose films pass through
-//!    themselves or each other come after all others, whatever their area.
+//! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
+//!    partitions are compared on coarse meshes, and those near the least area again at the full size. Partitions
+//!    whose films pass through themselves or each other come after all others, whatever their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
 //!    their centroids until one does. They are then moved apart in ever shorter steps, each from the last film. The
 //!    result is the largest fraction of the gap at which a film holds, or the film itself if the full gap is reached.
 //!
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
+use super::free_topology;
+use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::initial_mesh;
-use crate::minimal_surface::options::{Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
+use crate::minimal_surface::options::{
+    FreeTopology, Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
+};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;
@@ -36,6 +41,12 @@ const GAP_RESOLUTION: f64 = 1e-3;
 /// are further apart.
 const HALVINGS: u32 = 8;
 
+/// Number of triangles at which topologies are compared, if more are asked for. Those that come near the least area are
+/// then solved at the full size. A larger value compares more exactly and takes longer.
+const COMPARED_TRIANGLES: usize = 2_000;
+/// Fraction by which areas may exceed the least one and still count as near it. The error of a mesh of
+/// [`COMPARED_TRIANGLES`] is about a tenth of this.
+const CONTENDS: f64 = 5e-3;
 /// Least number of triangles of a film for each of its boundary points, unless fewer are asked for altogether.
 const TRIANGLES_PER_POINT: usize = 3;
 /// Fraction of the tolerance to which a film is solved that spans some of the boundaries only. The mean of a film's
@@ -77,78 +88,58 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
         return Err(Error::input(Place::field("topology"), detail));
     }
-    let total: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-    let problem = SpanningProblem { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) };
+    let full = SpanningProblem::new(boundaries, options.clone());
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
-    let mut parts: Vec<Option<SolvedFilm>> = vec![None; 1 << count];
-    let share = 0.9 / sets.len() as f64;
-    let mut interrupted = false;
-    let mut without_disc = None;
-    for (k, &set) in sets.iter().enumerate() {
-        let share = [share * k as f64, share * (k + 1) as f64];
-        match exec.part(share, |exec| problem.part(set, exec)) {
-            Ok(part) => {
-                interrupted |= part.run.stop_reason == StopReason::Deadline;
-                parts[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
-            }
-            Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
-            Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => {
-                without_disc.get_or_insert(error);
-            }
-            // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no such
-            // film.
-            Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
-            Err(error) => return Err(error),
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    let compared_at = COMPARED_TRIANGLES.max(2 * TRIANGLES_PER_POINT * points);
+    let is_large = estimate(boundaries, options).triangles > 2.0 * compared_at as f64;
+    let coarse = is_large.then(|| {
+        let resolution = Resolution::Triangles(compared_at);
+        SpanningProblem::new(boundaries, Options { resolution, ..options.clone() })
+    });
+    let share = if is_large { 0.5 } else { 1.0 };
+    let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, exec))?;
+    let mut compared = parts.compared(&partitions(count), exec)?;
+    // The partition into discs has an area unless a boundary bounds no disc.
+    if let (None, Some(error)) = (compared[0].area, parts.without_disc.take()) {
+        return Err(error);
+    }
+    let connected_film_exists = parts.films[(1 << count) - 1].is_some();
+    let largest_gap_fraction = parts.largest_gap_fraction;
+    // The topologies whose areas differ by less than the error of the coarse meshes are solved at full size. If none of
+    // their films holds there, the next ones are.
+    let mut rest = if is_large && !parts.interrupted { compared.clone() } else { Vec::new() };
+    while let Some(least) = rest.first().and_then(|topology| topology.area) {
+        let crosses = rest[0].films_cross;
+        let contends = |topology: &SpanningTopology| {
+            topology.films_cross == crosses && topology.area.is_some_and(|area| area <= (1.0 + CONTENDS) * least)
+        };
+        let (contenders, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(contends);
+        rest = others;
+        let contenders: Vec<Vec<u32>> =
+            contenders.iter().map(|topology| topology.films.iter().map(|films| set_of(films)).collect()).collect();
+        let mut sets: Vec<u32> = contenders.iter().flatten().copied().collect();
+        sets.sort_by_key(|set| (set.count_ones(), *set));
+        sets.dedup();
+        let finer = exec.part([share, 1.0], |exec| full.parts(&sets, exec))?;
+        let mut found = finer.compared(&contenders, exec)?;
+        if found[0].area.is_some() {
+            let is_finer = |topology: &SpanningTopology| found.iter().any(|finer| finer.films == topology.films);
+            compared.retain(|topology| !is_finer(topology));
+            found.append(&mut compared);
+            (compared, parts) = (found, finer);
+            break;
         }
-        if interrupted && set.count_ones() > 1 {
+        if finer.interrupted {
+            parts.interrupted = true;
             break;
         }
     }
-    let whole = (1usize << count) - 1;
-    let mut largest_gap_fraction = None;
-    if count == 2 && parts[whole].is_none() && !interrupted {
-        match exec.part([0.9, 1.0], |exec| problem.widest_gap(exec)) {
-            Ok(Widest::Full(part)) => parts[whole] = Some(*part),
-            Ok(Widest::Fraction(fraction)) => largest_gap_fraction = Some(fraction),
-            Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
-            Err(error) => return Err(error),
-        }
-    }
-    let connected_film_exists = parts[whole].is_some();
-    let mut crosses_itself = Vec::with_capacity(parts.len());
-    for part in &parts {
-        let film = part.as_ref().map(|part| &part.film);
-        crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
-    }
-    let mut topologies = partitions(count);
-    let mut compared: Vec<SpanningTopology> = Vec::with_capacity(topologies.len());
-    for films in &mut topologies {
-        films.sort_by_key(|set| set.trailing_zeros());
-        compared.push(compare(films, &parts, &crosses_itself, exec)?);
-    }
-    // The areas are rounded, so that the last bits do not decide between mirror images.
-    let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
-    let order = |a: &SpanningTopology, b: &SpanningTopology| {
-        let key =
-            |topology: &SpanningTopology| topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round());
-        let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
-        let known = a.area.is_none().cmp(&b.area.is_none());
-        let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
-        by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
-    };
-    compared.sort_by(order);
-    // The partition into discs has an area unless a boundary bounds no disc.
-    if let (None, Some(error)) = (compared[0].area, without_disc) {
-        return Err(error);
-    }
     compared[0].chosen = true;
-    let chosen: Vec<&SolvedFilm> = compared[0]
-        .films
-        .iter()
-        .filter_map(|set| parts[set.iter().map(|&boundary| 1usize << boundary).sum::<usize>()].as_ref())
-        .collect();
+    let chosen: Vec<&SolvedFilm> =
+        compared[0].films.iter().filter_map(|films| parts.films[set_of(films) as usize].as_ref()).collect();
     let comparison = SpanningComparison { topologies: compared.clone(), connected_film_exists, largest_gap_fraction };
     let films: Vec<(&[usize], &SolvedFilm)> =
         compared[0].films.iter().map(Vec::as_slice).zip(chosen.iter().copied()).collect();
@@ -158,7 +149,7 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     for part in &chosen {
         run.append(part.run.clone());
     }
-    run.stop_reason = if interrupted {
+    run.stop_reason = if parts.interrupted {
         StopReason::Deadline
     } else {
         let open = chosen.iter().map(|part| part.run.stop_reason).find(|&reason| reason != StopReason::Residual);
@@ -168,6 +159,51 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     run.spanning = Some(comparison);
     let initial_area = chosen.iter().map(|part| part.initial_area).sum();
     Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
+}
+
+/// The boundaries of a set as a number whose bits are the boundaries.
+fn set_of(boundaries: &[usize]) -> u32 {
+    boundaries.iter().map(|&boundary| 1 << boundary).sum()
+}
+
+/// The films over sets of boundaries.
+struct Parts {
+    /// For each set its film, if one holds. A disc need not hold.
+    films: Vec<Option<SolvedFilm>>,
+    interrupted: bool,
+    /// Why a boundary bounds no disc.
+    without_disc: Option<Error>,
+    largest_gap_fraction: Option<f64>,
+}
+
+impl Parts {
+    /// The partitions with their areas, the least one first.
+    fn compared(&self, partitions: &[Vec<u32>], exec: &Execution) -> Result<Vec<SpanningTopology>, Error> {
+        let mut crosses_itself = Vec::with_capacity(self.films.len());
+        for part in &self.films {
+            let film = part.as_ref().map(|part| &part.film);
+            crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
+        }
+        let mut compared: Vec<SpanningTopology> = Vec::with_capacity(partitions.len());
+        for films in partitions {
+            let mut films = films.clone();
+            films.sort_by_key(|set| set.trailing_zeros());
+            compared.push(compare(&films, &self.films, &crosses_itself, exec)?);
+        }
+        // The areas are rounded, so that the last bits do not decide between mirror images.
+        let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
+        let order = |a: &SpanningTopology, b: &SpanningTopology| {
+            let key = |topology: &SpanningTopology| {
+                topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round())
+            };
+            let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
+            let known = a.area.is_none().cmp(&b.area.is_none());
+            let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
+            by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+        };
+        compared.sort_by(order);
+        Ok(compared)
+    }
 }
 
 /// Whether a film meets itself. Past the deadline that is not looked for any more.
@@ -254,14 +290,59 @@ enum Widest {
 
 struct SpanningProblem<'a> {
     boundaries: &'a [Vec<DVec3>],
-    options: &'a Options,
+    options: Options,
     /// Length of all boundaries together.
     total: f64,
     /// Largest distance of their points from the mean.
     radius: f64,
 }
 
-impl SpanningProblem<'_> {
+impl<'a> SpanningProblem<'a> {
+    fn new(boundaries: &'a [Vec<DVec3>], options: Options) -> Self {
+        let total = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
+        Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
+    }
+
+    /// Steps 1 and 4 for some sets.
+    fn parts(&self, sets: &[u32], exec: &Execution) -> Result<Parts, Error> {
+        let count = self.boundaries.len();
+        let mut parts =
+            Parts { films: vec![None; 1 << count], interrupted: false, without_disc: None, largest_gap_fraction: None };
+        let share = 0.9 / sets.len() as f64;
+        for (k, &set) in sets.iter().enumerate() {
+            let share = [share * k as f64, share * (k + 1) as f64];
+            match exec.part(share, |exec| self.part(set, exec)) {
+                Ok(part) => {
+                    parts.interrupted |= part.run.stop_reason == StopReason::Deadline;
+                    parts.films[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
+                }
+                Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => {
+                    parts.interrupted = true;
+                }
+                Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => {
+                    parts.without_disc.get_or_insert(error);
+                }
+                // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no
+                // such film.
+                Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
+                Err(error) => return Err(error),
+            }
+            if parts.interrupted && set.count_ones() > 1 {
+                break;
+            }
+        }
+        let whole = (1 << count) - 1;
+        if count == 2 && sets.contains(&whole) && parts.films[whole as usize].is_none() && !parts.interrupted {
+            match exec.part([0.9, 1.0], |exec| self.widest_gap(exec)) {
+                Ok(Widest::Full(part)) => parts.films[whole as usize] = Some(*part),
+                Ok(Widest::Fraction(fraction)) => parts.largest_gap_fraction = Some(fraction),
+                Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(parts)
+    }
+
     /// The options for a set of boundaries: its share of the resolution is that of its length, and at least
     /// [`TRIANGLES_PER_POINT`], because a film without enough triangles for its own points has no mesh. Its tolerance
     /// is that of the whole film, whose residual is measured by the radius of all boundaries.
@@ -296,10 +377,20 @@ impl SpanningProblem<'_> {
     fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
         let options = self.options_for(boundaries);
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
-        let mut film = start.refined(exec)?;
-        let initial_area = film.area();
+        let start = start.refined(exec)?;
+        let (mut film, initial_area) = (start.clone(), start.area());
         let run = newton::run(&mut film, Self::task(options.limits()), exec)?;
-        Ok(SolvedFilm { film, kind, initial_area, run })
+        let solved = SolvedFilm { film, kind, initial_area, run };
+        if solved.holds() || !lie_side_by_side(boundaries) {
+            return Ok(solved);
+        }
+        // Triangles that are long for the gap fold over. The rules of the free topology remove the thin ones first.
+        let mut film = start;
+        let euler = film.topology.euler_characteristic();
+        let run = free_topology::run(&mut film, &FreeTopology::default(), options.limits(), false, exec)?;
+        let is_connected = film.topology.components() == 1 && film.topology.euler_characteristic() == euler;
+        let found = SolvedFilm { film, run, ..solved.clone() };
+        Ok(if is_connected && found.holds() { found } else { solved })
     }
 
     /// Step 4.
@@ -353,6 +444,14 @@ impl SpanningProblem<'_> {
         }
         Ok(Widest::Fraction(fraction))
     }
+}
+
+/// Whether two boundaries are everywhere nearer to each other than their own points are.
+fn lie_side_by_side(boundaries: &[Vec<DVec3>]) -> bool {
+    let [first, second] = boundaries else { return false };
+    let edge = polyline::length(first, true) / first.len() as f64;
+    let is_near = |point: &DVec3| second.iter().any(|other| other.distance(*point) < edge);
+    first.iter().all(is_near)
 }
 
 /// The film with its second boundary moved by `shift`. Every other vertex moves by the fraction that its distances to

@@ -333,7 +333,9 @@ impl Spanning<'_> {
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let asked = estimate(self.boundaries, self.options).triangles + boundary as f64;
-        (64.0 * asked + 1e6).min(LARGEST_COUNT as f64) as usize
+        // Of a domain that the boundaries are mapped to, little lies outside them.
+        let outside = if self.shape.is_mapped() { 5e4 } else { 1e6 };
+        (64.0 * asked + outside).min(LARGEST_COUNT as f64) as usize
     }
 
     fn goal(&self) -> Goal {

@@ -101,6 +101,8 @@ pub(crate) struct Solve<'a> {
     pub limit: u32,
     pub tolerance: f64,
     pub radius: f64,
+    /// Number of solves that each direction of an unstable mode is allowed, if the caller gives no limit.
+    solves_per_way: u32,
     edges_swapped: u64,
     unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
@@ -118,6 +120,7 @@ impl<'a> Solve<'a> {
             limit: task.limits.max_iterations.unwrap_or(DEFAULT_SOLVES),
             tolerance: task.limits.tolerance,
             radius: film.radius(),
+            solves_per_way: if task.limits.max_iterations.is_some() { 0 } else { DEFAULT_SOLVES },
             edges_swapped: 0,
             unstable_mode: None,
             extrapolated_area: None,
@@ -154,8 +157,28 @@ impl<'a> Solve<'a> {
                 return Ok((reason, Some(stability)));
             }
             returns += 1;
-            self.leave(film, &pattern, &state, &variation.lowest.vector);
-            (reason, converged) = self.converge(film)?;
+            // The direction of the lower area may lead to a film that comes apart, and the other one to a minimum.
+            let before = film.clone();
+            let ways = self.ways_out(film, &pattern, &state, &variation.lowest.vector);
+            if ways.is_empty() {
+                return Ok((reason, Some(stability)));
+            }
+            let mut first = None;
+            converged = None;
+            for vertices in ways {
+                *film = Film { vertices, ..before.clone() };
+                self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+                (reason, converged) = self.converge(film)?;
+                if converged.is_some() && film.flipped_triangles() == 0 {
+                    break;
+                }
+                first.get_or_insert_with(|| (film.clone(), reason, converged.take()));
+            }
+            if converged.is_none()
+                && let Some(before) = first
+            {
+                (*film, reason, converged) = before;
+            }
         }
     }
 
@@ -367,21 +390,23 @@ impl<'a> Solve<'a> {
         Ok(Some((stability, variation, state)))
     }
 
-    /// Moves an unstable film along its lowest mode. Of a few step lengths in both directions it takes the one that
-    /// lowers the area most.
-    fn leave(&self, film: &mut Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) {
+    /// The positions of an unstable film moved along its lowest mode in both directions, the lower area first. Each is
+    /// the one of a few step lengths that lowers the area most.
+    fn ways_out(&self, film: &Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) -> Vec<Vec<DVec3>> {
         let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
         let mean_length = (state.energy / film.triangles().len() as f64).sqrt();
-        let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().flat_map(|length| [length, -length]);
         let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
-        let candidates =
-            lengths.map(|length| motion.moved(&film.vertices, state, mode, length * mean_length / largest));
-        let best = candidates
-            .filter(|vertices| keeps_orientation(motion.triangles, &film.vertices, vertices))
-            .min_by(|a, b| motion.state(a).energy.total_cmp(&motion.state(b).energy));
-        if let Some(vertices) = best {
-            film.vertices = vertices;
-        }
+        let way = |direction: f64| {
+            let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().map(|length| direction * length * mean_length / largest);
+            let moved = lengths.map(|length| motion.moved(&film.vertices, state, mode, length));
+            moved
+                .filter(|vertices| keeps_orientation(motion.triangles, &film.vertices, vertices))
+                .map(|vertices| (motion.state(&vertices).energy, vertices))
+                .min_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        let mut ways: Vec<(f64, Vec<DVec3>)> = [1.0, -1.0].into_iter().filter_map(way).collect();
+        ways.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ways.into_iter().map(|(_, vertices)| vertices).collect()
     }
 
     /// The first variation of the film at its present position.
