@@ -34,6 +34,8 @@ pub fn init_logs(config: &LogConfig) -> Result<(), String> {
 pub mod metric {
     /// Counter of finished jobs by kind and final status. A cancelled job is counted by the process that cancelled it.
     pub const JOBS: &str = "plateau_jobs_total";
+    /// Counter of results that the audit withheld, by kind.
+    pub const AUDIT_FAILURES: &str = "plateau_audit_failures_total";
     /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
     /// Counter of attempts to send a message to a callback URL, by outcome (delivered, failed, given_up, unwanted).
@@ -70,6 +72,7 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
         .and_then(PrometheusBuilder::install_recorder)
         .map_err(|error| error.to_string())?;
     metrics::describe_counter!(metric::JOBS, "Finished jobs by kind and final status");
+    metrics::describe_counter!(metric::AUDIT_FAILURES, "Results that the audit withheld, by kind");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
     metrics::describe_counter!(metric::CALLBACKS, "Attempts to send a message to a callback URL, by outcome");
     metrics::describe_counter!(metric::CONVERSIONS, "Files made from results");

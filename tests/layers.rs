@@ -105,6 +105,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "explain",
             "report",
             "mesh",
+            "audit",
             "solved",
             "source",
             "checked",

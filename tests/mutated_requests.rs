@@ -217,7 +217,7 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
         }
         Err(Unsolved::Cancelled) => Ok("interrupted"),
         Err(Unsolved::Failed(error)) => match error.kind.trim_start_matches("/problems/") {
-            kind @ ("internal" | "invalid-mesh") => Err(format!("{kind}: {}", error.detail)),
+            kind @ ("audit-failed" | "internal" | "invalid-mesh") => Err(format!("{kind}: {}", error.detail)),
             "deadline" => Ok("interrupted"),
             "invalid-geometry" if error.errors.is_empty() => Err("refused without a reason".into()),
             "invalid-geometry" => Ok("refused by the solver"),

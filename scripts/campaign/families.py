@@ -319,6 +319,42 @@ def inflated_ring(random):
 
 
 @family
+def sail_far_from_zero(random):
+    case, shift = sail_with_cables(random), [random.uniform(-1e7, 1e7) for _ in range(3)]
+    case.request["boundaries"] = [[[a + b for a, b in zip(p, shift)] for p in case.request["boundaries"][0]]]
+    case.relations = ()
+    return case
+
+
+@family
+def net_far_from_zero_or_of_any_scale(random):
+    case, shift = net_of_squares(random), [random.choice([0, 1]) * random.uniform(-1e7, 1e7) for _ in range(3)]
+    k = 10.0 ** random.uniform(-3, 4)
+    case.request["vertices"] = [[k * a + b for a, b in zip(p, shift)] for p in case.request["vertices"]]
+    case.relations = ()
+    return case
+
+
+@family
+def lattice_of_any_scale(random):
+    case, k = lattice_polygon(random), 10.0 ** random.uniform(-6, 6)
+    case.request["domain"]["polygon"] = [[k * x for x in p] for p in case.request["domain"]["polygon"]]
+    case.request["edge_length"] *= k
+    case.relations = ()
+    return case
+
+
+@family
+def sail_of_any_scale(random):
+    case, k = sail_with_cables(random), 10.0 ** random.uniform(-6, 6)
+    case.request["boundaries"] = [[[k * x for x in p] for p in case.request["boundaries"][0]]]
+    for cable in case.request["cables"]:
+        cable["value"] *= k
+    case.relations = ()
+    return case
+
+
+@family
 def net_of_squares(random):
     n = random.randint(3, 8)
     number = lambda i, j: i * (n + 1) + j

@@ -14,6 +14,7 @@ use plateau_forms::rejection::Rejection;
 use plateau_forms::report::SolveError;
 use plateau_forms::request::Request;
 use plateau_forms::solved::{self, Solved, Unsolved};
+use sha2::{Digest, Sha256};
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -134,9 +135,11 @@ impl Attempt {
     }
 
     /// Solves the request on this thread. It must be a quick one, because its memory is not reserved.
-    pub(super) fn solve(&self, request: &Request) -> Option<Outcome> {
+    pub(super) fn solve(&self, request: &Request, request_hash: &[u8; 32]) -> Option<Outcome> {
         let _entered = self.span.enter();
-        outcome(guarded(|| solve(&self.id, request, &self.line)))
+        let ended = guarded(|| solve(&self.id, request, &self.line));
+        note_audit(&ended, &self.kind, || *request_hash);
+        outcome(ended)
     }
 
     fn spawn_solver(&self, claimed: Claimed, mut share: Share) -> Solver {
@@ -145,6 +148,7 @@ impl Attempt {
         let run = move || {
             let _entered = span.enter();
             let ended = guarded(|| read_and_solve(&jobs, &claimed, &line, &mut share));
+            note_audit(&ended, &claimed.kind, || Sha256::digest(&claimed.request).into());
             drop(share);
             // The receiver is gone if this solver was given up.
             if sender.send(outcome(ended)).is_err() {
@@ -348,6 +352,18 @@ fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
         tracing::error!("the solver panicked");
         Ended::Panicked
     })
+}
+
+/// Logs and counts a result that the audit withheld. The log has the hash of the request as the store has it, never the
+/// request itself.
+fn note_audit(ended: &Ended, kind: &str, request_hash: impl FnOnce() -> [u8; 32]) {
+    let Ended::Unsolved(Unsolved::Failed(error)) = ended else { return };
+    if !error.is_of_the_audit() {
+        return;
+    }
+    let request_hash: String = request_hash().iter().map(|byte| format!("{byte:02x}")).collect();
+    tracing::error!(request_hash, detail = error.detail, "the audit withheld the result");
+    metrics::counter!(metric::AUDIT_FAILURES, "kind" => kind.to_owned()).increment(1);
 }
 
 /// Returns the outcome to store, or `None` if the job was cancelled.

@@ -160,7 +160,7 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
     let attempt = Attempt::begin(jobs, &job.id, &job.kind, 1, waited_ms);
     // Only a cancelled job has no outcome, and a client cannot cancel this job because it does not know the identifier
     // yet.
-    let outcome = attempt.solve(request)?;
+    let outcome = attempt.solve(request, &job.request_hash)?;
     let (submitted_ms, started_ms) = (milliseconds(submitted_at.elapsed()), milliseconds(started_at.elapsed()));
     Some((attempt, EarlyEnd { outcome, submitted_ms, started_ms }))
 }

@@ -2,6 +2,8 @@
 
 mod access;
 mod app;
+#[cfg(feature = "test-hooks")]
+mod audit;
 mod base_path;
 mod batches;
 #[cfg(feature = "s3")]

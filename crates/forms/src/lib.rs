@@ -24,6 +24,7 @@
     allow(dead_code, unused_imports, unused_macros, unused_mut, unused_variables)
 )]
 
+mod audit;
 pub mod blocks;
 pub mod bounds;
 mod checked;

@@ -49,6 +49,7 @@ pub struct SolveError {
 
 /// Kinds of failures: the last part of an error's `type`, and its title.
 pub const FAILURES: &[(&str, &str)] = &[
+    (SolveError::AUDIT_FAILED, "The figures of the result are not those of its mesh"),
     ("deadline", "The deadline passed"),
     ("degenerate-boundary", "The boundary has no usable initial mesh"),
     ("equilibrium-not-found", "No equilibrium was found"),
@@ -66,6 +67,9 @@ pub const FAILURES: &[(&str, &str)] = &[
 ];
 
 impl SolveError {
+    /// Kind of the failure of a result whose stated figures are not those of its mesh.
+    pub const AUDIT_FAILED: &str = "audit-failed";
+
     /// Creates an error of one of the kinds of [`FAILURES`].
     #[must_use]
     pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
@@ -74,5 +78,11 @@ impl SolveError {
             .find(|(name, _)| *name == kind)
             .map_or("The solver found no valid mesh", |(_, title)| title);
         Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
+    }
+
+    /// Returns whether the audit withheld the result.
+    #[must_use]
+    pub fn is_of_the_audit(&self) -> bool {
+        self.kind.ends_with(Self::AUDIT_FAILED)
     }
 }

@@ -1,5 +1,6 @@
 //! Results of requests, and what every kind needs to make one of a solver's result.
 
+use crate::audit::comparison::{Audit, Fault};
 use crate::rejection::{FieldError, MAX_ERRORS};
 use crate::report::{Progress, SolveError, Warning};
 use plateau_archive::archive::{Contents, middle};
@@ -7,9 +8,10 @@ use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, LineSet, Lines, Polyline};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
 use serde::Serialize;
+use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// A solved request.
+/// A solved request, whose stated figures agree with its mesh.
 #[derive(Debug)]
 pub struct Solved {
     /// Statistics as JSON text.
@@ -18,6 +20,59 @@ pub struct Solved {
     pub archive: Archive,
     /// Whether the same request always gives this result. False if a deadline cut the solver short.
     pub reproducible: bool,
+    /// Only this module can make one, so that no result leaves without its audit.
+    _audited: Audited,
+}
+
+/// Mark of a result that passed the audit.
+#[derive(Debug)]
+struct Audited;
+
+/// A solver's result before its audit.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    /// Statistics as JSON text.
+    pub statistics: String,
+    pub warnings: Vec<Warning>,
+    pub archive: Archive,
+    pub reproducible: bool,
+}
+
+/// Number of unequal figures that a failure names.
+const NAMED_FAULTS: usize = 5;
+
+impl Draft {
+    /// Measures what the statistics state again from the arrays of the archive.
+    ///
+    /// # Errors
+    /// Fails with `audit-failed` if a figure is not equal.
+    pub fn audited(self, input: &dyn SolverInput) -> Result<Solved, Unsolved> {
+        let faults = faults(&self.statistics, &self.warnings, &self.archive, input);
+        let Self { statistics, warnings, archive, reproducible } = self;
+        if faults.is_empty() {
+            return Ok(Solved { statistics, warnings, archive, reproducible, _audited: Audited });
+        }
+        let named = faults.iter().take(NAMED_FAULTS);
+        let texts =
+            named.map(|Fault { figure, stated, measured }| format!("{figure}: stated {stated}, measured {measured}"));
+        let texts = texts.collect::<Vec<_>>().join("; ");
+        let more = faults.len().saturating_sub(NAMED_FAULTS);
+        let more = if more > 0 { format!("; and {more} more") } else { String::new() };
+        let detail = format!(
+            "the result was withheld because its figures are not those of its mesh: {texts}{more}. This is a defect of the \
+             solver; the request is not the cause"
+        );
+        Err(Unsolved::Failed(SolveError::new(SolveError::AUDIT_FAILED, detail, Vec::new())))
+    }
+}
+
+/// Returns the stated figures that are not equal to those of the archive's arrays.
+pub(crate) fn faults(statistics: &str, warnings: &[Warning], archive: &Archive, input: &dyn SolverInput) -> Vec<Fault> {
+    let statistics: Value = serde_json::from_str(statistics).unwrap_or_default();
+    let codes = warnings.iter().map(|warning| warning.code.as_str()).collect();
+    let mut audit = Audit::new(archive.contents(), &statistics, codes);
+    input.audit(&mut audit);
+    audit.faults()
 }
 
 /// Reason for having no result.
@@ -82,7 +137,10 @@ pub(crate) trait SolverInput: std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// Returns the error of the solver.
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error>;
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error>;
+
+    /// Compares every figure that the statistics state with the arrays that leave.
+    fn audit(&self, audit: &mut Audit);
 }
 
 /// Instruction to a solver, which the solver asks for regularly.

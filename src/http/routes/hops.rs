@@ -181,7 +181,7 @@ impl Run<'_> {
 fn failed(error: &SolveError) -> Failure {
     let detail = format!("{}: {}", error.title, error.detail);
     let kind = error.kind.trim_start_matches("/problems/");
-    if ["internal", "invalid-mesh", "solver-panicked", "worker-lost"].contains(&kind) {
+    if ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "worker-lost"].contains(&kind) {
         return Failure::internal(detail);
     }
     let mut errors = error.errors.clone();

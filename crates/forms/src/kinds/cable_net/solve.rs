@@ -1,7 +1,8 @@
 //! From a checked request for a cable net to its stored result.
 
 use super::{CableNetStatistics, Group};
-use crate::solved::{self, Frame, Solved, archive, generator, reactions, to_json, warnings};
+use crate::audit::comparison::Audit;
+use crate::solved::{self, Draft, Frame, archive, generator, reactions, to_json, warnings};
 use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
 use plateau_archive::{Attribute, LineSet, Lines};
@@ -21,7 +22,7 @@ pub(super) struct SolverInput {
 const NAMED_EDGES: usize = 10;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { net, options, groups, force } = self;
         let force = *force;
         let found = cable_net::solve(net, options, exec)?;
@@ -50,7 +51,11 @@ impl solved::SolverInput for SolverInput {
             ..Contents::default()
         })?;
         let reproducible = found.stop_reason != cable_net::StopReason::Deadline;
-        Ok(Solved { statistics, warnings, archive, reproducible })
+        Ok(Draft { statistics, warnings, archive, reproducible })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }
 

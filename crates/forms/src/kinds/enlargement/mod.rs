@@ -1,6 +1,7 @@
 //! The mesh of a finished job, enlarged. Only builds for tests have this kind: it shows what a kind needs at least, and
 //! that a kind may begin with the result of a job (docs/adding-a-kind.md).
 
+mod audit;
 mod solve;
 
 pub use solve::EnlargementStatistics;

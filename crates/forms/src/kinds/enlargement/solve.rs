@@ -1,7 +1,8 @@
 //! From a checked request for an enlargement to its stored result.
 
+use crate::audit::comparison::Audit;
 use crate::common::Point;
-use crate::solved::{self, Frame, Solved, archive, generator, origin, to_json};
+use crate::solved::{self, Draft, Frame, archive, generator, origin, to_json};
 use crate::source::Source;
 use plateau_archive::archive::Contents;
 use plateau_mesh::{Error, Execution, Mesh};
@@ -26,7 +27,7 @@ pub struct EnlargementStatistics {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { source, factor } = self;
         let given = source.archive().contents();
         exec.look(1)?;
@@ -48,6 +49,10 @@ impl solved::SolverInput for SolverInput {
             statistics: statistics.clone(),
             ..Contents::default()
         })?;
-        Ok(Solved { statistics, warnings: Vec::new(), archive, reproducible: true })
+        Ok(Draft { statistics, warnings: Vec::new(), archive, reproducible: true })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }

@@ -1,6 +1,7 @@
 //! Minimal surfaces: the request and its conversion to the geometry's types. `statistics` converts the
 //! result.
 
+mod audit;
 mod certificate;
 mod file_mesh;
 #[cfg(feature = "certificates")]

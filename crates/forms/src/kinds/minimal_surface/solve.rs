@@ -4,7 +4,8 @@ use super::MinimalStatistics;
 use super::certificate::{CertifyOptions, Proof};
 #[cfg(feature = "certificates")]
 use super::proof;
-use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
+use crate::audit::comparison::Audit;
+use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Attribute;
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_film::minimal_surface::{self, StopReason};
@@ -26,7 +27,7 @@ const LEAST_RANGE: f64 = 0.01;
 const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { boundaries, options, certify } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
@@ -62,6 +63,10 @@ impl solved::SolverInput for SolverInput {
             proof: proof.document,
             ..Contents::default()
         })?;
-        Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
+        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }

@@ -1,7 +1,8 @@
 //! From a checked request for strips to its stored result.
 
 use super::RuledStatistics;
-use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
+use crate::audit::comparison::Audit;
+use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Lines;
 use plateau_archive::archive::BRIDGES;
 use plateau_archive::archive::Contents;
@@ -15,7 +16,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { directrices, options } = self;
         let surface = ruled_surface::solve(directrices, options, exec)?;
         let statistics = to_json(&RuledStatistics::of(&surface, options, origin(&surface.mesh)))?;
@@ -35,6 +36,10 @@ impl solved::SolverInput for SolverInput {
             unrolls,
             ..Contents::default()
         })?;
-        Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
+        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }

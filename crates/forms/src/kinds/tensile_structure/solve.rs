@@ -1,8 +1,9 @@
 //! From a checked request for a tensile structure to its stored result.
 
 use super::TensileStatistics;
+use crate::audit::comparison::Audit;
 use crate::solved::{
-    self, Frame, Solved, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
+    self, Draft, Frame, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
 };
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::ForceUnit;
@@ -19,7 +20,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { structure, options, force } = self;
         let force = *force;
         let found = tensile_structure::solve(structure, options, exec)?;
@@ -48,6 +49,10 @@ impl solved::SolverInput for SolverInput {
             ..Contents::default()
         })?;
         let reproducible = found.statistics.stop_reason != StopReason::Deadline;
-        Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })
+        Ok(Draft { statistics, warnings: warnings(found.warnings), archive, reproducible })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }

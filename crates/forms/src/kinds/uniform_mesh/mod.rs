@@ -1,5 +1,6 @@
 //! Uniform meshes: the request, its statistics, and their conversion to and from the geometry's types.
 
+mod audit;
 mod solve;
 mod statistics;
 

@@ -1,7 +1,8 @@
 //! From a checked request for a lattice to its stored result.
 
 use super::UniformStatistics;
-use crate::solved::{self, Frame, Solved, archive, generator, origin, to_json, warnings};
+use crate::audit::comparison::Audit;
+use crate::solved::{self, Draft, Frame, archive, generator, origin, to_json, warnings};
 use plateau_archive::archive::Contents;
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_mesh::{Error, Execution};
@@ -14,7 +15,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { domain, options } = self;
         let solved = uniform_mesh::solve(domain, options, exec)?;
         let statistics = to_json(&UniformStatistics::of(&solved, options, origin(&solved.mesh)))?;
@@ -38,7 +39,11 @@ impl solved::SolverInput for SolverInput {
             statistics: statistics.clone(),
             ..Contents::default()
         })?;
-        Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
+        Ok(Draft { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
+    }
+
+    fn audit(&self, audit: &mut Audit) {
+        self.compare(audit);
     }
 }
 

@@ -1,0 +1,104 @@
+//! Mean curvature and residual of a film, from the gradient of its area.
+
+use super::comparison::Audit;
+use super::figure::{Largest, Measured};
+use super::surface::{DEGENERATE, Sides, corners};
+use plateau_archive::archive::MEAN_CURVATURE;
+use plateau_mesh::DVec3;
+
+/// Relative error that a stated curvature or residual may have.
+const RELATIVE: f64 = 0.1;
+
+/// Mean curvature at one vertex, and how far rounding of the coordinates changes it, in 1/unit.
+#[derive(Clone, Copy, Debug)]
+struct AtVertex {
+    full: f64,
+    normal: f64,
+    tolerance: f64,
+}
+
+/// Sums over the triangles around one vertex.
+#[derive(Clone, Copy, Default)]
+struct Ring {
+    gradient: DVec3,
+    double_area_vector: DVec3,
+    double_area: f64,
+    altitude: f64,
+    is_degenerate: bool,
+}
+
+fn rings(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Ring> {
+    let mut rings = vec![Ring { altitude: f64::INFINITY, ..Ring::default() }; vertices.len()];
+    for &triangle in triangles {
+        let at = corners(vertices, triangle);
+        let sides = Sides::of(at);
+        let unit = if sides.double_area > 0.0 { sides.double_area_vector / sides.double_area } else { DVec3::ZERO };
+        for k in 0..3 {
+            let opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
+            let ring = &mut rings[triangle[k] as usize];
+            // The area grows fastest away from the opposite side, by half its length.
+            ring.gradient += 0.5 * unit.cross(opposite);
+            ring.double_area_vector += sides.double_area_vector;
+            ring.double_area += sides.double_area;
+            ring.altitude = ring.altitude.min(sides.altitude());
+            ring.is_degenerate |= !(sides.altitude() > DEGENERATE * sides.longest);
+        }
+    }
+    rings
+}
+
+/// Compares the residuals and curvatures of a film whose vertices move apart from those that `is_fixed` marks. At a junction
+/// of three sheets the film's normal is not defined, so the figures of films with junctions are compared at the other
+/// vertices and may be larger.
+pub(crate) fn compare(audit: &mut Audit, is_fixed: &[bool], radius: f64, tolerance: f64, has_junctions: bool) {
+    let mesh = &audit.contents.mesh;
+    let rounding = audit.step;
+    let found: Vec<AtVertex> = rings(&mesh.vertices, &mesh.triangles)
+        .iter()
+        .map(|ring| {
+            // The mass is a third of the ring's area.
+            let double_mass = ring.double_area / 3.0;
+            let full = ring.gradient.length() / double_mass;
+            let normal = ring.gradient.dot(ring.double_area_vector.normalize_or_zero()).abs() / double_mass;
+            let tolerance = if ring.is_degenerate { f64::INFINITY } else { rounding / (ring.altitude * ring.altitude) };
+            AtVertex { full, normal, tolerance }
+        })
+        .collect();
+    let free = || found.iter().zip(is_fixed).filter(|(_, fixed)| !**fixed).map(|(at, _)| at);
+    let count = free().count();
+    let (mut residual, mut full) = (Largest::NONE, Largest::NONE);
+    let (mut sum, mut squares, mut error, mut square_error) = (0.0, 0.0, 0.0, 0.0);
+    for at in free() {
+        let own = RELATIVE * at.full + at.tolerance;
+        residual.add(at.normal, RELATIVE * at.normal + at.tolerance);
+        full.add(at.full, own);
+        sum += at.full;
+        squares += at.full * at.full;
+        error += own;
+        square_error += own * own;
+    }
+    let scale = 1.0 / count.max(1) as f64;
+    let below = tolerance.max(radius * rounding * scale);
+    if has_junctions {
+        return;
+    }
+    audit.figure_or_below("/residual", residual.measured().times(radius), below);
+    audit.figure_or_below("/residual_full", full.measured().times(radius), below);
+    let curvature_below = if radius > 0.0 { below / radius } else { 0.0 };
+    audit.figure_or_below("/mean_curvature/max", full.measured(), curvature_below);
+    audit.figure_or_below("/mean_curvature/mean", Measured::within(sum * scale, error * scale), curvature_below);
+    let rms = Measured::within((squares * scale).sqrt(), (square_error * scale).sqrt());
+    audit.figure_or_below("/mean_curvature/rms", rms, curvature_below);
+    let Some(stated) = audit.contents.at_vertices(MEAN_CURVATURE) else {
+        audit.require(false, || "the mesh has its mean curvature".into(), || "it has none".into());
+        return;
+    };
+    for (v, (at, &stated)) in found.iter().zip(&stated.values).enumerate() {
+        let measured = if is_fixed[v] {
+            Measured::within(0.0, 0.0)
+        } else {
+            Measured::within(at.full, RELATIVE * at.full + at.tolerance + curvature_below)
+        };
+        audit.attribute(|| format!("{MEAN_CURVATURE} of vertex {v}"), stated, measured);
+    }
+}

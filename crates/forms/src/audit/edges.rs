@@ -1,0 +1,115 @@
+//! The edges of a list of triangles and what they say about its topology.
+
+/// An edge and its triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Edge {
+    /// The smaller vertex first.
+    pub ends: [u32; 2],
+    /// Number of triangles that run along it from the smaller vertex to the larger one.
+    pub forward: u32,
+    /// Number of triangles that run along it the other way.
+    pub backward: u32,
+}
+
+impl Edge {
+    #[must_use]
+    pub fn triangles(&self) -> u32 {
+        self.forward + self.backward
+    }
+}
+
+/// The edges of some triangles, sorted by their ends.
+#[derive(Clone, Debug)]
+pub(crate) struct Edges {
+    pub list: Vec<Edge>,
+    /// The edges whose smaller end is v are `list[first[v]..first[v + 1]]`.
+    first: Vec<u32>,
+}
+
+impl Edges {
+    /// Collects the edges of triangles over `count` vertices. O(vertices + triangles), apart from vertices with many
+    /// triangles, whose edges are sorted.
+    #[must_use]
+    pub fn of(triangles: &[[u32; 3]], count: usize) -> Self {
+        let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let mut start = vec![0u32; count + 1];
+        for [a, b] in sides() {
+            start[a.min(b) as usize + 1] += 1;
+        }
+        for v in 0..count {
+            start[v + 1] += start[v];
+        }
+        // For each side its larger end and whether it runs back.
+        let mut places = start.clone();
+        let mut halves = vec![(0u32, false); 3 * triangles.len()];
+        for [a, b] in sides() {
+            let place = &mut places[a.min(b) as usize];
+            halves[*place as usize] = (a.max(b), a > b);
+            *place += 1;
+        }
+        let mut list = Vec::with_capacity(halves.len() / 2 + 1);
+        let mut first = Vec::with_capacity(count + 1);
+        for v in 0..count {
+            first.push(list.len() as u32);
+            let own = &mut halves[start[v] as usize..start[v + 1] as usize];
+            own.sort_unstable();
+            for side in own.chunk_by(|a, b| a.0 == b.0) {
+                let backward = side.iter().filter(|half| half.1).count() as u32;
+                let forward = side.len() as u32 - backward;
+                list.push(Edge { ends: [v as u32, side[0].0], forward, backward });
+            }
+        }
+        first.push(list.len() as u32);
+        Self { list, first }
+    }
+
+    /// Returns the edge between two vertices.
+    #[must_use]
+    pub fn between(&self, a: u32, b: u32) -> Option<&Edge> {
+        let low = a.min(b) as usize;
+        let own = &self.list[self.first[low] as usize..self.first[low + 1] as usize];
+        own.binary_search_by_key(&a.max(b), |edge| edge.ends[1]).ok().map(|k| &own[k])
+    }
+
+    /// Returns whether each edge has one triangle, or two that run along it in opposite directions.
+    #[must_use]
+    pub fn are_of_an_oriented_manifold(&self) -> bool {
+        self.list.iter().all(|edge| edge.forward <= 1 && edge.backward <= 1)
+    }
+
+    #[must_use]
+    pub fn on_boundary(&self) -> impl Iterator<Item = &Edge> {
+        self.list.iter().filter(|edge| edge.triangles() == 1)
+    }
+}
+
+/// Sets of vertices that edges join.
+#[derive(Clone, Debug)]
+pub(crate) struct Components(Vec<u32>);
+
+impl Components {
+    #[must_use]
+    pub fn of<'a>(edges: impl Iterator<Item = &'a Edge>, count: usize) -> Self {
+        let mut sets = Self((0..count as u32).collect());
+        for edge in edges {
+            let [a, b] = edge.ends.map(|v| sets.root(v));
+            sets.0[a.max(b) as usize] = a.min(b);
+        }
+        sets
+    }
+
+    fn root(&mut self, mut v: u32) -> u32 {
+        while self.0[v as usize] != v {
+            let above = self.0[v as usize];
+            self.0[v as usize] = self.0[above as usize];
+            v = above;
+        }
+        v
+    }
+
+    /// Returns the number of sets that have one of these vertices, in which each vertex counts that `is_used` marks.
+    #[must_use]
+    pub fn count(&self, is_used: &[bool]) -> usize {
+        self.0.iter().enumerate().filter(|&(v, &root)| root == v as u32 && is_used[v]).count()
+    }
+}

@@ -1,0 +1,122 @@
+//! The points of the request at their vertices, and its polylines along the mesh.
+
+use super::comparison::Audit;
+use super::edges::Edges;
+use plateau_archive::Lines;
+use plateau_archive::archive::Contents;
+use plateau_mesh::{DVec3, polyline};
+
+/// Largest distance of a merged point from the point that it was merged into, as a fraction of the polyline's radius: a
+/// margin over the distance at which neighbours are merged.
+const MERGED: f64 = 1e-7;
+/// Largest distance of a point from the segment on which it was added, in the audit's step, which is 8 units in the last
+/// place of the largest coordinate.
+const BESIDE: f64 = 1.0;
+
+/// Requires that the first point of each vertex has equal bits, and that points which were merged into it are near.
+pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<Item = &'p [DVec3]>) {
+    let contents = audit.contents;
+    let mut count = 0;
+    for (k, points) in polylines.enumerate() {
+        count = k + 1;
+        let numbers = contents.input_vertices.get(k).map_or(&[][..], |numbers| &numbers[..]);
+        let lengths = || format!("{} vertices for {} points", numbers.len(), points.len());
+        audit.require(numbers.len() == points.len(), || format!("each point of polyline {k} has its vertex"), lengths);
+        let near = MERGED * polyline::radius(points);
+        // Merged points follow the point into which they were merged, apart from those at the end of a closed polyline.
+        let mut before = None;
+        for (i, (&point, &v)) in points.iter().zip(numbers).enumerate() {
+            let vertex = contents.mesh.vertices[v as usize];
+            let is_merged = i > 0 && (before == Some(v) || Some(&v) == numbers.first());
+            let holds = vertex == point || (is_merged && vertex.distance(point) <= near);
+            audit.require(
+                holds,
+                || format!("point {i} of polyline {k} is at its vertex"),
+                || format!("vertex {v} is {} away", vertex.distance(point)),
+            );
+            before = Some(v);
+        }
+    }
+    let lists = contents.input_vertices.len();
+    audit.require(count == lists, || "each polyline of the request has its vertices".into(), || lists.to_string());
+}
+
+/// Returns the polylines of the line set with this name.
+#[must_use]
+pub(crate) fn polylines<'c>(contents: &'c Contents, name: &str) -> Vec<&'c [u32]> {
+    let sets = contents.line_sets.iter().filter(|set| set.name == name);
+    let of = |lines: &'c Lines| match lines {
+        Lines::Polylines(polylines) => polylines.iter().map(|line| &line.vertices[..]).collect(),
+        _ => Vec::new(),
+    };
+    sets.flat_map(|set| of(&set.lines)).collect()
+}
+
+/// Requires that each closed boundary runs along edges of the mesh that have `triangles` triangles, that no other edge has
+/// so few, and that it passes the request's points in their order. With `straight` the points between two of them lie on
+/// the segment between them and in its order.
+pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32, straight: bool) {
+    let contents = audit.contents;
+    let at = |v: u32| contents.mesh.vertices[v as usize];
+    let loops = polylines(contents, "boundaries");
+    // Boundaries may share sides, such as the rims of sheets that meet.
+    let mut borders = Vec::new();
+    for (k, rim) in loops.iter().enumerate() {
+        let next = |i: usize| rim[(i + 1) % rim.len()];
+        borders.extend((0..rim.len()).map(|i| [rim[i].min(next(i)), rim[i].max(next(i))]));
+        let is_border = |i: &usize| edges.between(rim[*i], next(*i)).is_some_and(|edge| edge.triangles() == triangles);
+        let off = (0..rim.len()).find(|i| !is_border(i));
+        audit.require(
+            off.is_none(),
+            || format!("boundary {k} runs along border edges of the mesh"),
+            || off.map_or_else(String::new, |i| format!("not from vertex {} to vertex {}", rim[i], next(i))),
+        );
+        let mut numbers = contents.input_vertices.get(k).cloned().unwrap_or_default();
+        numbers.dedup();
+        if numbers.len() > 1 && numbers.first() == numbers.last() {
+            numbers.pop();
+        }
+        let mut from = rim.iter().position(|v| Some(v) == numbers.first());
+        let mut stray = None;
+        for (i, &vertex) in numbers.iter().enumerate().skip(1).chain(numbers.iter().enumerate().take(1)) {
+            let Some(start) = from else { break };
+            let steps = (1..=rim.len()).find(|step| rim[(start + step) % rim.len()] == vertex);
+            from = steps.map(|steps| start + steps);
+            let Some(steps) = steps.filter(|_| straight) else { continue };
+            let (a, b) = (at(rim[start % rim.len()]), at(vertex));
+            let along = (b - a).normalize_or_zero();
+            let mut reached = 0.0;
+            for step in 1..steps {
+                let v = rim[(start + step) % rim.len()];
+                let offset = at(v) - a;
+                let place = offset.dot(along);
+                let distance = (offset - place * along).length();
+                if !(distance <= BESIDE * audit.step && place >= reached) {
+                    stray = stray.or(Some((i, v, distance)));
+                }
+                reached = place;
+            }
+        }
+        let total = numbers.len();
+        // One turn passes every point once and ends where it began.
+        let turn = from.map(|end| end - rim.iter().position(|v| Some(v) == numbers.first()).unwrap_or_default());
+        audit.require(
+            turn == Some(rim.len()) || total == 0,
+            || format!("boundary {k} passes the request's points in their order"),
+            || "it does not".into(),
+        );
+        audit.require(
+            stray.is_none(),
+            || format!("points added on boundary {k} lie on its segments in their order"),
+            || stray.map_or_else(String::new, |(i, v, far)| format!("vertex {v} before point {i} is {far} beside")),
+        );
+    }
+    borders.sort_unstable();
+    borders.dedup();
+    let (followed, found) = (borders.len(), edges.list.iter().filter(|edge| edge.triangles() == triangles).count());
+    audit.require(
+        found == followed,
+        || format!("the boundaries have all {found} border edges of the mesh"),
+        || followed.to_string(),
+    );
+}

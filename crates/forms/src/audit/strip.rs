@@ -1,0 +1,306 @@
+//! The figures of one strip between two directrices, from its bridges: the formulas of DEFINITIONS, each written anew.
+
+use super::figure::{Largest, Least, Measured, RELATIVE, Sum};
+use super::surface::{Sides, corners};
+use plateau_mesh::DVec3;
+
+/// A cross product below this fraction of the product of the lengths counts as zero.
+const PARALLEL: f64 = 1e-14;
+/// Cross products from the reciprocal of this to this multiple of [`PARALLEL`] may count or not, as rounding decides.
+const UNDECIDED: f64 = 100.0;
+/// Angle in radians by which a convexity tolerance may be missed.
+const CONVEXITY: f64 = 1e-9;
+
+/// One side of a strip: the vertices of a directrix in the order in which the strip runs along it.
+#[derive(Clone, Debug)]
+pub(crate) struct Rail<'a> {
+    pub vertices: &'a [u32],
+    /// Unit tangents, or empty if they follow from the points.
+    pub tangents: Vec<DVec3>,
+    /// Unit normals of the surface to be blended, or empty.
+    pub normals: Vec<DVec3>,
+}
+
+/// A strip as it leaves. Bridges are pairs of positions on the two rails.
+#[derive(Clone, Debug)]
+pub(crate) struct Strip<'a> {
+    pub at: &'a [DVec3],
+    pub rails: [Rail<'a>; 2],
+    pub closed: bool,
+    pub bridges: Vec<[usize; 2]>,
+    /// Tolerance of local convexity, in radians.
+    pub convexity_tolerance: f64,
+    /// Rounding of a coordinate.
+    pub step: f64,
+}
+
+/// The measured figures of a strip. Angles are in radians.
+#[derive(Clone, Debug)]
+pub(crate) struct Figures {
+    pub area: Sum,
+    pub twist: Sum,
+    /// Bridges that certainly are locally convex, and those that are if rounding favours them.
+    pub convex: [usize; 2],
+    pub bending: Sum,
+    pub curvature_variation: Sum,
+    /// With the strip wound as it comes, and the other way round.
+    pub normal_variation: Option<[Sum; 2]>,
+    pub fold: Largest,
+    pub concave_fold: [Largest; 2],
+    pub shortest: Least,
+    pub longest: Largest,
+    /// Least and largest bending energy and curvature variation at bridges that are not convex.
+    pub concave_bending: [Sum; 2],
+    pub concave_curvature: [Sum; 2],
+}
+
+/// A vector and how far rounding moves it.
+type Rounded = (DVec3, f64);
+
+/// Returns the unit vector of a cross product, or zero if the product counts as zero. The third value says that rounding
+/// decides about it.
+fn unit_cross(a: DVec3, b: DVec3, step: f64) -> (DVec3, f64, bool) {
+    let (cross, product) = (a.cross(b), a.length() * b.length());
+    let sine = cross.length() / product;
+    if !(sine > PARALLEL / UNDECIDED) {
+        return (DVec3::ZERO, 0.0, false);
+    }
+    let shortest = a.length().min(b.length());
+    let turn = 2.0 * step / (shortest * sine) + 4.0 * f64::EPSILON / sine;
+    (if sine > PARALLEL { cross / cross.length() } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
+}
+
+fn is_thin(sides: &Sides) -> bool {
+    !(sides.altitude() > PARALLEL * UNDECIDED * sides.longest)
+}
+
+impl Strip<'_> {
+    fn count(&self, side: usize) -> usize {
+        self.rails[side].vertices.len()
+    }
+
+    fn point(&self, side: usize, index: usize) -> DVec3 {
+        self.at[self.rails[side].vertices[index] as usize]
+    }
+
+    fn neighbour(&self, side: usize, index: usize, forward: bool) -> Option<DVec3> {
+        let count = self.count(side);
+        let next = match (forward, self.closed) {
+            _ if count == 1 => return None,
+            (true, true) => (index + 1) % count,
+            (false, true) => (index + count - 1) % count,
+            (true, false) => index + 1,
+            (false, false) => index.checked_sub(1)?,
+        };
+        (next < count).then(|| self.point(side, next))
+    }
+
+    /// Returns the direction of a directrix at one of its points: that which is given, or the derivative at the middle of
+    /// the quadratic through three neighbours, whose parameter is the length of the chords (Wang-Tang, eq. 13 and 14).
+    fn tangent(&self, side: usize, index: usize) -> DVec3 {
+        if let Some(&given) = self.rails[side].tangents.get(index) {
+            return given;
+        }
+        let point = self.point(side, index);
+        let before = self.neighbour(side, index, false).map(|other| point - other);
+        let after = self.neighbour(side, index, true).map(|other| other - point);
+        let tangent = match (before, after) {
+            (Some(before), Some(after)) => {
+                let (a, b) = (before.length(), after.length());
+                let alpha = if a == 0.0 || b == 0.0 { 0.5 } else { a / (a + b) };
+                before * ((1.0 - alpha) / alpha) + after * (alpha / (1.0 - alpha))
+            }
+            (Some(chord), None) | (None, Some(chord)) => chord,
+            (None, None) => DVec3::ZERO,
+        };
+        tangent.normalize_or_zero()
+    }
+
+    /// Returns the length of the shorter chord at a point, by which rounding turns its tangent.
+    fn chord(&self, side: usize, index: usize) -> f64 {
+        let point = self.point(side, index);
+        let chords =
+            [false, true].map(|forward| self.neighbour(side, index, forward).map(|other| other.distance(point)));
+        chords.into_iter().flatten().fold(f64::INFINITY, f64::min)
+    }
+
+    fn bridge(&self, [i, j]: [usize; 2]) -> DVec3 {
+        self.point(1, j) - self.point(0, i)
+    }
+
+    /// Returns whether a bridge certainly is locally convex, and whether it is if rounding favours it: seen along the bridge
+    /// the directions to the neighbours of its ends fit into a half-plane.
+    fn convexity(&self, bridge: [usize; 2]) -> [bool; 2] {
+        let axis = self.bridge(bridge);
+        let length = axis.length();
+        if length == 0.0 {
+            return [false, true];
+        }
+        let axis = axis / length;
+        let (mut directions, mut turns, mut count) = ([DVec3::ZERO; 4], [0.0f64; 4], 0);
+        let mut undecided = false;
+        for (side, index) in bridge.into_iter().enumerate() {
+            for forward in [false, true] {
+                let Some(other) = self.neighbour(side, index, forward) else { continue };
+                let offset = other - self.point(side, index);
+                let across = offset - offset.dot(axis) * axis;
+                let distance = across.length();
+                if distance <= self.step {
+                    // A neighbour this near to the bridge's line has no direction, or any.
+                    undecided |= distance > 0.0;
+                    continue;
+                }
+                directions[count] = across / distance;
+                turns[count] = (self.step + 16.0 * f64::EPSILON * (offset.length() + length)) / distance;
+                count += 1;
+            }
+        }
+        let fits = |slack: &dyn Fn(usize) -> f64| {
+            (0..count).any(|k| {
+                // Whether all directions are to the left of direction k, or on its right by no more than the slack.
+                (0..count).all(|other| {
+                    let sine = directions[k].cross(directions[other]).dot(axis);
+                    sine >= -slack(k).max(slack(other)) || (other == k)
+                })
+            })
+        };
+        let tolerance = self.convexity_tolerance;
+        let possible = fits(&|k| libm::sin((tolerance + CONVEXITY + 2.0 * turns[k]).min(1.5)));
+        let certain = !undecided && fits(&|k| tolerance - CONVEXITY - turns[k]);
+        [certain || count == 0, possible || count == 0]
+    }
+
+    /// Measures the strip. O(bridges).
+    #[must_use]
+    pub fn figures(&self) -> Figures {
+        let count = self.bridges.len();
+        let has_normals = self.rails.iter().all(|rail| !rail.normals.is_empty());
+        let mut figures = Figures {
+            area: Sum::default(),
+            twist: Sum::default(),
+            convex: [0; 2],
+            bending: Sum::default(),
+            curvature_variation: Sum::default(),
+            normal_variation: has_normals.then(|| [Sum::default(); 2]),
+            fold: Largest::NONE,
+            concave_fold: [Largest::NONE; 2],
+            shortest: Least::NONE,
+            longest: Largest::NONE,
+            concave_bending: [Sum::default(); 2],
+            concave_curvature: [Sum::default(); 2],
+        };
+        let steps = if self.closed { count } else { count - 1 };
+        let triangles: Vec<Sides> = (0..steps).map(|k| Sides::of(corners(self.at, self.triangle(k)))).collect();
+        for sides in &triangles {
+            figures.area.add(0.5 * sides.double_area, 0.5 * self.step * sides.perimeter);
+        }
+        let mut curvatures: Vec<Rounded> = Vec::with_capacity(count);
+        let mut convexities = Vec::with_capacity(count);
+        for (k, &bridge) in self.bridges.iter().enumerate() {
+            let axis = self.bridge(bridge);
+            figures.shortest.add(axis.length(), RELATIVE * axis.length() + 2.0 * self.step);
+            figures.longest.add(axis.length(), RELATIVE * axis.length() + 2.0 * self.step);
+            let [certain, possible] = self.convexity(bridge);
+            convexities.push([certain, possible]);
+            figures.convex[0] += usize::from(certain);
+            figures.convex[1] += usize::from(possible);
+            self.add_twist(&mut figures, bridge, axis);
+            let left = if k > 0 { Some(k - 1) } else { self.closed.then(|| count - 1) };
+            let right = Some(k).filter(|&k| k < steps);
+            let Some((left, right)) = left.zip(right) else {
+                curvatures.push((DVec3::ZERO, 0.0));
+                continue;
+            };
+            let (left, right) = (&triangles[left], &triangles[right]);
+            // Where a triangle has hardly any area, rounding decides whether the fold counts.
+            let thin = is_thin(left) || is_thin(right);
+            let (a, b) = (left.double_area_vector.normalize_or_zero(), right.double_area_vector.normalize_or_zero());
+            let angle = libm::atan2(a.cross(b).length(), a.dot(b));
+            let turn = RELATIVE + self.step / left.altitude() + self.step / right.altitude();
+            let tolerance = if thin { f64::INFINITY } else { turn };
+            figures.fold.add(angle, tolerance);
+            if !possible {
+                figures.concave_fold[0].add(angle, tolerance);
+            }
+            if !certain {
+                figures.concave_fold[1].add(angle, tolerance);
+            }
+            let squared = axis.length_squared();
+            let sine = libm::sin(angle);
+            let strength = if angle > std::f64::consts::FRAC_PI_2 { 2.0 - sine * sine } else { sine * sine };
+            let area = 0.5 * (left.double_area + right.double_area);
+            // A s / L² with L = 2 A / |e|.
+            let factor = squared / (4.0 * area);
+            let (term, error) = if thin {
+                (0.0, if area > 0.0 { 2.0 * factor } else { f64::INFINITY })
+            } else {
+                (factor * strength, 0.0)
+            };
+            let error = error + if thin { 0.0 } else { (2.0 * factor + 4.0 * term) * turn.min(2.0) };
+            figures.bending.add(term, error);
+            let curvature = if thin { DVec3::ZERO } else { axis.cross(a - b) };
+            let rounding = axis.length() * if thin { 4.0 } else { 2.0 * turn.min(2.0) };
+            curvatures.push((curvature, rounding));
+            if !possible {
+                figures.concave_bending[0].add(term, error);
+            }
+            if !certain {
+                figures.concave_bending[1].add(term, error);
+            }
+        }
+        let entered = |k: usize| curvatures[(k + count - 1) % count];
+        for k in usize::from(!self.closed)..count {
+            let ((before, a), (now, b)) = (entered(k), curvatures[k]);
+            let (term, error) = ((now - before).length(), a + b);
+            figures.curvature_variation.add(term, error);
+            if !convexities[k][1] {
+                figures.concave_curvature[0].add(term, error);
+            }
+            if !convexities[k][0] {
+                figures.concave_curvature[1].add(term, error);
+            }
+        }
+        figures
+    }
+
+    fn add_twist(&self, figures: &mut Figures, [i, j]: [usize; 2], axis: DVec3) {
+        let turned = |side: usize, index: usize| {
+            let tangent = self.tangent(side, index);
+            // The tangent's own rounding is that of its shorter chord.
+            let (normal, turn, undecided) = unit_cross(axis, tangent, self.step);
+            (normal, turn + turn * (axis.length() / self.chord(side, index)).min(1e6), undecided)
+        };
+        let ((p, a, unclear_p), (q, b, unclear_q)) = (turned(0, i), turned(1, j));
+        let unclear = if unclear_p || unclear_q { 2.0 } else { 0.0 };
+        figures.twist.add(1.0 - p.dot(q), (a + b).min(2.0) + unclear);
+        let Some(sums) = &mut figures.normal_variation else { return };
+        let (given_p, given_q) = (self.rails[0].normals[i], self.rails[1].normals[j]);
+        // n_p is unit(t_p × e) for this winding, and the opposite for the other.
+        for (sum, sign) in sums.iter_mut().zip([-1.0, 1.0]) {
+            let terms = 2.0 - sign * p.dot(given_p) - sign * q.dot(given_q);
+            sum.add(terms, (a + b).min(4.0) + unclear);
+        }
+    }
+
+    /// Returns whether the step from bridge k to the next one runs along the first rail.
+    fn steps_along_first(&self, k: usize) -> bool {
+        let (now, next) = (self.bridges[k], self.bridges[(k + 1) % self.bridges.len()]);
+        self.count(0) > 1 && (self.count(1) == 1 || now[0] != next[0])
+    }
+
+    /// Returns the triangle between bridge k and the next one, wound as the strip is.
+    #[must_use]
+    pub fn triangle(&self, k: usize) -> [u32; 3] {
+        let [[i, j], [next, other]] = [self.bridges[k], self.bridges[(k + 1) % self.bridges.len()]];
+        let vertex = |side: usize, index: usize| self.rails[side].vertices[index];
+        let [p, q] = [vertex(0, i), vertex(1, j)];
+        if self.steps_along_first(k) { [p, vertex(0, next), q] } else { [p, vertex(1, other), q] }
+    }
+}
+
+/// Returns the figure that lies between the least and the largest of two sums.
+#[must_use]
+pub(crate) fn between([least, most]: [Sum; 2]) -> Measured {
+    let (least, most) = (least.measured(), most.measured());
+    Measured { value: least.value, low: least.low, high: most.high }
+}

@@ -1,0 +1,259 @@
+//! Faults put into results on purpose: the audit finds none in a result as it is, and each of them.
+
+use crate::limits::Limits;
+use crate::request::Request;
+use crate::solved::{Draft, Unsolved, faults as faults_of};
+use crate::source::no_jobs;
+use plateau_archive::archive::{BRIDGES, CABLES, Contents};
+use plateau_archive::{Archive, LineSet, Lines};
+use plateau_mesh::DVec3;
+use serde_json::{Value, json};
+
+type Fault = (&'static str, fn(&mut Contents, &mut Value));
+
+fn request(value: &Value) -> Request {
+    let limits = Limits {
+        points: 100_000,
+        triangles: 100_000,
+        grid_cells: 100_000_000,
+        iterations: 10_000,
+        memory_bytes: 1 << 30,
+    };
+    let accepted = Request::read_with_kind(value, &no_jobs, &limits);
+    accepted.unwrap_or_else(|rejection| panic!("refused: {rejection:?}")).request
+}
+
+fn with(draft: &Draft, fault: fn(&mut Contents, &mut Value)) -> Draft {
+    let mut contents = draft.archive.contents().clone();
+    let mut statistics: Value = serde_json::from_str(&draft.statistics).unwrap();
+    fault(&mut contents, &mut statistics);
+    let archive = Archive::new(contents).expect("the fault leaves a valid archive");
+    Draft { statistics: statistics.to_string(), warnings: draft.warnings.clone(), archive, reproducible: true }
+}
+
+/// Requires that the audit passes a result as it is and finds each fault.
+fn finds(value: &Value, faults: &[Fault]) {
+    let request = request(value);
+    let (draft, input) = request.draft();
+    let faults_of = |draft: &Draft| faults_of(&draft.statistics, &draft.warnings, &draft.archive, input);
+    assert_eq!(faults_of(&draft), [], "{}", value["kind"]);
+    for (name, fault) in faults {
+        let found = faults_of(&with(&draft, *fault));
+        assert!(!found.is_empty(), "{name} was missed");
+        println!("{name}: {:?}", found[0]);
+    }
+}
+
+fn set<'c>(contents: &'c mut Contents, name: &str) -> &'c mut LineSet {
+    contents.line_sets.iter_mut().find(|set| set.name == name).expect("a line set")
+}
+
+fn segments<'c>(contents: &'c mut Contents, name: &str) -> &'c mut Vec<[u32; 2]> {
+    match &mut set(contents, name).lines {
+        Lines::Segments(pairs) => pairs,
+        other => panic!("{other:?} are no segments"),
+    }
+}
+
+fn add(statistics: &mut Value, pointer: &str, difference: f64) {
+    let value = statistics.pointer_mut(pointer).expect("a stated figure");
+    *value = match value.as_u64() {
+        Some(count) if difference.fract() == 0.0 => json!((count as f64 + difference) as u64),
+        _ => json!(value.as_f64().expect("a number") + difference),
+    };
+}
+
+fn skew_square() -> Value {
+    json!({
+        "kind": "minimal_surface",
+        "boundaries": [[[0, 0, 0], [0.5, 0, 0.2], [1, 0, 0.4], [1, 1, 0], [0, 1, 0.4]]],
+        "resolution": { "triangles": 200 },
+        "certify": { "gap": 0.05, "seconds": 0.2 }
+    })
+}
+
+fn strips() -> Value {
+    json!({
+        "kind": "ruled_surface",
+        "directrices": [
+            [[0, 0, 0], [1, 0.1, 0.3], [2, 0, 0.1], [3, 0, 0.5], [4, 0.2, 0]],
+            [[0, 1, 0.2], [1.5, 1.2, 0], [2.5, 1, 0.6], [4, 1, 0]],
+            [[0, 2, 0], [2, 2.5, 0.4], [4, 2, 0.1]]
+        ],
+        "objective": "maximal_convexity",
+        "secondary_objective": "minimal_bending_energy"
+    })
+}
+
+#[test]
+#[cfg(feature = "minimal-surface")]
+fn every_fault_in_a_film_is_found() {
+    let faults: [Fault; 13] = [
+        ("a shifted boundary", |contents, _| {
+            // Each point stands where its neighbour belongs, as when the list began at another point.
+            let numbers: Vec<usize> = contents.input_vertices[0].iter().map(|&v| v as usize).collect();
+            let places: Vec<DVec3> = numbers.iter().map(|&v| contents.mesh.vertices[v]).collect();
+            for (k, &v) in numbers.iter().enumerate() {
+                contents.mesh.vertices[v] = places[(k + 1) % places.len()];
+            }
+        }),
+        ("a lost triangle", |contents, _| drop(contents.mesh.triangles.pop())),
+        ("a swapped figure", |_, statistics| {
+            let lengths = statistics["edge_lengths"].clone();
+            statistics["edge_lengths"]["mean"] = lengths["std_dev"].clone();
+            statistics["edge_lengths"]["std_dev"] = lengths["mean"].clone();
+        }),
+        ("a stale gap", |_, statistics| add(statistics, "/certificate/gap", 1e-5)),
+        ("a bound above the area", |_, statistics| add(statistics, "/certificate/area_lower_bound", 1.0)),
+        ("an area of an earlier step", |_, statistics| {
+            add(statistics, "/area", 1e-7);
+            add(statistics, "/objective_value", 1e-7);
+        }),
+        ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-3),
+        ("a flipped triangle", |contents, _| contents.mesh.triangles[7].swap(1, 2)),
+        ("a boundary that leaves a vertex out", |contents, _| match &mut set(contents, "boundaries").lines {
+            Lines::Polylines(lines) => drop(lines[0].vertices.remove(2)),
+            other => panic!("{other:?}"),
+        }),
+        ("another genus", |_, statistics| add(statistics, "/genus", 1.0)),
+        ("a residual of another mesh", |_, statistics| statistics["residual"] = json!(0.01)),
+        ("a curvature of another vertex", |contents, _| {
+            let values = &mut contents.vertex_attributes[0].values;
+            let v = values.iter().position(|&value| value > 1e-5).expect("a curvature above the tolerance");
+            values[v] *= 1.5;
+        }),
+        ("points of the input at other vertices", |contents, _| contents.input_vertices[0].swap(0, 1)),
+    ];
+    finds(&skew_square(), &faults);
+}
+
+#[test]
+#[cfg(feature = "ruled-surface")]
+fn every_fault_in_strips_is_found() {
+    let faults: [Fault; 11] = [
+        ("a triangle beside its bridges", |contents, _| contents.mesh.triangles.swap(1, 4)),
+        ("a moved point", |contents, _| contents.mesh.vertices[3].x += 1e-12),
+        ("a fold of another strip", |_, statistics| add(statistics, "/strips/0/largest_fold_deg", 1e-4)),
+        ("a fold of the whole", |_, statistics| add(statistics, "/largest_fold_deg", 1e-4)),
+        ("a developability of the whole", |_, statistics| add(statistics, "/developability_deviation_deg", 1e-4)),
+        ("one convex bridge more", |_, statistics| {
+            add(statistics, "/strips/1/convex_bridges", 1.0);
+            add(statistics, "/convex_bridges", 1.0);
+        }),
+        ("a twist without a bridge", |_, statistics| add(statistics, "/strips/0/total_normal_twist", 1e-6)),
+        ("a bending without a bridge", |_, statistics| add(statistics, "/strips/0/bending_energy", 1e-6)),
+        ("a curvature without a bridge", |_, statistics| add(statistics, "/strips/1/mean_curvature_variation", 1e-6)),
+        ("a secondary value of all bridges", |_, statistics| {
+            let all = statistics["strips"][0]["bending_energy"].clone();
+            statistics["strips"][0]["secondary_value"] = all;
+        }),
+        ("a directrix off the mesh", |contents, _| match &mut set(contents, "directrices").lines {
+            Lines::Polylines(lines) => lines[0].vertices.swap(0, 2),
+            other => panic!("{other:?}"),
+        }),
+    ];
+    let mut request = strips();
+    finds(&request, &faults);
+    // An archive of open strips refuses bridges that do not fit its triangles, one of closed strips does not look.
+    request["directrices"] =
+        json!([[[0, 0, 0], [2, 0, 0], [1, 2, 0]], [[0, 0, 1], [2, 0, 1.2], [2, 2, 1], [0, 2, 1.1]]]);
+    request["closed"] = json!(true);
+    let faults: [Fault; 2] = [
+        ("a lost bridge", |contents, _| drop(segments(contents, BRIDGES).pop())),
+        ("a lost triangle", |contents, _| drop(contents.mesh.triangles.pop())),
+    ];
+    finds(&request, &faults);
+}
+
+#[test]
+#[cfg(feature = "uniform-mesh")]
+fn every_fault_in_a_lattice_is_found() {
+    let request = json!({
+        "kind": "uniform_mesh",
+        "domain": { "polygon": [[0, 0, 0], [20, 0, 0], [22, 14, 0], [3, 15, 0]] },
+        "edge_length": 2.0,
+        "objective": "most_equal_edges"
+    });
+    let faults: [Fault; 10] = [
+        ("a lost triangle", |contents, _| drop(contents.mesh.triangles.pop())),
+        ("a moved corner", |contents, _| contents.mesh.vertices[1].x += 1e-9),
+        ("a moved node", |contents, _| contents.mesh.vertices.last_mut().unwrap().y += 1e-4),
+        ("a flipped triangle", |contents, _| contents.mesh.triangles[3].swap(0, 1)),
+        ("a member that is no edge", |contents, _| segments(contents, "members")[0][1] ^= 1),
+        ("a length of another member", |contents, _| set(contents, "members").attributes[0].values[2] += 1e-6),
+        ("one equal edge more", |_, statistics| add(statistics, "/equal_edges", 1.0)),
+        ("one length more", |_, statistics| add(statistics, "/distinct_lengths", 1.0)),
+        ("one edge out of range more", |_, statistics| add(statistics, "/out_of_range_edges", 1.0)),
+        ("a valence of another mesh", |_, statistics| add(statistics, "/valence_histogram/6", 1.0)),
+    ];
+    finds(&request, &faults);
+}
+
+#[test]
+#[cfg(feature = "cable-net")]
+fn every_fault_in_a_net_is_found() {
+    let request = json!({
+        "kind": "cable_net",
+        "vertices": [[0, 0, 0], [2, 0, 1], [2, 2, 0], [0, 2, 1], [1, 1, 0]],
+        "edges": [[0, 4], [1, 4], [2, 4], [3, 4]],
+        "supports": [0, 1, 2, 3],
+        "loads": [{ "vertices": [4], "force": [0, 0, -1] }],
+        "cables": [
+            { "name": "one", "edges": [0, 1], "force_density": 2.0, "axial_stiffness": 1000 },
+            { "name": "second", "edges": [2, 3], "force": 3.0 }
+        ]
+    });
+    let faults: [Fault; 11] = [
+        ("a moved support", |contents, _| contents.mesh.vertices[0].x += 1e-12),
+        ("a moved vertex", |contents, _| contents.mesh.vertices[4].z += 1e-6),
+        ("a force of another edge", |contents, _| set(contents, CABLES).attributes[0].values[0] *= 1.001),
+        ("a cable between other vertices", |contents, _| segments(contents, CABLES)[0] = [2, 4]),
+        ("a reaction without the load", |_, statistics| add(statistics, "/reactions/1/force/2", 0.25)),
+        ("a balance of another net", |_, statistics| add(statistics, "/balance/reactions/0", 1e-6)),
+        ("unbalanced forces", |_, statistics| add(statistics, "/balance/residual_force", 1e-6)),
+        ("a length of another cable", |_, statistics| add(statistics, "/cables/1/length", 1e-6)),
+        ("an unstressed length of another cable", |_, statistics| add(statistics, "/cables/0/unstressed_length", 1e-6)),
+        ("a load path without an edge", |_, statistics| add(statistics, "/load_path", 1e-6)),
+        ("a loss of an earlier step", |_, statistics| add(statistics, "/objective_value", 1e-6)),
+    ];
+    finds(&request, &faults);
+}
+
+#[test]
+#[cfg(feature = "tensile-structure")]
+fn every_fault_in_a_tensile_structure_is_found() {
+    let cable = |k: u32| json!({ "name": format!("edge {k}"), "along": { "from": k, "to": (k + 1) % 4 }, "mode": "force", "value": 30 });
+    let request = json!({
+        "kind": "tensile_structure",
+        "boundaries": [[[0, 0, 0], [10, 0, 4], [10, 10, 0], [0, 10, 4]]],
+        "film": { "tension": 2 },
+        "cables": [cable(0), cable(1), cable(2), cable(3)],
+        "resolution": { "triangles": 200 }
+    });
+    let faults: [Fault; 11] = [
+        ("a lost triangle", |contents, _| drop(contents.mesh.triangles.pop())),
+        ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-3),
+        ("an area of an earlier step", |_, statistics| add(statistics, "/area", 1e-6)),
+        ("triangles of another layer", |_, statistics| add(statistics, "/layers/0/triangles", 1.0)),
+        ("an energy of an earlier step", |_, statistics| add(statistics, "/objective_value", 0.1)),
+        ("a length of another cable", |_, statistics| add(statistics, "/cables/2/length", 1e-6)),
+        ("a force of another cable", |_, statistics| add(statistics, "/cables/1/force_max", 1e-5)),
+        ("a sag of another cable", |_, statistics| add(statistics, "/cables/1/sag", 1e-5)),
+        ("a reaction that is not listed", |_, statistics| add(statistics, "/reactions/0/force/2", 1.0)),
+        ("a balance of another shape", |_, statistics| add(statistics, "/balance/imbalance", 1e-6)),
+        ("a slope of another triangle", |_, statistics| add(statistics, "/minimum_slope_deg", 1e-3)),
+    ];
+    finds(&request, &faults);
+}
+
+#[test]
+#[cfg(feature = "ruled-surface")]
+fn a_result_with_a_fault_is_withheld_and_the_error_names_the_figure() {
+    let request = request(&strips());
+    let (draft, input) = request.draft();
+    let wrong = with(&draft, |_, statistics| add(statistics, "/area", 1.0));
+    let Err(Unsolved::Failed(error)) = wrong.audited(input) else { panic!("should have failed") };
+    assert_eq!(error.kind, "/problems/audit-failed");
+    assert!(error.is_of_the_audit() && error.detail.contains("/area: stated "), "{}", error.detail);
+    assert!(draft.audited(input).is_ok());
+}

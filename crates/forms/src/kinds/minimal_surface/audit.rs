@@ -1,0 +1,112 @@
+//! The stated figures of a film, measured again.
+
+use super::solve::SolverInput;
+use crate::audit::comparison::Audit;
+use crate::audit::edges::Edges;
+use crate::audit::figure::{Measured, Spread};
+use crate::audit::surface::Surface;
+use crate::audit::{curvature, points, topology};
+use plateau_archive::archive::MEAN_CURVATURE;
+use plateau_film::minimal_surface::Objective;
+use plateau_mesh::{DVec3, polyline};
+use std::collections::BTreeSet;
+
+impl SolverInput {
+    pub(super) fn compare(&self, audit: &mut Audit) {
+        let contents = audit.contents;
+        let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
+        let has_junctions = !audit.value("/junctions").is_null();
+        let edges = Edges::of(triangles, vertices.len());
+        audit.equal("/vertices", vertices.len());
+        audit.equal("/triangles", triangles.len());
+        topology::compare(audit, &edges, has_junctions);
+        points::at_their_vertices(audit, self.boundaries.iter().map(|points| &points[..]));
+        points::along_boundaries(audit, &edges, 1, true);
+        self.compare_constraints(audit);
+
+        let surface = Surface::of(vertices, triangles, audit.step);
+        let area = surface.area.measured();
+        audit.figure("/area", area);
+        self.compare_objective(audit, area);
+        let lengths: Vec<f64> = edges.list.iter().map(|edge| length(vertices, edge.ends)).collect();
+        audit.spread("/edge_lengths", &Spread::of(&lengths, 2.0 * audit.step));
+        let [smallest, largest] = surface.angles_deg();
+        audit.figure("/angles_deg/min", smallest);
+        audit.figure("/angles_deg/max", largest);
+        audit.figure("/degenerate_triangles", Measured::count(surface.degenerate));
+        if !has_junctions {
+            audit.figure("/flipped_triangles", Measured::count(surface.flipped));
+        }
+
+        let boundaries = points::polylines(contents, "boundaries");
+        let mut is_fixed = vec![false; vertices.len()];
+        boundaries.iter().flat_map(|rim| rim.iter()).for_each(|&v| is_fixed[v as usize] = true);
+        let rim: Vec<DVec3> = boundaries.iter().flat_map(|rim| rim.iter()).map(|&v| vertices[v as usize]).collect();
+        let constraints = &self.options.constraints;
+        if !(constraints.points.is_empty() && constraints.polylines.is_empty())
+            && let Some(stated) = contents.at_vertices(MEAN_CURVATURE)
+        {
+            // The mesh names no vertices of constraints. Points that were added on fixed curves are known by their
+            // curvature, which is stated as 0.
+            is_fixed.iter_mut().zip(&stated.values).for_each(|(fixed, &value)| *fixed |= value == 0.0);
+        }
+        curvature::compare(audit, &is_fixed, polyline::radius(&rim), self.options.tolerance, has_junctions);
+        if has_junctions {
+            let joined: Vec<_> = edges.list.iter().filter(|edge| edge.triangles() > 2).collect();
+            audit.equal("/junctions/edges", joined.len());
+            let total =
+                Spread::of(&joined.iter().map(|e| length(vertices, e.ends)).collect::<Vec<_>>(), 2.0 * audit.step);
+            audit.figure("/junctions/length", total.mean.times(total.count as f64));
+        }
+        self.compare_certificate(audit, area);
+    }
+
+    fn compare_objective(&self, audit: &mut Audit, area: Measured) {
+        match self.options.method.objective() {
+            Objective::MinimalArea => audit.figure("/objective_value", area),
+            // The energy of a map is at least the area of its image; the map's domain does not leave with the mesh.
+            Objective::MinimalDirichletEnergy => {
+                audit.figure("/objective_value", Measured { high: f64::INFINITY, ..area });
+            }
+            Objective::MinimalMeanCurvature => {
+                audit.figure("/objective_value", Measured { value: 0.0, low: 0.0, high: f64::INFINITY });
+            }
+        }
+        let Some(topologies) = audit.value("/spanning/topologies").as_array() else { return };
+        for k in (0..topologies.len()).filter(|&k| topologies[k]["chosen"] == true) {
+            audit.figure(&format!("/spanning/topologies/{k}/area"), area);
+        }
+    }
+
+    fn compare_certificate(&self, audit: &mut Audit, area: Measured) {
+        let Some(bound) = audit.stated("/certificate/area_lower_bound").filter(|bound| *bound > 0.0) else { return };
+        let gap = |area: f64| (area / bound - 1.0).max(0.0);
+        audit.figure(
+            "/certificate/gap",
+            Measured { value: gap(area.value), low: gap(area.low), high: gap(area.high).next_up() },
+        );
+        // A proven bound lies below every surface with this boundary.
+        let above = area.high >= bound;
+        audit.require(above, || "the area is at least the proven bound".into(), || format!("{}", area.value));
+    }
+
+    fn compare_constraints(&self, audit: &mut Audit) {
+        let constraints = &self.options.constraints;
+        let fixed = || constraints.points.iter().chain(constraints.polylines.iter().flatten());
+        if fixed().next().is_none() {
+            return;
+        }
+        let bits = |point: &DVec3| (*point + DVec3::ZERO).to_array().map(f64::to_bits);
+        let vertices: BTreeSet<[u64; 3]> = audit.contents.mesh.vertices.iter().map(bits).collect();
+        let missing = fixed().position(|point| !vertices.contains(&bits(point)));
+        audit.require(
+            missing.is_none(),
+            || "every point of the constraints is a vertex".into(),
+            || missing.map_or_else(String::new, |k| format!("point {k} is none")),
+        );
+    }
+}
+
+fn length(vertices: &[DVec3], [a, b]: [u32; 2]) -> f64 {
+    vertices[a as usize].distance(vertices[b as usize])
+}

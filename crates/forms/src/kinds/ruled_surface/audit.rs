@@ -1,0 +1,267 @@
+//! The stated figures of strips, measured again.
+
+use super::solve::SolverInput;
+use crate::audit::comparison::Audit;
+use crate::audit::edges::Edges;
+use crate::audit::figure::{Largest, Least, Measured, Sum};
+use crate::audit::points;
+use crate::audit::strip::{Figures, Rail, Strip, between};
+use plateau_archive::Lines;
+use plateau_archive::archive::BRIDGES;
+use plateau_mesh::DVec3;
+use plateau_ruled_surface::{Caps, Objective, Secondary};
+
+/// The figures of all strips together.
+struct Total {
+    area: Sum,
+    twist: Sum,
+    convex: [usize; 2],
+    bending: Sum,
+    curvature_variation: Sum,
+    shortest: Option<Measured>,
+    longest: Option<Measured>,
+    fold: Option<Measured>,
+    concave_fold: Option<Measured>,
+}
+
+impl SolverInput {
+    pub(super) fn compare(&self, audit: &mut Audit) {
+        let contents = audit.contents;
+        let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
+        audit.equal("/vertices", vertices.len());
+        if self.options.sampling.is_none() && !audit.warns("projected") {
+            points::at_their_vertices(audit, self.directrices.iter().map(|points| &points[..]));
+        }
+        let bridges = contents.line_sets.iter().find(|set| set.name == BRIDGES).map(|set| &set.lines);
+        let bridges: &[[u32; 2]] = match bridges {
+            Some(Lines::Segments(pairs)) => pairs,
+            _ => &[],
+        };
+        audit.equal("/bridges", bridges.len());
+        let rails = self.rails(audit);
+        let strips = audit.entries("/strips");
+        audit.require(
+            strips + 1 == rails.len(),
+            || format!("{} directrices make {} strips", rails.len(), rails.len() - 1),
+            || strips.to_string(),
+        );
+        let rims = points::polylines(contents, "directrices");
+        let edges = Edges::of(triangles, vertices.len());
+        for rim in rims {
+            let pairs = rim.windows(2).map(|pair| [pair[0], pair[1]]);
+            let closing = self.options.closed.then(|| [rim[rim.len() - 1], rim[0]]);
+            let off = pairs.chain(closing).find(|[a, b]| edges.between(*a, *b).is_none());
+            audit.require(
+                off.is_none(),
+                || "the directrices run along edges of the mesh".into(),
+                || format!("{off:?} is no edge"),
+            );
+        }
+        let (mut first_bridge, mut first_triangle) = (0usize, 0usize);
+        let mut total: Option<Total> = None;
+        for k in 0..strips.min(rails.len() - 1) {
+            let pointer = format!("/strips/{k}");
+            let count = audit.stated_count(&format!("{pointer}/bridges"));
+            let own = bridges.get(first_bridge..first_bridge.saturating_add(count)).unwrap_or_default();
+            first_bridge = first_bridge.saturating_add(own.len());
+            let pair = [rails[k].clone(), rails[k + 1].clone()];
+            let Some(strip) = self.strip(audit, own, pair).filter(|_| own.len() > 1) else {
+                audit.require(
+                    false,
+                    || format!("the bridges of strip {k} join its directrices"),
+                    || "they do not".into(),
+                );
+                return;
+            };
+            let steps = if strip.closed { own.len() } else { own.len() - 1 };
+            audit.equal(&format!("{pointer}/triangles"), steps);
+            let listed = triangles.get(first_triangle..first_triangle + steps).unwrap_or_default();
+            first_triangle += listed.len();
+            let differs = (0..steps).find(|&t| {
+                let mut sides = [strip.triangle(t), listed.get(t).copied().unwrap_or_default()];
+                sides.iter_mut().for_each(|corners| corners.sort_unstable());
+                sides[0] != sides[1]
+            });
+            audit.require(
+                differs.is_none(),
+                || format!("the triangles of strip {k} lie between its bridges"),
+                || differs.map_or_else(String::new, |t| format!("triangle {t} does not")),
+            );
+            let figures = strip.figures();
+            self.compare_strip(audit, &pointer, &figures, own.len());
+            add(&mut total, &figures);
+        }
+        audit.require(
+            first_bridge == bridges.len(),
+            || "the strips have all bridges".into(),
+            || format!("{first_bridge} of {}", bridges.len()),
+        );
+        audit.equal("/triangles", first_triangle);
+        let without_caps = self.options.caps == Caps::None;
+        audit.require(
+            !without_caps || first_triangle == triangles.len(),
+            || "the strips have all triangles".into(),
+            || format!("{first_triangle} of {}", triangles.len()),
+        );
+        let Some(total) = total else { return };
+        let convex = Measured::count(total.convex);
+        audit.figure("/area", total.area.measured());
+        audit.figure("/total_normal_twist", total.twist.measured());
+        audit.figure("/convex_bridges", convex);
+        audit.figure("/convex_bridge_ratio", ratio(convex, bridges.len()));
+        audit.figure("/bending_energy", total.bending.measured());
+        audit.figure("/mean_curvature_variation", total.curvature_variation.measured());
+        let ranges = [
+            ("/shortest_bridge", total.shortest),
+            ("/longest_bridge", total.longest),
+            ("/largest_fold_deg", total.fold.map(|fold| fold.times(1f64.to_degrees()))),
+            ("/developability_deviation_deg", total.concave_fold.map(|fold| fold.times(1f64.to_degrees()))),
+        ];
+        for (pointer, measured) in ranges {
+            if let Some(measured) = measured {
+                audit.figure(pointer, measured);
+            }
+        }
+        for name in ["objective_value", "secondary_value", "normal_variation"] {
+            let of_strips = (0..strips).map(|k| audit.stated(&format!("/strips/{k}/{name}")));
+            let Some(sum) = of_strips.sum::<Option<f64>>() else { continue };
+            audit.figure(&format!("/{name}"), Measured::within(sum, 1e-9 * sum.abs()));
+        }
+    }
+
+    /// Returns the rails in the order and direction of the strips.
+    fn rails<'c>(&self, audit: &Audit<'c>) -> Vec<Rail<'c>> {
+        let contents = audit.contents;
+        let mut lines = points::polylines(contents, "directrices").into_iter();
+        let of = |(k, numbers): (usize, &'c Vec<u32>)| {
+            let is_apex = numbers.iter().all(|v| v == &numbers[0]);
+            let vertices = if is_apex { &numbers[..1] } else { lines.next().unwrap_or_default() };
+            // A directrix that runs against its input has falling vertex numbers.
+            let is_reversed = audit.value("/reversed")[k] == true;
+            let given = |vectors: &Option<Vec<Vec<DVec3>>>, sign: f64| -> Vec<DVec3> {
+                let Some(vectors) = vectors.as_ref().and_then(|vectors| vectors.get(k)) else { return Vec::new() };
+                let of = |v: &u32| numbers.iter().position(|number| number == v).and_then(|i| vectors.get(i).copied());
+                vertices.iter().map(|v| sign * of(v).unwrap_or_default().normalize_or_zero()).collect()
+            };
+            let tangents = given(&self.options.tangents, if is_reversed { -1.0 } else { 1.0 });
+            Rail { vertices, tangents, normals: given(&self.options.normals, 1.0) }
+        };
+        contents.input_vertices.iter().enumerate().map(of).collect()
+    }
+
+    fn strip<'c>(&self, audit: &Audit<'c>, bridges: &[[u32; 2]], rails: [Rail<'c>; 2]) -> Option<Strip<'c>> {
+        // The vertices of a rail follow each other, upwards or downwards.
+        let position = |rail: &Rail, v: u32| {
+            let vertices = rail.vertices;
+            let index = v.abs_diff(*vertices.first()?) as usize;
+            (vertices.get(index) == Some(&v)).then_some(index)
+        };
+        let pair = |&[p, q]: &[u32; 2]| Some([position(&rails[0], p)?, position(&rails[1], q)?]);
+        let bridges = bridges.iter().map(pair).collect::<Option<Vec<_>>>()?;
+        let tolerance = self.options.convexity_tolerance;
+        let at = &audit.contents.mesh.vertices;
+        Some(Strip {
+            at,
+            rails,
+            closed: self.options.closed,
+            bridges,
+            convexity_tolerance: tolerance,
+            step: audit.step,
+        })
+    }
+
+    fn compare_strip(&self, audit: &mut Audit, pointer: &str, figures: &Figures, bridges: usize) {
+        let convex = Measured::count(figures.convex);
+        // Given tangents and normals of resampled directrices do not leave with the mesh.
+        let has_vectors = self.options.tangents.is_some() || self.options.normals.is_some();
+        let resampled = has_vectors && self.options.sampling.is_some();
+        let mut one = |name: &str, measured: Measured| audit.figure(&format!("{pointer}/{name}"), measured);
+        one("area", figures.area.measured());
+        if !resampled {
+            one("total_normal_twist", figures.twist.measured());
+        }
+        one("convex_bridges", convex);
+        one("convex_bridge_ratio", ratio(convex, bridges));
+        one("bending_energy", figures.bending.measured());
+        one("mean_curvature_variation", figures.curvature_variation.measured());
+        one("largest_fold_deg", figures.fold.measured().times(1f64.to_degrees()));
+        one("developability_deviation_deg", concave_fold(figures).times(1f64.to_degrees()));
+        one("shortest_bridge", figures.shortest.measured());
+        one("longest_bridge", figures.longest.measured());
+        let variation = figures.normal_variation.filter(|_| !resampled).map(|both| {
+            let stated = audit.stated(&format!("{pointer}/normal_variation")).unwrap_or(f64::NAN);
+            let [one, other] = both.map(Sum::measured);
+            if other.agrees_with(stated) { other } else { one }
+        });
+        if let Some(variation) = variation {
+            audit.figure(&format!("{pointer}/normal_variation"), variation);
+        }
+        let objective = match self.options.objective {
+            Objective::MinimalArea => Some(figures.area.measured()),
+            Objective::MinimalTwist => Some(figures.twist.measured()).filter(|_| !resampled),
+            Objective::MaximalConvexity => Some(convex),
+            Objective::MinimalBendingEnergy => Some(figures.bending.measured()),
+            Objective::MinimalMeanCurvatureVariation => Some(figures.curvature_variation.measured()),
+            Objective::MinimalNormalVariation => variation,
+            // The optima by which the terms of a weighted sum are divided do not leave with the mesh.
+            _ => None,
+        };
+        if let Some(objective) = objective {
+            audit.figure(&format!("{pointer}/objective_value"), objective);
+        }
+        let secondary = self.options.secondary.map(|secondary| match secondary {
+            Secondary::BendingEnergy => between(figures.concave_bending),
+            Secondary::MeanCurvatureVariation => between(figures.concave_curvature),
+        });
+        if let Some(secondary) = secondary {
+            audit.figure(&format!("{pointer}/secondary_value"), secondary);
+        }
+    }
+}
+
+fn ratio(convex: Measured, bridges: usize) -> Measured {
+    convex.times(1.0 / bridges.max(1) as f64).widened(1e-12)
+}
+
+/// Returns the largest fold at bridges that are not convex. Its range includes bridges that may be convex or not.
+fn concave_fold(figures: &Figures) -> Measured {
+    let [certain, possible] = figures.concave_fold.map(Largest::measured);
+    Measured { value: certain.value, low: certain.low.min(possible.low), high: possible.high.max(certain.high) }
+}
+
+fn add(total: &mut Option<Total>, figures: &Figures) {
+    let larger = |old: Option<Measured>, new: Measured| {
+        Some(old.map_or(new, |old| Measured {
+            value: old.value.max(new.value),
+            low: old.low.max(new.low),
+            high: old.high.max(new.high),
+        }))
+    };
+    let total = total.get_or_insert(Total {
+        area: Sum::default(),
+        twist: Sum::default(),
+        convex: [0; 2],
+        bending: Sum::default(),
+        curvature_variation: Sum::default(),
+        shortest: None,
+        longest: None,
+        fold: None,
+        concave_fold: None,
+    });
+    total.area.add_sum(figures.area);
+    total.twist.add_sum(figures.twist);
+    total.convex = [0, 1].map(|k| total.convex[k] + figures.convex[k]);
+    total.bending.add_sum(figures.bending);
+    total.curvature_variation.add_sum(figures.curvature_variation);
+    total.longest = larger(total.longest, figures.longest.measured());
+    total.fold = larger(total.fold, figures.fold.measured());
+    total.concave_fold = larger(total.concave_fold, concave_fold(figures));
+    let shortest = figures.shortest.measured();
+    total.shortest = Some(total.shortest.map_or(shortest, |old| {
+        let mut least = Least::NONE;
+        for figure in [old, shortest] {
+            least.add(figure.value, figure.high - figure.value);
+        }
+        least.measured()
+    }));
+}

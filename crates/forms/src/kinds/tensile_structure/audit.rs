@@ -1,0 +1,264 @@
+//! The stated figures of a tensile structure, measured again.
+
+use super::solve::SolverInput;
+use crate::audit::comparison::Audit;
+use crate::audit::edges::Edges;
+use crate::audit::figure::{Largest, Least, Measured, RELATIVE, Spread, Sum};
+use crate::audit::points;
+use crate::audit::surface::{Sides, Surface, corners};
+use plateau_archive::Lines;
+use plateau_archive::archive::CABLES;
+use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
+use plateau_mesh::DVec3;
+
+/// Largest difference between the force of a cable that its mode states and the mean of the forces of its segments, relative to
+/// the largest of them. The segments bear what balances the film's mesh, which differs from the force of the smooth shape by
+/// up to 5e-4 in the examples, and less on finer meshes.
+const MEAN_FORCE: f64 = 0.01;
+/// Relative error of the energy. It is stated for the shape before the balance within the film, which moves vertices along
+/// the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples.
+const ENERGY: f64 = 1e-6;
+
+impl SolverInput {
+    pub(super) fn compare(&self, audit: &mut Audit) {
+        let contents = audit.contents;
+        let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
+        audit.equal("/vertices", vertices.len());
+        audit.equal("/triangles", triangles.len());
+        let layers = self.structure.layers.len();
+        audit.require(
+            audit.entries("/layers") == layers,
+            || "each layer has its figures".into(),
+            || format!("{layers} layers"),
+        );
+        let whole = Surface::of(vertices, triangles, audit.step);
+        audit.figure("/area", whole.area.measured());
+        let [smallest, largest] = whole.angles_deg();
+        audit.figure("/angles_deg/min", smallest);
+        audit.figure("/angles_deg/max", largest);
+        audit.figure("/degenerate_triangles", Measured::count(whole.degenerate));
+        let (mut first, mut flipped, mut lengths) = (0usize, [0; 2], Vec::new());
+        for k in 0..layers {
+            let count = audit.stated_count(&format!("/layers/{k}/triangles"));
+            let own = triangles.get(first..first.saturating_add(count)).unwrap_or_default();
+            first = first.saturating_add(count);
+            let layer = if layers == 1 { whole } else { Surface::of(vertices, own, audit.step) };
+            audit.figure(&format!("/layers/{k}/area"), layer.area.measured());
+            flipped = [0, 1].map(|i| flipped[i] + layer.flipped[i]);
+            let edges = Edges::of(own, vertices.len());
+            lengths.extend(edges.list.iter().map(|edge| length(vertices, edge.ends)));
+            let oriented = edges.are_of_an_oriented_manifold();
+            audit.require(oriented, || format!("layer {k} is an oriented manifold"), || "it is not".into());
+            points::along_boundaries(audit, &edges, 1, false);
+        }
+        audit.require(first == triangles.len(), || "the layers have all triangles".into(), || first.to_string());
+        audit.figure("/flipped_triangles", Measured::count(flipped));
+        audit.spread("/edge_lengths", &Spread::of(&lengths, 2.0 * audit.step));
+        self.compare_points(audit);
+        let cables = self.compare_cables(audit);
+        self.compare_energy(audit, whole.area.measured(), cables);
+        self.compare_chambers(audit);
+        self.compare_slope(audit);
+        compare_balance(audit);
+    }
+
+    /// Requires a vertex for each point of the request, at the point itself unless it may move.
+    fn compare_points(&self, audit: &mut Audit) {
+        let contents = audit.contents;
+        let lists = contents.input_vertices.len();
+        let count = self.structure.boundaries.len();
+        audit.require(lists == count, || "each boundary has its vertices".into(), || lists.to_string());
+        // A structure in which nothing slides, moves or hangs on a cable keeps every point.
+        let structure = &self.structure;
+        let all_stay = structure.cables.is_empty() && structure.sliding.is_empty() && structure.rings.is_empty();
+        if all_stay && structure.free_points.is_empty() {
+            points::at_their_vertices(audit, structure.boundaries.iter().map(|points| &points[..]));
+        }
+    }
+
+    /// Compares each cable and mast, and returns Σ force · length of the cables of given forces.
+    fn compare_cables(&self, audit: &mut Audit) -> Sum {
+        let contents = audit.contents;
+        let vertices = &contents.mesh.vertices;
+        let is_member = |name: &str| name == CABLES || name == "masts";
+        let sets: Vec<_> = contents.line_sets.iter().filter(|set| is_member(&set.name)).collect();
+        let expected = self.structure.cables.len();
+        audit.require(sets.len() == expected, || "each cable has its lines".into(), || sets.len().to_string());
+        let (mut cables, mut masts, mut total) = (0, 0, Sum::default());
+        let step = audit.step;
+        for (set, cable) in sets.iter().zip(&self.structure.cables) {
+            let Lines::Segments(pairs) = &set.lines else { continue };
+            let forces = set.attributes.iter().find(|attribute| attribute.name == "force");
+            let forces: &[f64] = forces.map_or(&[], |attribute| &attribute.values);
+            let is_mast = cable.course.is_mast();
+            let (list, k, sign) = if is_mast { ("masts", &mut masts, -1.0) } else { ("cables", &mut cables, 1.0) };
+            let pointer = format!("/{list}/{k}");
+            *k += 1;
+            let (mut moment, mut sum) = (Sum::default(), Sum::default());
+            let (mut least, mut most) = (Least::NONE, Largest::NONE);
+            for (&pair, &force) in pairs.iter().zip(forces) {
+                let own = length(vertices, pair);
+                moment.add(force * own, force.abs() * 2.0 * audit.step);
+                sum.add(own, 2.0 * audit.step);
+                least.add(force, RELATIVE * force.abs());
+                most.add(force, RELATIVE * force.abs());
+            }
+            if let CableMode::Force(force) = cable.mode {
+                total.add(force * sum.value, 0.0);
+            }
+            audit.figure(&format!("{pointer}/length"), sum.measured());
+            let joined = pairs.windows(2).all(|pair| pair[0][1] == pair[1][0]);
+            audit.require(joined, || format!("the segments of {pointer} follow each other"), || "they do not".into());
+            let mean = moment.value / sum.value;
+            let scale = least.measured().value.abs().max(most.measured().value.abs());
+            audit.figure(&format!("{pointer}/force"), Measured::within(sign * mean, MEAN_FORCE * scale));
+            if is_mast {
+                continue;
+            }
+            audit.figure(&format!("{pointer}/force_min"), least.measured());
+            audit.figure(&format!("{pointer}/force_max"), most.measured());
+            if let Some(stiffness) = cable.axial_stiffness {
+                let stated = audit.stated(&format!("{pointer}/force")).unwrap_or(f64::NAN);
+                let measured = sum.measured().times(1.0 / (1.0 + stated / stiffness));
+                audit.figure(&format!("{pointer}/unstressed_length"), measured);
+            }
+            audit.figure(&format!("{pointer}/sag"), sag(vertices, pairs, step));
+        }
+        total
+    }
+
+    /// Compares the energy of a film of one tension between cables of given forces: σ A + Σ F L.
+    fn compare_energy(&self, audit: &mut Audit, area: Measured, cables: Sum) {
+        let structure = &self.structure;
+        let [layer] = &structure.layers[..] else { return };
+        let FilmPrestress::Isotropic(tension) = layer.prestress else { return };
+        let plain = |mode: &CableMode| matches!(mode, CableMode::Force(_));
+        let weightless = layer.weight == 0.0 && structure.cables.iter().all(|cable| cable.weight == 0.0);
+        let simple = weightless
+            && structure.cables.iter().all(|cable| plain(&cable.mode) && cable.axial_stiffness.is_none())
+            && structure.sliding.iter().all(|sliding| sliding.contact_angle.is_none())
+            && structure.chambers.is_empty()
+            && structure.rings.is_empty();
+        if simple {
+            let film = area.times(tension);
+            let cables = cables.measured();
+            let value = film.value + cables.value;
+            audit.figure("/objective_value", Measured::within(value, ENERGY * value.abs()));
+        }
+    }
+
+    /// Compares the volume of each chamber: from its layer to the next one, or to fans from each boundary to its mean.
+    fn compare_chambers(&self, audit: &mut Audit) {
+        let contents = audit.contents;
+        let mesh = &contents.mesh;
+        let layers = self.structure.layers.len();
+        let mut start = vec![0];
+        for k in 0..layers {
+            let count = audit.stated_count(&format!("/layers/{k}/triangles"));
+            start.push((start[k] + count.min(mesh.triangles.len())).min(mesh.triangles.len()));
+        }
+        let origin = contents.origin();
+        let volume = |walls: &mut Sum, corners: [DVec3; 3], sign: f64| {
+            let sides = Sides::of(corners);
+            let [a, b, c] = corners.map(|p| p - origin);
+            let reach = a.length().max(b.length()).max(c.length());
+            walls.add(sign * a.dot(b.cross(c)) / 6.0, audit.step * (sides.double_area + reach * sides.perimeter) / 2.0);
+        };
+        let mut volumes = Vec::new();
+        for &Chamber { below, .. } in &self.structure.chambers {
+            let mut walls = Sum::default();
+            for &triangle in &mesh.triangles[start[below]..start[below + 1]] {
+                volume(&mut walls, corners(&mesh.vertices, triangle), 1.0);
+            }
+            if below + 1 < layers {
+                for &triangle in &mesh.triangles[start[below + 1]..start[below + 2]] {
+                    volume(&mut walls, corners(&mesh.vertices, triangle), -1.0);
+                }
+            } else if self.fans_are_fixed() {
+                for points in &self.structure.boundaries {
+                    let rim: Vec<DVec3> = points.clone();
+                    let mean = plateau_mesh::polyline::mean(&rim);
+                    for i in 0..rim.len() {
+                        volume(&mut walls, [rim[(i + 1) % rim.len()], rim[i], mean], 1.0);
+                    }
+                }
+            } else {
+                return;
+            }
+            volumes.push(walls.measured());
+        }
+        for (k, measured) in volumes.into_iter().enumerate() {
+            audit.figure(&format!("/chambers/{k}/volume"), measured);
+        }
+    }
+
+    /// Returns whether the boundaries stay, so that the fans which close the last chamber are those of the request.
+    fn fans_are_fixed(&self) -> bool {
+        let structure = &self.structure;
+        structure.cables.is_empty() && structure.sliding.is_empty() && structure.rings.is_empty()
+    }
+
+    fn compare_slope(&self, audit: &mut Audit) {
+        let mesh = &audit.contents.mesh;
+        let mut least = Least::NONE;
+        for &triangle in &mesh.triangles {
+            let sides = Sides::of(corners(&mesh.vertices, triangle));
+            let normal = sides.double_area_vector;
+            let slope = libm::atan2(normal.cross(self.structure.up).length(), normal.dot(self.structure.up).abs());
+            least.add(slope, RELATIVE + audit.step / sides.altitude());
+        }
+        audit.figure("/minimum_slope_deg", least.measured().times(1f64.to_degrees()));
+    }
+}
+
+/// Compares the sums of forces with each other and with the reactions that are listed.
+fn compare_balance(audit: &mut Audit) {
+    if audit.value("/balance").is_null() {
+        return;
+    }
+    let vector = |audit: &Audit, pointer: &str| {
+        let axis = |k: usize| audit.stated(&format!("{pointer}/{k}")).unwrap_or(f64::NAN);
+        DVec3::new(axis(0), axis(1), axis(2))
+    };
+    let [loads, reactions] = ["/balance/loads", "/balance/reactions"].map(|pointer| vector(audit, pointer));
+    let magnitudes = audit.stated("/balance/magnitudes").unwrap_or(f64::NAN);
+    let imbalance = (loads + reactions).length() / magnitudes.max(f64::MIN_POSITIVE);
+    audit.figure("/balance/imbalance", Measured::within(imbalance, RELATIVE));
+    let (mut sum, mut count) = (DVec3::ZERO, 0);
+    for list in ["/reactions", "/edge_reactions"] {
+        for k in 0..audit.entries(list) {
+            sum += vector(audit, &format!("{list}/{k}/force"));
+            count += 1;
+        }
+    }
+    // What slides lists its whole force, of which the part along its support is not borne.
+    let unbalanced =
+        audit.stated("/balance/residual_force").unwrap_or(f64::NAN) * audit.contents.mesh.vertices.len() as f64;
+    let off = (sum - reactions).length();
+    audit.require(
+        off <= RELATIVE * magnitudes + unbalanced,
+        || format!("the {count} reactions listed add up to balance/reactions"),
+        || format!("{off} is missing"),
+    );
+}
+
+/// Returns the largest distance of a cable's vertices from the chord between its ends.
+fn sag(vertices: &[DVec3], pairs: &[[u32; 2]], step: f64) -> Measured {
+    let (Some(&[first, _]), Some(&[_, last])) = (pairs.first(), pairs.last()) else {
+        return Measured::within(0.0, 0.0);
+    };
+    let start = vertices[first as usize];
+    let chord = vertices[last as usize] - start;
+    let along = chord.normalize_or_zero();
+    let mut largest = Largest::NONE;
+    for &[_, v] in pairs {
+        let offset = vertices[v as usize] - start;
+        let distance = (offset - offset.dot(along) * along).length();
+        largest.add(distance, RELATIVE * offset.length() + 4.0 * step);
+    }
+    largest.measured()
+}
+
+fn length(vertices: &[DVec3], [a, b]: [u32; 2]) -> f64 {
+    vertices[a as usize].distance(vertices[b as usize])
+}
