@@ -1,7 +1,7 @@
 //! The audit at the exit: a result whose stated figures are not those of its mesh fails the job, is logged and counted.
 //!
-//! An enlargement, a kind for tests, states the area of its source's statistics times the square of the factor. A stack of
-//! strips with caps states the area without them, so the enlargement of such a stack states a wrong one.
+//! An enlargement, a kind for tests, states the area of its source's statistics times the square of the factor. A stack
+//! of strips with caps states the area without them, so the enlargement of such a stack states a wrong one.
 
 use crate::app::TestApp;
 use crate::sources::{ENLARGEMENTS, enlargement};

@@ -1,4 +1,5 @@
-//! The cost of the audit beside that of the solve. Each row is a line of JSON with milliseconds: the fastest of several runs.
+//! The cost of the audit beside that of the solve. Each row is a line of JSON with milliseconds: the fastest of several
+//! runs.
 //!
 //! ```text
 //! cargo bench --package plateau-forms --bench audit

@@ -154,7 +154,8 @@ impl Request {
         draft.audited(&*self.input)
     }
 
-    /// Audits a result once more and returns the number of its faults, which is 0. The benchmark of the audit's cost calls it.
+    /// Audits a result once more and returns the number of its faults, which is 0. The benchmark of the audit's cost
+    /// calls it.
     #[doc(hidden)]
     #[must_use]
     pub fn audit(&self, solved: &Solved) -> usize {

@@ -59,8 +59,8 @@ impl Draft {
         let more = faults.len().saturating_sub(NAMED_FAULTS);
         let more = if more > 0 { format!("; and {more} more") } else { String::new() };
         let detail = format!(
-            "the result was withheld because its figures are not those of its mesh: {texts}{more}. This is a defect of the \
-             solver; the request is not the cause"
+            "the result was withheld because its figures are not those of its mesh: {texts}{more}. This is a defect of \
+             the solver; the request is not the cause"
         );
         Err(Unsolved::Failed(SolveError::new(SolveError::AUDIT_FAILED, detail, Vec::new())))
     }

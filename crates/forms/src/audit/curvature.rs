@@ -47,9 +47,9 @@ fn rings(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Ring> {
     rings
 }
 
-/// Compares the residuals and curvatures of a film whose vertices move apart from those that `is_fixed` marks. At a junction
-/// of three sheets the film's normal is not defined, so the figures of films with junctions are compared at the other
-/// vertices and may be larger.
+/// Compares the residuals and curvatures of a film whose vertices move apart from those that `is_fixed` marks. At a
+/// junction of three sheets the film's normal is not defined, so the figures of films with junctions are compared at
+/// the other vertices and may be larger.
 pub(crate) fn compare(audit: &mut Audit, is_fixed: &[bool], radius: f64, tolerance: f64, has_junctions: bool) {
     let mesh = &audit.contents.mesh;
     let rounding = audit.step;

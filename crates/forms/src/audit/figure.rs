@@ -68,8 +68,8 @@ impl Sum {
     }
 }
 
-/// The least or the largest of some values, each with its own tolerance. The range is that of the least or largest value
-/// that the tolerances allow, so that a value which rounding cannot reach does not widen it.
+/// The least or the largest of some values, each with its own tolerance. The range is that of the least or largest
+/// value that the tolerances allow, so that a value which rounding cannot reach does not widen it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Least(Option<Measured>);
 

@@ -9,8 +9,8 @@ use plateau_mesh::{DVec3, polyline};
 /// Largest distance of a merged point from the point that it was merged into, as a fraction of the polyline's radius: a
 /// margin over the distance at which neighbours are merged.
 const MERGED: f64 = 1e-7;
-/// Largest distance of a point from the segment on which it was added, in the audit's step, which is 8 units in the last
-/// place of the largest coordinate.
+/// Largest distance of a point from the segment on which it was added, in the audit's step, which is 8 units in the
+/// last place of the largest coordinate.
 const BESIDE: f64 = 1.0;
 
 /// Requires that the first point of each vertex has equal bits, and that points which were merged into it are near.
@@ -52,9 +52,9 @@ pub(crate) fn polylines<'c>(contents: &'c Contents, name: &str) -> Vec<&'c [u32]
     sets.flat_map(|set| of(&set.lines)).collect()
 }
 
-/// Requires that each closed boundary runs along edges of the mesh that have `triangles` triangles, that no other edge has
-/// so few, and that it passes the request's points in their order. With `straight` the points between two of them lie on
-/// the segment between them and in its order.
+/// Requires that each closed boundary runs along edges of the mesh that have `triangles` triangles, that no other edge
+/// has so few, and that it passes the request's points in their order. With `straight` the points between two of them
+/// lie on the segment between them and in its order.
 pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32, straight: bool) {
     let contents = audit.contents;
     let at = |v: u32| contents.mesh.vertices[v as usize];

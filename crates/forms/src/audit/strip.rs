@@ -57,8 +57,8 @@ pub(crate) struct Figures {
 /// A vector and how far rounding moves it.
 type Rounded = (DVec3, f64);
 
-/// Returns the unit vector of a cross product, or zero if the product counts as zero. The third value says that rounding
-/// decides about it.
+/// Returns the unit vector of a cross product, or zero if the product counts as zero. The third value says that
+/// rounding decides about it.
 fn unit_cross(a: DVec3, b: DVec3, step: f64) -> (DVec3, f64, bool) {
     let (cross, product) = (a.cross(b), a.length() * b.length());
     let sine = cross.length() / product;
@@ -95,8 +95,9 @@ impl Strip<'_> {
         (next < count).then(|| self.point(side, next))
     }
 
-    /// Returns the direction of a directrix at one of its points: that which is given, or the derivative at the middle of
-    /// the quadratic through three neighbours, whose parameter is the length of the chords (Wang-Tang, eq. 13 and 14).
+    /// Returns the direction of a directrix at one of its points: that which is given, or the derivative at the middle
+    /// of the quadratic through three neighbours, whose parameter is the length of the chords (Wang-Tang, eq. 13 and
+    /// 14).
     fn tangent(&self, side: usize, index: usize) -> DVec3 {
         if let Some(&given) = self.rails[side].tangents.get(index) {
             return given;
@@ -128,8 +129,8 @@ impl Strip<'_> {
         self.point(1, j) - self.point(0, i)
     }
 
-    /// Returns whether a bridge certainly is locally convex, and whether it is if rounding favours it: seen along the bridge
-    /// the directions to the neighbours of its ends fit into a half-plane.
+    /// Returns whether a bridge certainly is locally convex, and whether it is if rounding favours it: seen along the
+    /// bridge the directions to the neighbours of its ends fit into a half-plane.
     fn convexity(&self, bridge: [usize; 2]) -> [bool; 2] {
         let axis = self.bridge(bridge);
         let length = axis.length();

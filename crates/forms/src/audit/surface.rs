@@ -89,7 +89,8 @@ impl Surface {
             let length = normal.length();
             let [a, b, c] = triangle.map(|v| units[v as usize]);
             let cosine = normal.dot(a.0 + b.0 + c.0) / length;
-            // Each unit normal moves by its own rounding, and the triangle's normal turns by the step over its altitude.
+            // Each unit normal moves by its own rounding, and the triangle's normal turns by the step over its
+            // altitude.
             let turn = RELATIVE + step * longest(vertices, triangle) / length;
             let tolerance = a.1 + b.1 + c.1 + 3.0 * turn;
             found.flipped[0] += usize::from(cosine < -tolerance);

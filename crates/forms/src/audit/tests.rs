@@ -222,7 +222,10 @@ fn every_fault_in_a_net_is_found() {
 #[test]
 #[cfg(feature = "tensile-structure")]
 fn every_fault_in_a_tensile_structure_is_found() {
-    let cable = |k: u32| json!({ "name": format!("edge {k}"), "along": { "from": k, "to": (k + 1) % 4 }, "mode": "force", "value": 30 });
+    let cable = |k: u32| {
+        let along = json!({ "from": k, "to": (k + 1) % 4 });
+        json!({ "name": format!("edge {k}"), "along": along, "mode": "force", "value": 30 })
+    };
     let request = json!({
         "kind": "tensile_structure",
         "boundaries": [[[0, 0, 0], [10, 0, 4], [10, 10, 0], [0, 10, 4]]],

@@ -3,8 +3,8 @@
 use super::comparison::Audit;
 use super::edges::{Components, Edges};
 
-/// Compares the stated numbers of components and boundary loops, the Euler characteristic and the genus with those of the
-/// mesh. A mesh of sheets that meet along junctions has no genus.
+/// Compares the stated numbers of components and boundary loops, the Euler characteristic and the genus with those of
+/// the mesh. A mesh of sheets that meet along junctions has no genus.
 pub(crate) fn compare(audit: &mut Audit, edges: &Edges, has_junctions: bool) {
     let mesh = &audit.contents.mesh;
     let count = mesh.vertices.len();

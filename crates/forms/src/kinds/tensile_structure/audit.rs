@@ -11,12 +11,12 @@ use plateau_archive::archive::CABLES;
 use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
 
-/// Largest difference between the force of a cable that its mode states and the mean of the forces of its segments, relative to
-/// the largest of them. The segments bear what balances the film's mesh, which differs from the force of the smooth shape by
-/// up to 5e-4 in the examples, and less on finer meshes.
+/// Largest difference between the force of a cable that its mode states and the mean of the forces of its segments,
+/// relative to the largest of them. The segments bear what balances the film's mesh, which differs from the force of
+/// the smooth shape by up to 5e-4 in the examples, and less on finer meshes.
 const MEAN_FORCE: f64 = 0.01;
-/// Relative error of the energy. It is stated for the shape before the balance within the film, which moves vertices along
-/// the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples.
+/// Relative error of the energy. It is stated for the shape before the balance within the film, which moves vertices
+/// along the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples.
 const ENERGY: f64 = 1e-6;
 
 impl SolverInput {
