@@ -98,7 +98,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             }
         }
         let total = numbers.len();
-        // One turn passes every point once and ends where it began.
+        // A turn passes every point once and ends where it began.
         let turn = from.map(|end| end - rim.iter().position(|v| Some(v) == numbers.first()).unwrap_or_default());
         audit.require(
             turn == Some(rim.len()) || total == 0,

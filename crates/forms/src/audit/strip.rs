@@ -11,7 +11,7 @@ const UNDECIDED: f64 = 100.0;
 /// Angle in radians by which a convexity tolerance may be missed.
 const CONVEXITY: f64 = 1e-9;
 
-/// One side of a strip: the vertices of a directrix in the order in which the strip runs along it.
+/// Side of a strip: the vertices of a directrix in the order in which the strip runs along it.
 #[derive(Clone, Debug)]
 pub(crate) struct Rail<'a> {
     pub vertices: &'a [u32],

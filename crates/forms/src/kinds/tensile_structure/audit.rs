@@ -231,7 +231,7 @@ fn compare_balance(audit: &mut Audit) {
             count += 1;
         }
     }
-    // What slides lists its whole force, of which the part along its support is not borne.
+    // A part that slides lists its whole force, of which that along its support is not borne.
     let unbalanced =
         audit.stated("/balance/residual_force").unwrap_or(f64::NAN) * audit.contents.mesh.vertices.len() as f64;
     let off = (sum - reactions).length();
