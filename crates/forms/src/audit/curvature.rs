@@ -41,7 +41,7 @@ fn rings(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Ring> {
             ring.double_area_vector += sides.double_area_vector;
             ring.double_area += sides.double_area;
             ring.altitude = ring.altitude.min(sides.altitude());
-            ring.is_degenerate |= !(sides.altitude() > DEGENERATE * sides.longest);
+            ring.is_degenerate |= sides.altitude().is_nan() || sides.altitude() <= DEGENERATE * sides.longest;
         }
     }
     rings

@@ -77,7 +77,6 @@ impl Edges {
         self.list.iter().all(|edge| edge.forward <= 1 && edge.backward <= 1)
     }
 
-    #[must_use]
     pub fn on_boundary(&self) -> impl Iterator<Item = &Edge> {
         self.list.iter().filter(|edge| edge.triangles() == 1)
     }

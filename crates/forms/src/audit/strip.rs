@@ -62,7 +62,7 @@ type Rounded = (DVec3, f64);
 fn unit_cross(a: DVec3, b: DVec3, step: f64) -> (DVec3, f64, bool) {
     let (cross, product) = (a.cross(b), a.length() * b.length());
     let sine = cross.length() / product;
-    if !(sine > PARALLEL / UNDECIDED) {
+    if sine.is_nan() || sine <= PARALLEL / UNDECIDED {
         return (DVec3::ZERO, 0.0, false);
     }
     let shortest = a.length().min(b.length());
@@ -71,7 +71,7 @@ fn unit_cross(a: DVec3, b: DVec3, step: f64) -> (DVec3, f64, bool) {
 }
 
 fn is_thin(sides: &Sides) -> bool {
-    !(sides.altitude() > PARALLEL * UNDECIDED * sides.longest)
+    sides.altitude().is_nan() || sides.altitude() <= PARALLEL * UNDECIDED * sides.longest
 }
 
 impl Strip<'_> {

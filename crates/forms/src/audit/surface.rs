@@ -94,7 +94,9 @@ impl Surface {
             let turn = RELATIVE + step * longest(vertices, triangle) / length;
             let tolerance = a.1 + b.1 + c.1 + 3.0 * turn;
             found.flipped[0] += usize::from(cosine < -tolerance);
-            found.flipped[1] += usize::from(!(cosine >= tolerance));
+            // A triangle without area has neither a normal nor a cosine, and may count.
+            let certainly_upright = cosine >= tolerance;
+            found.flipped[1] += usize::from(!certainly_upright);
         }
         found
     }
