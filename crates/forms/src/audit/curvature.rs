@@ -2,7 +2,7 @@
 
 use super::comparison::Audit;
 use super::figure::{Largest, Measured};
-use super::surface::{DEGENERATE, Sides, corners};
+use super::surface::{DEGENERATE, Surface, corners};
 use plateau_archive::archive::MEAN_CURVATURE;
 use plateau_mesh::DVec3;
 
@@ -21,45 +21,44 @@ struct AtVertex {
 #[derive(Clone, Copy, Default)]
 struct Ring {
     gradient: DVec3,
-    double_area_vector: DVec3,
     double_area: f64,
     altitude: f64,
     is_degenerate: bool,
 }
 
-fn rings(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Ring> {
+fn rings(vertices: &[DVec3], triangles: &[[u32; 3]], surface: &Surface) -> Vec<Ring> {
     let mut rings = vec![Ring { altitude: f64::INFINITY, ..Ring::default() }; vertices.len()];
-    for &triangle in triangles {
+    for (&triangle, sides) in triangles.iter().zip(&surface.sides) {
         let at = corners(vertices, triangle);
-        let sides = Sides::of(at);
+        let altitude = sides.altitude();
+        let is_degenerate = altitude.is_nan() || altitude <= DEGENERATE * sides.longest;
         let unit = if sides.double_area > 0.0 { sides.double_area_vector / sides.double_area } else { DVec3::ZERO };
         for k in 0..3 {
             let opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
             let ring = &mut rings[triangle[k] as usize];
             // The area grows fastest away from the opposite side, by half its length.
             ring.gradient += 0.5 * unit.cross(opposite);
-            ring.double_area_vector += sides.double_area_vector;
             ring.double_area += sides.double_area;
-            ring.altitude = ring.altitude.min(sides.altitude());
-            ring.is_degenerate |= sides.altitude().is_nan() || sides.altitude() <= DEGENERATE * sides.longest;
+            ring.altitude = ring.altitude.min(altitude);
+            ring.is_degenerate |= is_degenerate;
         }
     }
     rings
 }
 
-/// Compares the residuals and curvatures of a film whose vertices move apart from those that `is_fixed` marks. At a
-/// junction of three sheets the film's normal is not defined, so the figures of films with junctions are compared at
-/// the other vertices and may be larger.
-pub(crate) fn compare(audit: &mut Audit, is_fixed: &[bool], radius: f64, tolerance: f64, has_junctions: bool) {
+/// Compares the residuals and curvatures of a film without junctions, whose vertices move apart from those that
+/// `is_fixed` marks.
+pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], radius: f64, tolerance: f64) {
     let mesh = &audit.contents.mesh;
     let rounding = audit.step;
-    let found: Vec<AtVertex> = rings(&mesh.vertices, &mesh.triangles)
+    let found: Vec<AtVertex> = rings(&mesh.vertices, &mesh.triangles, surface)
         .iter()
-        .map(|ring| {
+        .zip(&surface.normals)
+        .map(|(ring, (normal, _))| {
             // The mass is a third of the ring's area.
             let double_mass = ring.double_area / 3.0;
             let full = ring.gradient.length() / double_mass;
-            let normal = ring.gradient.dot(ring.double_area_vector.normalize_or_zero()).abs() / double_mass;
+            let normal = ring.gradient.dot(normal.normalize_or_zero()).abs() / double_mass;
             let tolerance = if ring.is_degenerate { f64::INFINITY } else { rounding / (ring.altitude * ring.altitude) };
             AtVertex { full, normal, tolerance }
         })
@@ -79,9 +78,6 @@ pub(crate) fn compare(audit: &mut Audit, is_fixed: &[bool], radius: f64, toleran
     }
     let scale = 1.0 / count.max(1) as f64;
     let below = tolerance.max(radius * rounding * scale);
-    if has_junctions {
-        return;
-    }
     audit.figure_or_below("/residual", residual.measured().times(radius), below);
     audit.figure_or_below("/residual_full", full.measured().times(radius), below);
     let curvature_below = if radius > 0.0 { below / radius } else { 0.0 };

@@ -39,12 +39,12 @@ impl Edges {
         for v in 0..count {
             start[v + 1] += start[v];
         }
-        // For each side its larger end and whether it runs back.
+        // For each side its larger end, and in the lowest bit whether it runs back.
         let mut places = start.clone();
-        let mut halves = vec![(0u32, false); 3 * triangles.len()];
+        let mut halves = vec![0u64; 3 * triangles.len()];
         for [a, b] in sides() {
             let place = &mut places[a.min(b) as usize];
-            halves[*place as usize] = (a.max(b), a > b);
+            halves[*place as usize] = u64::from(a.max(b)) << 1 | u64::from(a > b);
             *place += 1;
         }
         let mut list = Vec::with_capacity(halves.len() / 2 + 1);
@@ -53,10 +53,10 @@ impl Edges {
             first.push(list.len() as u32);
             let own = &mut halves[start[v] as usize..start[v + 1] as usize];
             own.sort_unstable();
-            for side in own.chunk_by(|a, b| a.0 == b.0) {
-                let backward = side.iter().filter(|half| half.1).count() as u32;
+            for side in own.chunk_by(|a, b| a >> 1 == b >> 1) {
+                let backward = side.iter().filter(|half| **half & 1 == 1).count() as u32;
                 let forward = side.len() as u32 - backward;
-                list.push(Edge { ends: [v as u32, side[0].0], forward, backward });
+                list.push(Edge { ends: [v as u32, (side[0] >> 1) as u32], forward, backward });
             }
         }
         first.push(list.len() as u32);

@@ -156,18 +156,19 @@ impl Strip<'_> {
                 count += 1;
             }
         }
-        let fits = |slack: &dyn Fn(usize) -> f64| {
+        let fits = |slack: [f64; 4]| {
             (0..count).any(|k| {
                 // Whether all directions are to the left of direction k, or on its right by no more than the slack.
                 (0..count).all(|other| {
                     let sine = directions[k].cross(directions[other]).dot(axis);
-                    sine >= -slack(k).max(slack(other)) || (other == k)
+                    sine >= -slack[k].max(slack[other]) || other == k
                 })
             })
         };
-        let tolerance = self.convexity_tolerance;
-        let possible = fits(&|k| libm::sin((tolerance + CONVEXITY + 2.0 * turns[k]).min(1.5)));
-        let certain = !undecided && fits(&|k| tolerance - CONVEXITY - turns[k]);
+        // The sine of a sum of two angles is at most the sine of the first plus the second.
+        let tolerance = libm::sin(self.convexity_tolerance);
+        let possible = fits(turns.map(|turn| tolerance + CONVEXITY + 2.0 * turn));
+        let certain = !undecided && fits(turns.map(|turn| tolerance - CONVEXITY - turn));
         [certain || count == 0, possible || count == 0]
     }
 

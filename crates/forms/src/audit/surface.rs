@@ -7,8 +7,12 @@ use plateau_mesh::DVec3;
 pub(crate) const DEGENERATE: f64 = 1e-10;
 
 /// Figures of some triangles. Angles are in radians.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Surface {
+    /// Sides of each triangle.
+    pub sides: Vec<Sides>,
+    /// Sum of the double area vectors around each vertex, and how far rounding moves it.
+    pub normals: Vec<(DVec3, f64)>,
     pub area: Sum,
     pub smallest_angle: Least,
     pub largest_angle: Largest,
@@ -53,45 +57,53 @@ impl Surface {
     #[must_use]
     pub fn of(vertices: &[DVec3], triangles: &[[u32; 3]], step: f64) -> Self {
         let mut found = Self {
+            sides: Vec::with_capacity(triangles.len()),
+            normals: vec![(DVec3::ZERO, 0.0); vertices.len()],
             area: Sum::default(),
             smallest_angle: Least::NONE,
             largest_angle: Largest::NONE,
             degenerate: [0; 2],
             flipped: [0; 2],
         };
-        // Sum of the double area vectors around each vertex, and how far rounding moves it.
-        let mut normals = vec![(DVec3::ZERO, 0.0); vertices.len()];
+        let [mut smallest, mut largest] = [Filter::new(), Filter::new()];
         for &triangle in triangles {
             let at = corners(vertices, triangle);
             let sides = Sides::of(at);
+            found.sides.push(sides);
             found.area.add(0.5 * sides.double_area, 0.5 * step * sides.perimeter);
             let [a, b, c] = at;
             let dots = [(b - a).dot(c - a), (c - b).dot(a - b), (a - c).dot(b - c)];
             let tolerance = RELATIVE + step / sides.altitude();
-            found.smallest_angle.add(libm::atan2(sides.double_area, dots[0].max(dots[1]).max(dots[2])), tolerance);
-            found.largest_angle.add(libm::atan2(sides.double_area, dots[0].min(dots[1]).min(dots[2])), tolerance);
+            let (greatest, least) = (dots[0].max(dots[1]).max(dots[2]), dots[0].min(dots[1]).min(dots[2]));
+            if smallest.may_count(greatest, sides.double_area, tolerance) {
+                found.smallest_angle.add(libm::atan2(sides.double_area, greatest), tolerance);
+                smallest.reached(found.smallest_angle.measured().high);
+            }
+            if largest.may_count(-least, sides.double_area, tolerance) {
+                found.largest_angle.add(libm::atan2(sides.double_area, least), tolerance);
+                largest.reached(std::f64::consts::PI - found.largest_angle.measured().low);
+            }
             let (limit, error) = (DEGENERATE * sides.longest * sides.longest, step * sides.perimeter);
             found.degenerate[0] += usize::from(sides.double_area + error < limit * (1.0 - RELATIVE));
             found.degenerate[1] += usize::from(sides.double_area <= limit * (1.0 + RELATIVE) + error);
             for v in triangle {
-                let (normal, rounding) = &mut normals[v as usize];
+                let (normal, rounding) = &mut found.normals[v as usize];
                 *normal += sides.double_area_vector;
                 *rounding += error;
             }
         }
-        let units: Vec<(DVec3, f64)> = normals
-            .into_iter()
-            .map(|(normal, rounding)| (normal.normalize_or_zero(), RELATIVE + rounding / normal.length()))
-            .collect();
-        for &triangle in triangles {
-            let [a, b, c] = corners(vertices, triangle);
-            let normal = (b - a).cross(c - a);
+        let unit = |&(normal, rounding): &(DVec3, f64)| {
             let length = normal.length();
+            let unit = if length > 0.0 { normal / length } else { DVec3::ZERO };
+            (unit, RELATIVE + rounding / length)
+        };
+        let units: Vec<(DVec3, f64)> = found.normals.iter().map(unit).collect();
+        for (triangle, sides) in triangles.iter().zip(&found.sides) {
             let [a, b, c] = triangle.map(|v| units[v as usize]);
-            let cosine = normal.dot(a.0 + b.0 + c.0) / length;
+            let cosine = sides.double_area_vector.dot(a.0 + b.0 + c.0) / sides.double_area;
             // Each unit normal moves by its own rounding, and the triangle's normal turns by the step over its
             // altitude.
-            let turn = RELATIVE + step * longest(vertices, triangle) / length;
+            let turn = RELATIVE + step / sides.altitude();
             let tolerance = a.1 + b.1 + c.1 + 3.0 * turn;
             found.flipped[0] += usize::from(cosine < -tolerance);
             // A triangle without area has neither a normal nor a cosine, and may count.
@@ -109,7 +121,30 @@ impl Surface {
     }
 }
 
-fn longest(vertices: &[DVec3], triangle: [u32; 3]) -> f64 {
-    let [a, b, c] = corners(vertices, triangle);
-    (b - a).length().max((c - b).length()).max((a - c).length())
+/// Passes over the triangles whose angle is certainly not the extreme one, because an arc tangent takes as long as the
+/// rest of a triangle.
+struct Filter {
+    /// Cotangent below which an angle is certainly larger than the extreme one.
+    cotangent: f64,
+}
+
+/// Margin of a filter in radians. Triangles whose tolerance is larger are never passed over.
+const MARGIN: f64 = 1e-6;
+
+impl Filter {
+    fn new() -> Self {
+        Self { cotangent: f64::NEG_INFINITY }
+    }
+
+    /// Returns whether the angle with the cotangent dot / double area may be below the least one that was reached.
+    fn may_count(&self, dot: f64, double_area: f64, tolerance: f64) -> bool {
+        let is_larger = tolerance < MARGIN && dot < self.cotangent * double_area;
+        !is_larger
+    }
+
+    fn reached(&mut self, angle: f64) {
+        let bound = angle + MARGIN;
+        // Beyond a right angle, and where rounding allows any angle, nothing is passed over.
+        self.cotangent = if bound > 0.0 && bound < 1.5 { 1.0 / libm::tan(bound) } else { f64::NEG_INFINITY };
+    }
 }

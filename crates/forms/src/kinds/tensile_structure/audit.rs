@@ -42,7 +42,8 @@ impl SolverInput {
             let count = audit.stated_count(&format!("/layers/{k}/triangles"));
             let own = triangles.get(first..first.saturating_add(count)).unwrap_or_default();
             first = first.saturating_add(count);
-            let layer = if layers == 1 { whole } else { Surface::of(vertices, own, audit.step) };
+            let separate = (layers > 1).then(|| Surface::of(vertices, own, audit.step));
+            let layer = separate.as_ref().unwrap_or(&whole);
             audit.figure(&format!("/layers/{k}/area"), layer.area.measured());
             flipped = [0, 1].map(|i| flipped[i] + layer.flipped[i]);
             let edges = Edges::of(own, vertices.len());
