@@ -59,8 +59,11 @@ pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], r
             let double_mass = ring.double_area / 3.0;
             let full = ring.gradient.length() / double_mass;
             let normal = ring.gradient.dot(normal.normalize_or_zero()).abs() / double_mass;
-            let tolerance = if ring.is_degenerate { f64::INFINITY } else { rounding / (ring.altitude * ring.altitude) };
-            AtVertex { full, normal, tolerance }
+            if ring.is_degenerate {
+                // Rounding decides about every figure at the corner of a triangle without area.
+                return AtVertex { full: 0.0, normal: 0.0, tolerance: f64::INFINITY };
+            }
+            AtVertex { full, normal, tolerance: rounding / (ring.altitude * ring.altitude) }
         })
         .collect();
     let free = || found.iter().zip(is_fixed).filter(|(_, fixed)| !**fixed).map(|(at, _)| at);

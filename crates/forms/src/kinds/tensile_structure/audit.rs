@@ -148,7 +148,7 @@ impl SolverInput {
         }
     }
 
-    /// Compares the volume of each chamber: from its layer to the next one, or to fans from each boundary to its mean.
+    /// Compares the volume of each chamber between two layers.
     fn compare_chambers(&self, audit: &mut Audit) {
         let contents = audit.contents;
         let mesh = &contents.mesh;
@@ -166,7 +166,7 @@ impl SolverInput {
             walls.add(sign * a.dot(b.cross(c)) / 6.0, audit.step * (sides.double_area + reach * sides.perimeter) / 2.0);
         };
         let mut volumes = Vec::new();
-        for &Chamber { below, .. } in &self.structure.chambers {
+        for (number, &Chamber { below, .. }) in self.structure.chambers.iter().enumerate() {
             let mut walls = Sum::default();
             for &triangle in &mesh.triangles[start[below]..start[below + 1]] {
                 volume(&mut walls, corners(&mesh.vertices, triangle), 1.0);
@@ -175,28 +175,15 @@ impl SolverInput {
                 for &triangle in &mesh.triangles[start[below + 1]..start[below + 2]] {
                     volume(&mut walls, corners(&mesh.vertices, triangle), -1.0);
                 }
-            } else if self.fans_are_fixed() {
-                for points in &self.structure.boundaries {
-                    let rim: Vec<DVec3> = points.clone();
-                    let mean = plateau_mesh::polyline::mean(&rim);
-                    for i in 0..rim.len() {
-                        volume(&mut walls, [rim[(i + 1) % rim.len()], rim[i], mean], 1.0);
-                    }
-                }
             } else {
-                return;
+                // The fans that close the last chamber have the mean of points that do not leave with the mesh.
+                continue;
             }
-            volumes.push(walls.measured());
+            volumes.push((number, walls.measured()));
         }
-        for (k, measured) in volumes.into_iter().enumerate() {
+        for (k, measured) in volumes {
             audit.figure(&format!("/chambers/{k}/volume"), measured);
         }
-    }
-
-    /// Returns whether the boundaries stay, so that the fans which close the last chamber are those of the request.
-    fn fans_are_fixed(&self) -> bool {
-        let structure = &self.structure;
-        structure.cables.is_empty() && structure.sliding.is_empty() && structure.rings.is_empty()
     }
 
     fn compare_slope(&self, audit: &mut Audit) {
