@@ -71,6 +71,10 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             || format!("boundary {k} runs along border edges of the mesh"),
             || off.map_or_else(String::new, |i| format!("not from vertex {} to vertex {}", rim[i], next(i))),
         );
+        // Where boundaries share a point, each may go on along the other.
+        if audit.warns("shared_points") {
+            continue;
+        }
         let mut numbers = contents.input_vertices.get(k).cloned().unwrap_or_default();
         numbers.dedup();
         if numbers.len() > 1 && numbers.first() == numbers.last() {
