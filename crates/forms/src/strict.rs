@@ -28,7 +28,7 @@ pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_
     Ok((rest, taken))
 }
 
-/// Reads a value that [`json::parse`](crate::json::parse) made.
+/// Reads a value that [`json::parse`] made.
 ///
 /// # Errors
 /// Returns the first place at which `T` refuses the value.
