@@ -50,7 +50,8 @@ pub mod metric {
     pub const QUEUE_LENGTH: &str = "plateau_queue_length";
     /// Gauge of the jobs that run in this process.
     pub const RUNNING: &str = "plateau_jobs_running";
-    /// Gauge of the solvers of this process that were given up because they did not answer, and that have not ended since.
+    /// Gauge of the solvers of this process that were given up because they did not answer. A solver that ends later is
+    /// taken off.
     pub const UNRESPONSIVE: &str = "plateau_solvers_unresponsive";
     /// Gauge that is always 1. Its label holds the version of the program.
     pub const BUILD_INFO: &str = "plateau_build_info";

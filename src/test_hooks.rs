@@ -24,7 +24,8 @@ const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
 /// Name of the file that lets a solver wait after each report of progress until it has been taken
 /// to be stored. Otherwise only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
-/// Name of the file that makes a job's solver loop before it starts, without a look at the signal, while the file exists.
+/// Name of the file that makes a solver wait before it starts, while the file exists. The solver does not look at its
+/// signal meanwhile, as if it were in a loop that does not end.
 const STUBBORN: &str = "stubborn";
 /// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
 /// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault happens.

@@ -155,7 +155,7 @@ class Judge:
         if least is not None and least > stated:
             self.fault(f"/self_intersections is stated as {stated}, and at least {least} pairs cross")
 
-    # One method for each kind.
+    # The methods below judge one kind each.
 
     def minimal_surface(self):
         self.equal("/vertices", len(self.vertices))

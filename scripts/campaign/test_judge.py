@@ -77,7 +77,7 @@ def residual_of_another_mesh(statistics, mesh):
 
 
 def sheets_that_cross(statistics, mesh):
-    # One inner vertex is pulled through the opposite wall. The crossings must be found, whatever else is.
+    # One inner vertex is pulled through the opposite wall. The judge must find the crossings, and may find more.
     given = {v for numbers in mesh["input_vertices"] for v in numbers}
     inner = next(v for v in range(len(mesh["vertices"]) - 1, 0, -1) if v not in given)
     x, y, z = mesh["vertices"][inner]

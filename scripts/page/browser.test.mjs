@@ -1,4 +1,5 @@
-// The package plateau-page in Chromium: results, errors, progress, cancel, and the page that drags a film without a server.
+// Tests the package plateau-page in Chromium: results, errors, progress and cancel. The last test drags a film in the
+// example page without a server.
 //
 // CHROMIUM names the browser, PLATEAU_WASM the module (scripts/build-page).
 

@@ -54,7 +54,7 @@ pub(super) enum End {
     HandedBack,
 }
 
-/// What ended the wait for a solver.
+/// The end of the wait for a solver.
 enum Waited {
     /// The solver ended. There is no outcome if the job was cancelled.
     Ended(Option<Outcome>),
@@ -156,7 +156,8 @@ impl Attempt {
                 jobs.solver_came_back();
             }
         };
-        // Tokio reuses idle blocking threads, and there are no more of them than solver slots and solvers that were given up.
+        // Tokio reuses idle blocking threads. The slots and the solvers that were given up bound the number that run
+        // solvers.
         tokio::task::spawn_blocking(run);
         receiver
     }

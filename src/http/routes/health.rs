@@ -31,7 +31,8 @@ fn entry(operation: &str, summary: &str, problems: &[(&str, &str)], more: Value)
         "responses": with_problems(json!({ "200": ok }), problems) })
 }
 
-/// Answers 503 while the server is shutting down and while the store does not answer. Says how many solvers were given up.
+/// Answers 503 while the server is shutting down and while the store does not answer. Otherwise it says how many solvers
+/// were given up.
 pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     if app.jobs.is_shutting_down() {
         return Err(Failure::unavailable("the server is shutting down"));
