@@ -15,6 +15,7 @@ use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::mesh::{Mode, Semantic};
 use gltf::json::validation::Checked::Valid;
 use gltf::json::{Accessor, Index, Root};
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 use serde::Deserialize;
 
@@ -258,10 +259,8 @@ impl Reader<'_> {
             if !p.is_finite() {
                 return invalid(format!("has coordinates that are not finite at vertex {k} of {place}"));
             }
-            // Adding zero turns a negative zero into zero.
-            let bits = (p + DVec3::ZERO).to_array().map(f64::to_bits);
             let vertices = &mut self.mesh.vertices;
-            numbers.push(*self.vertex_of.entry(bits).or_insert_with(|| {
+            numbers.push(*self.vertex_of.entry(position_key(p)).or_insert_with(|| {
                 vertices.push(p);
                 vertices.len() as u32 - 1
             }));

@@ -5,6 +5,7 @@
 //! contains it. Times are processor times of this process (on Linux; elsewhere elapsed time).
 
 use plateau_film::minimal_surface::{BoundarySampling, Options, Resolution, solve};
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec2, DVec3, Execution};
 use std::f64::consts::TAU;
 use std::time::Instant;
@@ -16,23 +17,11 @@ fn processor_seconds(start: Instant) -> f64 {
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
-/// SplitMix64, from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 fn main() {
     let mut arguments = std::env::args().skip(1);
     let points: usize = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(50_000);
     let wanted = arguments.next().unwrap_or_default();
-    let mut random = Random(50);
+    let mut random = SplitMix64::new(50);
     let mut circle = |radius: f64, height: f64, place: &dyn Fn(f64) -> (f64, f64)| -> Vec<DVec3> {
         let side = TAU / points as f64;
         let mut noise = |size: f64| size * side * (random.unit() - 0.5);

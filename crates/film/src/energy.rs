@@ -10,8 +10,6 @@ pub mod area;
 pub mod cable;
 pub mod dirichlet;
 #[cfg(test)]
-pub(crate) mod elastic_line;
-#[cfg(test)]
 pub(crate) mod finite_differences;
 pub mod length;
 pub mod load;

@@ -4,31 +4,16 @@
 use plateau_film::minimal_surface::{
     InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, solve,
 };
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
 use robust::{Coord3D, orient3d};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    fn below(&mut self, count: usize) -> usize {
-        (self.unit() * count as f64) as usize
-    }
-    fn vector(&mut self, size: f64) -> DVec3 {
-        size * DVec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0))
-    }
+/// A vector in a cube around the origin.
+fn vector(random: &mut SplitMix64, size: f64) -> DVec3 {
+    let mut any = || random.between(-1.0, 1.0);
+    size * DVec3::new(any(), any(), any())
 }
 
 fn curve(points: usize, place: impl Fn(f64) -> DVec3) -> Vec<DVec3> {
@@ -36,9 +21,9 @@ fn curve(points: usize, place: impl Fn(f64) -> DVec3) -> Vec<DVec3> {
 }
 
 /// A loop that winds once, with a few random harmonics.
-fn gentle(random: &mut Random, points: usize) -> Vec<DVec3> {
+fn gentle(random: &mut SplitMix64, points: usize) -> Vec<DVec3> {
     let waves: Vec<(f64, DVec3, f64)> =
-        (2..5).map(|k| (f64::from(k), random.vector(0.25 / f64::from(k)), random.between(0.0, TAU))).collect();
+        (2..5).map(|k| (f64::from(k), vector(random, 0.25 / f64::from(k)), random.between(0.0, TAU))).collect();
     curve(points, |t| {
         let round = DVec3::new(t.cos(), t.sin(), 0.0);
         round + waves.iter().map(|(k, along, phase)| *along * (k * t + phase).sin()).sum::<DVec3>()
@@ -47,11 +32,11 @@ fn gentle(random: &mut Random, points: usize) -> Vec<DVec3> {
 
 /// A mesh of Enneper's surface over a disc of a radius, and its boundary: turned, moved and scaled at random. Up to the
 /// radius 1 it is the film with the least area, and beyond it is stationary with one direction in which the area falls.
-fn enneper(random: &mut Random) -> (Vec<DVec3>, Mesh) {
+fn enneper(random: &mut SplitMix64) -> (Vec<DVec3>, Mesh) {
     let (around, rings) = (32 + 4 * random.below(6), 6 + random.below(5));
     let radius = if random.unit() < 0.3 { random.between(0.6, 0.9) } else { random.between(1.1, 1.4) };
     let (turned, scale) = (Frame::random(random), 10f64.powf(random.between(-2.0, 2.0)));
-    let offset = random.vector(scale);
+    let offset = vector(random, scale);
     let place = |r: f64, angle: f64| {
         let (p, q) = (r * angle.cos(), r * angle.sin());
         let flat = DVec3::new(p - p.powi(3) / 3.0 + p * q * q, -q + q.powi(3) / 3.0 - p * p * q, p * p - q * q);
@@ -77,9 +62,9 @@ fn enneper(random: &mut Random) -> (Vec<DVec3>, Mesh) {
 struct Frame([DVec3; 3]);
 
 impl Frame {
-    fn random(random: &mut Random) -> Self {
-        let first = random.vector(1.0).normalize();
-        let second = first.cross(random.vector(1.0)).normalize();
+    fn random(random: &mut SplitMix64) -> Self {
+        let first = vector(random, 1.0).normalize();
+        let second = first.cross(vector(random, 1.0)).normalize();
         Self([first, second, first.cross(second)])
     }
     fn of(&self, p: DVec3) -> DVec3 {
@@ -90,7 +75,7 @@ impl Frame {
 const KINDS: [&str; 9] =
     ["knot", "link", "noisy", "spiky", "near_duplicates", "offset", "scale", "corners", "given_enneper"];
 
-fn boundaries(kind: &str, random: &mut Random) -> Vec<Vec<DVec3>> {
+fn boundaries(kind: &str, random: &mut SplitMix64) -> Vec<Vec<DVec3>> {
     let points = 20 + random.below(100);
     let mut one = gentle(random, points);
     match kind {
@@ -110,7 +95,7 @@ fn boundaries(kind: &str, random: &mut Random) -> Vec<Vec<DVec3>> {
         }
         "noisy" => {
             let size = random.between(0.001, 0.5) * TAU / points as f64;
-            one.iter_mut().for_each(|p| *p += random.vector(size));
+            one.iter_mut().for_each(|p| *p += vector(random, size));
         }
         "spiky" => {
             for _ in 0..1 + random.below(3) {
@@ -122,12 +107,12 @@ fn boundaries(kind: &str, random: &mut Random) -> Vec<Vec<DVec3>> {
             for _ in 0..1 + random.below(4) {
                 let k = random.below(one.len());
                 let gap = 10f64.powf(random.between(-16.0, -3.0));
-                let beside = one[k] + random.vector(1.0).normalize() * gap;
+                let beside = one[k] + vector(random, 1.0).normalize() * gap;
                 one.insert(k + 1, beside);
             }
         }
         "offset" => {
-            let offset = random.vector(1e7);
+            let offset = vector(random, 1e7);
             one.iter_mut().for_each(|p| *p += offset);
         }
         "scale" => {
@@ -137,14 +122,14 @@ fn boundaries(kind: &str, random: &mut Random) -> Vec<Vec<DVec3>> {
         _ => {
             let corners = 4 + random.below(6);
             one = gentle(random, corners);
-            one.iter_mut().for_each(|p| *p += random.vector(0.2));
+            one.iter_mut().for_each(|p| *p += vector(random, 0.2));
         }
     }
     vec![one]
 }
 
 /// The boundaries of a kind, and the solver's options. A stationary film that is given as a mesh must stay as it is.
-fn request(kind: &str, random: &mut Random) -> (Vec<Vec<DVec3>>, Options) {
+fn request(kind: &str, random: &mut SplitMix64) -> (Vec<Vec<DVec3>>, Options) {
     if kind != "given_enneper" {
         return (boundaries(kind, random), Options::new(Resolution::Triangles(1000)));
     }
@@ -317,7 +302,7 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
 #[test]
 fn awkward_boundaries_have_a_right_film_or_are_refused_by_name() {
     let each = if std::env::var_os("PLATEAU_LONG").is_some() { 63 } else { 3 };
-    let mut random = Random(4);
+    let mut random = SplitMix64::new(4);
     let (mut counts, mut all, mut right): (BTreeMap<String, u32>, u32, u32) = Default::default();
     let mut compared = Compared::default();
     for case in 0..each {

@@ -2,39 +2,23 @@
 //! hull relaxes to.
 
 use plateau_film::minimal_surface::{InitialMesh, MinimalSurface, Options, Resolution, solve};
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
 use robust::{Coord3D, orient3d};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-    fn direction(&mut self) -> DVec3 {
-        let (z, angle) = (2.0 * self.unit() - 1.0, TAU * self.unit());
-        let r = (1.0 - z * z).sqrt();
-        DVec3::new(r * angle.cos(), r * angle.sin(), z)
-    }
+/// A unit vector, uniform on the sphere.
+fn direction(random: &mut SplitMix64) -> DVec3 {
+    let (z, angle) = (random.between(-1.0, 1.0), TAU * random.unit());
+    let r = (1.0 - z * z).sqrt();
+    DVec3::new(r * angle.cos(), r * angle.sin(), z)
 }
 
 /// Centres spread by repulsion; each ring spans 0.95 of half the smallest angle to another centre.
-fn configuration(random: &mut Random, rings: usize) -> Vec<Vec<DVec3>> {
-    let mut centres: Vec<DVec3> = (0..rings).map(|_| random.direction()).collect();
+fn configuration(random: &mut SplitMix64, rings: usize) -> Vec<Vec<DVec3>> {
+    let mut centres: Vec<DVec3> = (0..rings).map(|_| direction(random)).collect();
     for round in 0..200 {
         let step = 0.2 / (1.0 + 0.05 * f64::from(round)) / rings as f64;
         let forces: Vec<DVec3> = centres
@@ -46,7 +30,7 @@ fn configuration(random: &mut Random, rings: usize) -> Vec<Vec<DVec3>> {
             .zip(forces)
             .for_each(|(c, force)| *c = (*c + step * force.clamp_length_max(2.0)).normalize());
     }
-    let ring = |(k, &centre): (usize, &DVec3), random: &mut Random| {
+    let ring = |(k, &centre): (usize, &DVec3), random: &mut SplitMix64| {
         let others = (0..rings).filter(|&other| other != k);
         let nearest = others.map(|other| centre.angle_between(centres[other])).fold(f64::INFINITY, f64::min);
         let (sin, cos) = (0.95 * 0.5 * nearest).sin_cos();
@@ -138,7 +122,7 @@ struct Count {
 #[test]
 fn the_connected_film_of_rings_on_a_sphere_is_found() {
     let each = if std::env::var_os("PLATEAU_LONG").is_some() { 20 } else { 1 };
-    let mut random = Random(1);
+    let mut random = SplitMix64::new(1);
     let mut counts: BTreeMap<usize, Count> = BTreeMap::new();
     for case in 0..10 * each {
         let rings = 3 + case % 10;

@@ -2,6 +2,7 @@
 
 use super::bisection::VertexMap;
 use super::symmetry::Mirrors;
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 
 /// The loops in one orientation.
@@ -45,7 +46,6 @@ pub(super) fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
 
 /// For each loop whether the film's triangles run along it in the loop's direction.
 pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Vec<bool> {
-    let bits = |p: DVec3| (p + DVec3::ZERO).to_array().map(f64::to_bits);
     let mut triangles_at: VertexMap<u32, Vec<u32>> = VertexMap::default();
     for (t, triangle) in film.triangles.iter().enumerate() {
         for &v in triangle {
@@ -53,14 +53,15 @@ pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Vec<bool> {
         }
     }
     let mut places: Vec<([u64; 3], u32)> =
-        film.vertices.iter().enumerate().map(|(v, &p)| (bits(p), v as u32)).collect();
+        film.vertices.iter().enumerate().map(|(v, &p)| (position_key(p), v as u32)).collect();
     places.sort_unstable();
     loops
         .iter()
         .map(|points| {
             // A triangle at the loop's first vertex has an edge that leaves it along the first segment, or arrives
             // along that segment.
-            let vertex = places.get(places.partition_point(|place| place.0 < bits(points[0]))).map(|place| place.1);
+            let vertex =
+                places.get(places.partition_point(|place| place.0 < position_key(points[0]))).map(|place| place.1);
             let along = (points[1] - points[0]).normalize_or_zero();
             let mut best = (0.0, true);
             for &t in vertex.and_then(|v| triangles_at.get(&v)).into_iter().flatten() {

@@ -2,6 +2,7 @@
 //! and the points where such curves meet. No positions. A complex whose edges all have at most two triangles is a
 //! manifold: [`topology`](super::topology).
 
+use crate::disjoint_sets::DisjointSets;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -253,22 +254,12 @@ impl Complex {
     /// Number of connected components; junctions connect their sheets.
     #[must_use]
     pub fn components(&self) -> usize {
-        let mut leader: Vec<u32> = (0..self.kinds.len() as u32).collect();
-        fn find(leader: &mut [u32], v: u32) -> u32 {
-            let mut root = v;
-            while leader[root as usize] != root {
-                root = leader[root as usize];
-            }
-            leader[v as usize] = root;
-            root
+        let mut sets = DisjointSets::new(self.kinds.len());
+        for &[a, b, c] in &self.triangles {
+            sets.join(a, b);
+            sets.join(a, c);
         }
-        for triangle in &self.triangles {
-            for other in &triangle[1..] {
-                let (a, b) = (find(&mut leader, triangle[0]), find(&mut leader, *other));
-                leader[a.max(b) as usize] = a.min(b);
-            }
-        }
-        (0..leader.len()).filter(|&v| leader[v] as usize == v).count()
+        sets.count()
     }
 }
 

@@ -26,6 +26,8 @@ pub mod complex;
 #[doc(hidden)]
 pub mod crossing;
 mod cut;
+#[doc(hidden)]
+pub mod disjoint_sets;
 pub mod edit;
 pub mod error;
 mod estimate;
@@ -33,6 +35,8 @@ pub mod execution;
 #[doc(hidden)]
 pub mod film;
 pub mod measure;
+#[doc(hidden)]
+pub mod order;
 #[doc(hidden)]
 pub mod plane;
 pub mod polyline;

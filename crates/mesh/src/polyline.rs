@@ -82,6 +82,13 @@ pub fn length(points: &[DVec3], closed: bool) -> f64 {
     }
 }
 
+/// The bits of a point's coordinates, as a sortable key. Equal points have equal keys: -0 counts as 0.
+#[must_use]
+#[inline]
+pub fn position_key(point: DVec3) -> [u64; 3] {
+    (point + DVec3::ZERO).to_array().map(f64::to_bits)
+}
+
 /// The mean of the points; zero for none.
 #[must_use]
 #[inline]

@@ -1,26 +1,13 @@
 //! Self-intersections against a brute force that decides every pair of triangles with exact fractions.
 
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::self_intersections::{Order, SelfIntersections, self_intersections, surfaces_cross};
 use plateau_mesh::{DVec3, Execution, Interruption, Signal};
 use std::cell::Cell;
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
-    fn whole(&mut self, reach: i64) -> i64 {
-        self.below(2 * reach as u64 + 1) as i64 - reach
-    }
+/// A whole number from `-reach` to `reach`.
+fn whole(random: &mut SplitMix64, reach: i64) -> i64 {
+    random.below(2 * reach as usize + 1) as i64 - reach
 }
 
 type Vector = [i128; 3];
@@ -129,16 +116,16 @@ fn found(vertices: &[DVec3], triangles: &[[u32; 3]], order: Order) -> SelfInters
 }
 
 /// Any triangles over a few points: everything touches, overlaps, repeats.
-fn soup(random: &mut Random) -> Whole {
+fn soup(random: &mut SplitMix64) -> Whole {
     let count = 6 + random.below(20);
     let reach = 1 + random.below(6) as i64;
-    let vertices = (0..count).map(|_| [random.whole(reach), random.whole(reach), random.whole(reach)]).collect();
+    let vertices = (0..count).map(|_| [whole(random, reach), whole(random, reach), whole(random, reach)]).collect();
     let triangles = (0..2 + random.below(30)).map(|_| [0; 3].map(|_: u32| random.below(count) as u32)).collect();
     Whole { vertices, triangles }
 }
 
 /// A net of squares, bent and folded: mostly embedded, or crossing itself in places.
-fn net(random: &mut Random) -> Whole {
+fn net(random: &mut SplitMix64) -> Whole {
     let (m, n) = (2 + random.below(5) as i64, 2 + random.below(5) as i64);
     let (noise, lift) = (random.below(4) as i64, random.below(12) as i64);
     let closed = random.below(3) == 0;
@@ -156,7 +143,7 @@ fn net(random: &mut Random) -> Whole {
     for i in 0..m {
         for j in 0..columns {
             let [x, y, z] = at(i, j);
-            vertices.push([x + random.whole(noise), y + random.whole(noise), z + random.whole(lift)]);
+            vertices.push([x + whole(random, noise), y + whole(random, noise), z + whole(random, lift)]);
         }
     }
     let mut triangles = Vec::new();
@@ -171,11 +158,13 @@ fn net(random: &mut Random) -> Whole {
 }
 
 /// Long thin triangles between two polylines, with fans.
-fn strip(random: &mut Random) -> Whole {
+fn strip(random: &mut SplitMix64) -> Whole {
     let (m, n) = (1 + random.below(16), 2 + random.below(16));
-    let side = |random: &mut Random, count: u64, y: i64| -> Vec<[i64; 3]> {
+    let side = |random: &mut SplitMix64, count: usize, y: i64| -> Vec<[i64; 3]> {
         let noise = random.below(4) as i64;
-        (0..count as i64).map(|k| [2 * k + random.whole(noise), y + random.whole(noise), random.whole(noise)]).collect()
+        (0..count as i64)
+            .map(|k| [2 * k + whole(random, noise), y + whole(random, noise), whole(random, noise)])
+            .collect()
     };
     let mut vertices = side(random, m, 0);
     vertices.extend(side(random, n, 40));
@@ -196,7 +185,7 @@ fn strip(random: &mut Random) -> Whole {
 #[test]
 fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
     let long = if std::env::var_os("PLATEAU_LONG").is_some() { 20 } else { 1 };
-    let mut random = Random(16);
+    let mut random = SplitMix64::new(16);
     let (mut without, mut with) = ([0; 3], [0; 3]);
     for case in 0..1000 * long {
         let kind = case % 3;

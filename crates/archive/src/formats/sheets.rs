@@ -2,6 +2,7 @@
 //! triangles the surface has three sides, so no single normal fits all of them.
 
 use plateau_mesh::Mesh;
+use plateau_mesh::disjoint_sets::DisjointSets;
 
 /// Returns a mesh with one vertex for each sheet that meets at a vertex, and for each of its vertices the vertex of
 /// `mesh` that it stands for. The vertices of `mesh` come first and the added ones after them. Triangles belong to one
@@ -20,16 +21,15 @@ pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     if !edges.windows(3).any(|three| three[0].0 == three[1].0 && three[1].0 == three[2].0) {
         return None;
     }
-    // Union-find over the corners 3 t + k of the triangles. Corners at one vertex are joined if their triangles are
-    // neighbours in a sheet.
-    let mut leader: Vec<usize> = (0..3 * mesh.triangles.len()).collect();
+    // Sets of corners 3 t + k of the triangles. Corners at one vertex are joined if their triangles are neighbours in a
+    // sheet.
+    let mut sets = DisjointSets::new(3 * mesh.triangles.len());
     for group in edges.chunk_by(|a, b| a.0 == b.0) {
         let &[(ends, t, _), (_, u, _)] = group else { continue };
         for end in ends {
             let corner = |t: usize| mesh.triangles[t].iter().position(|&v| v == end).map(|k| 3 * t + k);
             if let (Some(a), Some(b)) = (corner(t), corner(u)) {
-                let (a, b) = (find(&mut leader, a), find(&mut leader, b));
-                leader[a.max(b)] = a.min(b);
+                sets.join(a as u32, b as u32);
             }
         }
     }
@@ -37,9 +37,9 @@ pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     let mut source: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
     // The first sheet at a vertex keeps the original vertex.
     let mut taken = vec![false; mesh.vertices.len()];
-    let mut vertex_of = vec![u32::MAX; leader.len()];
-    for corner in 0..leader.len() {
-        let first = find(&mut leader, corner);
+    let mut vertex_of = vec![u32::MAX; 3 * mesh.triangles.len()];
+    for corner in 0..vertex_of.len() {
+        let first = sets.leader(corner as u32) as usize;
         let v = mesh.triangles[corner / 3][corner % 3];
         if first == corner {
             vertex_of[corner] = if std::mem::replace(&mut taken[v as usize], true) {
@@ -53,19 +53,6 @@ pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
         split.triangles[corner / 3][corner % 3] = vertex_of[first];
     }
     Some((split, source))
-}
-
-/// Returns the smallest corner of the class that contains `corner`.
-fn find(leader: &mut [usize], corner: usize) -> usize {
-    let mut root = corner;
-    while leader[root] != root {
-        root = leader[root];
-    }
-    let mut corner = corner;
-    while leader[corner] != root {
-        corner = std::mem::replace(&mut leader[corner], root);
-    }
-    root
 }
 
 #[cfg(test)]

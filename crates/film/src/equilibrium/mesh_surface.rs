@@ -296,8 +296,8 @@ impl MeshSurface {
 /// A triangle and an earlier one that run along an edge in the same direction. Vertices at equal places are one.
 fn opposed(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Option<(usize, usize)> {
     let mut first_at = BTreeMap::new();
-    let key = |p: &DVec3| (*p + DVec3::ZERO).to_array().map(f64::to_bits);
-    let number: Vec<usize> = vertices.iter().enumerate().map(|(v, p)| *first_at.entry(key(p)).or_insert(v)).collect();
+    let number: Vec<usize> =
+        vertices.iter().enumerate().map(|(v, &p)| *first_at.entry(polyline::position_key(p)).or_insert(v)).collect();
     let mut edges = BTreeMap::new();
     for (t, triangle) in triangles.iter().enumerate() {
         for k in 0..3 {

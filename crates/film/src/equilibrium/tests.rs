@@ -4,7 +4,6 @@ use super::constraint::add_rank_one_products;
 use super::*;
 use crate::energy::area::first_variation;
 use crate::energy::cable::{Cable, Law};
-use crate::energy::elastic_line::ElasticLine;
 use crate::energy::finite_differences::patch as bumpy_patch;
 use crate::energy::length::{self, Stretch};
 use crate::energy::{Length, Term, Volume};
@@ -236,8 +235,7 @@ fn a_soap_film_against_an_elastic_loop() {
     let mut errors = Vec::new();
     for n in [24, 48, 96] {
         let (mut body, segments) = holed(n, 1.08);
-        let unstressed = vec![unstressed / n as f64; n];
-        body.terms.push(Box::new(ElasticLine { segments, unstressed, stiffness }));
+        body.terms.push(Box::new(Cable::new(segments, Law::Elastic { unstressed, stiffness })));
         let report = relaxed(&mut body);
         assert_eq!(report.stability.unwrap().morse_index, 0);
         let radii: Vec<f64> = body.vertices[..n].iter().map(|p| p.length()).collect();
@@ -252,8 +250,8 @@ fn a_soap_film_against_an_elastic_loop() {
 fn a_loop_too_soft_to_hold_the_film_is_no_minimum() {
     // At 2 π EA / L0 < σ the loop gives way without end; an equilibrium on the way there has index 1 and is left.
     let (mut body, segments) = holed(24, 1.0);
-    let unstressed = vec![TAU * 0.8 / 24.0; 24];
-    body.terms.push(Box::new(ElasticLine { segments, unstressed, stiffness: 0.7 }));
+    let law = Law::Elastic { unstressed: TAU * 0.8, stiffness: 0.7 };
+    body.terms.push(Box::new(Cable::new(segments, law)));
     let settings = Settings { max_steps: 60, ..Settings::default() };
     let report = body.relax(&settings, &Execution::default(), &mut |_, _| {}).unwrap();
     assert_ne!(report.outcome, Outcome::Converged);

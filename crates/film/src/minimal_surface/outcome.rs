@@ -1,7 +1,7 @@
 //! A solved surface: mesh, statistics and warnings, at the position of the caller's boundaries.
 
 use super::curvature::Curvature;
-use super::initial_mesh::pins::bits;
+
 use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
@@ -9,6 +9,7 @@ use super::statistics::{self, Statistics};
 use super::touching_boundaries::JoinedLoops;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::self_intersections::{self, Order};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 
@@ -132,7 +133,7 @@ fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warnin
 fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
     let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
         .filter(|&v| film.fixed[v as usize])
-        .map(|v| (bits(film.vertices[v as usize]), v))
+        .map(|v| (position_key(film.vertices[v as usize]), v))
         .collect();
     places.sort_unstable();
     places
@@ -141,7 +142,7 @@ fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
 /// Sets the vertices of the constraints to exactly the given coordinates, and returns their numbers.
 fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints, centre: DVec3) -> ConstraintVertices {
     let mut vertex = |&point: &DVec3| {
-        let key = bits(point - centre);
+        let key = position_key(point - centre);
         let found = fixed.get(fixed.partition_point(|&(bits, _)| bits < key)).filter(|&&(bits, _)| bits == key);
         let &(_, vertex) = found?;
         mesh.vertices[vertex as usize] = point;

@@ -3,7 +3,7 @@
 use super::initial_mesh::turned;
 use super::options::Options;
 use plateau_mesh::error::{InputError, Step, Warning};
-use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours};
+use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours, position_key};
 use plateau_mesh::{DVec3, Error, Place};
 
 /// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
@@ -63,8 +63,7 @@ impl Input {
         // The film between a loop and its copy has no area, so no size of triangle suits it.
         let mut seen = std::collections::BTreeMap::new();
         for (k, points) in given.iter().enumerate() {
-            let mut keys: Vec<[u64; 3]> =
-                points.iter().map(|p| (*p + DVec3::ZERO).to_array().map(f64::to_bits)).collect();
+            let mut keys: Vec<[u64; 3]> = points.iter().copied().map(position_key).collect();
             keys.sort_unstable();
             if let Some(first) = seen.get(&keys) {
                 let detail = format!("runs through the same points as boundary {first}");
@@ -105,8 +104,7 @@ impl Input {
         let (mut first, mut count) = (None, 0);
         for (k, points) in self.given.iter().enumerate() {
             for (i, point) in points.iter().enumerate() {
-                let bits = (*point + DVec3::ZERO).to_array().map(f64::to_bits);
-                let &mut (owner, number) = owners.entry(bits).or_insert((k, i));
+                let &mut (owner, number) = owners.entry(position_key(*point)).or_insert((k, i));
                 if owner != k {
                     count += 1;
                     first.get_or_insert([(owner, number), (k, i)]);

@@ -1,13 +1,12 @@
 //! Plane boundaries that touch at points: the film between them is bounded by joined loops.
 
-use super::initial_mesh::pins::bits;
 use super::initial_mesh::plane_of;
 use super::options::{InitialMesh, Options};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use plateau_mesh::error::InputError;
 use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
-use plateau_mesh::polyline::{self, SAME_POINT};
+use plateau_mesh::polyline::{self, SAME_POINT, position_key};
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Mesh, Place};
 use std::collections::BTreeMap;
 
@@ -61,7 +60,7 @@ impl JoinedLoops {
                 if corner.added {
                     added += 1;
                     let (k, i) = corner.place;
-                    loops.given.insert(bits(boundaries[k][i]), input.given[k][i]);
+                    loops.given.insert(position_key(boundaries[k][i]), input.given[k][i]);
                 }
             }
         }
@@ -90,7 +89,7 @@ impl JoinedLoops {
     /// vertices before they were moved there.
     pub fn place_added(&self, mesh: &mut Mesh, centred: &[DVec3]) {
         for (vertex, &point) in mesh.vertices.iter_mut().zip(centred) {
-            if let Some(&given) = self.given.get(&bits(point)) {
+            if let Some(&given) = self.given.get(&position_key(point)) {
                 *vertex = given;
             }
         }

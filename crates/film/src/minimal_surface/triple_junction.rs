@@ -32,6 +32,7 @@ use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, s
 use plateau_mesh::complex::{Complex, VertexKind};
 use plateau_mesh::error::{InputError, Warning};
 use plateau_mesh::measure::{self, Spread};
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::remesh::sheets::{even_out, flipped_triangles};
 use plateau_mesh::self_intersections::SelfIntersectionCheck;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
@@ -182,10 +183,8 @@ struct Wires {
 
 impl Wires {
     fn find(boundaries: &[Vec<DVec3>], mesh: &Mesh) -> Result<Self, Error> {
-        // -0.0 and 0.0 are the same coordinate.
-        let bits = |p: DVec3| (p + DVec3::ZERO).to_array().map(f64::to_bits);
         let mut known: Vec<([u64; 3], u32)> =
-            mesh.vertices.iter().enumerate().map(|(v, &p)| (bits(p), v as u32)).collect();
+            mesh.vertices.iter().enumerate().map(|(v, &p)| (position_key(p), v as u32)).collect();
         known.sort_unstable();
         let mut number = vec![u32::MAX; mesh.vertices.len()];
         let mut points = 0;
@@ -193,8 +192,8 @@ impl Wires {
         for (k, boundary) in boundaries.iter().enumerate() {
             let mut vertices = Vec::with_capacity(boundary.len());
             for &point in boundary {
-                let at = known.partition_point(|&(other, _)| other < bits(point));
-                let Some(&(_, old)) = known.get(at).filter(|&&(other, _)| other == bits(point)) else {
+                let at = known.partition_point(|&(other, _)| other < position_key(point));
+                let Some(&(_, old)) = known.get(at).filter(|&&(other, _)| other == position_key(point)) else {
                     let detail = format!("has no vertex at a point of boundary {k}");
                     return Err(Error::input(Place::field("initial_mesh").then("vertices"), detail));
                 };

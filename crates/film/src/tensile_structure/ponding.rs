@@ -13,8 +13,9 @@
 //! the mesh. Vertices below their level that are connected form a pond.
 
 use plateau_mesh::measure::{self, double_area_vector};
+use plateau_mesh::order::TotalOrder;
 use plateau_mesh::{DVec3, Execution, Interruption};
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// A pond shallower than this fraction of the film's radius is one of rounding.
@@ -48,30 +49,6 @@ pub(super) struct Roof<'a> {
 
 /// In place of the number of a pond: the vertex stays dry.
 const DRY: u32 = u32::MAX;
-
-/// A height in the queue of vertices.
-#[derive(Clone, Copy, Debug)]
-struct Height(f64);
-
-impl PartialEq for Height {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Height {}
-
-impl PartialOrd for Height {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Height {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
 
 /// The ponds on a roof; `None` if all water runs off.
 ///
@@ -207,15 +184,15 @@ fn levels(roof: &Roof, neighbours: &Neighbours, heights: &[f64]) -> Vec<f64> {
     let mut queue = BinaryHeap::new();
     for &v in roof.rims.iter().flatten() {
         if !std::mem::replace(&mut reached[v as usize], true) {
-            queue.push(Reverse((Height(heights[v as usize]), v)));
+            queue.push(Reverse((TotalOrder(heights[v as usize]), v)));
         }
     }
-    while let Some(Reverse((Height(level), v))) = queue.pop() {
+    while let Some(Reverse((TotalOrder(level), v))) = queue.pop() {
         for &next in neighbours.of_vertex(v) {
             if !std::mem::replace(&mut reached[next as usize], true) {
                 let own = &mut levels[next as usize];
                 *own = own.max(level);
-                queue.push(Reverse((Height(*own), next)));
+                queue.push(Reverse((TotalOrder(*own), next)));
             }
         }
     }

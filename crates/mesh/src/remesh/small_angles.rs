@@ -13,6 +13,7 @@
 use crate::edit::may_collapse;
 use crate::film::Film;
 use crate::measure::double_area_vector;
+use crate::order::TotalOrder;
 use crate::topology::NONE;
 use crate::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
@@ -39,22 +40,6 @@ const DIRECTIONS: usize = 8;
 const FIRST_MOVE: f64 = 0.4;
 const HALVINGS: u32 = 4;
 
-/// An angle with a total order.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Angle(f64);
-
-impl Eq for Angle {}
-impl PartialOrd for Angle {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Angle {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
-
 #[derive(Clone, Copy, Debug)]
 enum Change {
     Flip(u32),
@@ -77,7 +62,7 @@ pub fn smallest_angle(film: &Film) -> f64 {
 pub fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<u32>>, Interruption> {
     let mut widening = Widening::new(film.clone(), goal);
     let (most, mut changes) = (CHANGES_PER_TRIANGLE * widening.thin.len(), 0);
-    while let Some(Reverse((Angle(angle), t))) = widening.thin.pop() {
+    while let Some(Reverse((TotalOrder(angle), t))) = widening.thin.pop() {
         let state = &mut widening.states[t as usize];
         // A triangle that has changed since it was queued was queued again with its new angle.
         if widening.film.topology.is_removed(t) || state.queued.total_cmp(&angle).is_ne() {
@@ -171,7 +156,7 @@ struct Widening {
     /// The state of each triangle. It is not kept up to date for removed triangles.
     states: Vec<State>,
     /// The thin triangles by angle, then by number. The thinnest comes first.
-    thin: BinaryHeap<Reverse<(Angle, u32)>>,
+    thin: BinaryHeap<Reverse<(TotalOrder, u32)>>,
 }
 
 impl Widening {
@@ -220,7 +205,7 @@ impl Widening {
             // A triangle waits once only, because a look at it takes long and would come to the same result.
             if angle < self.goal && state.queued != angle {
                 state.queued = angle;
-                self.thin.push(Reverse((Angle(angle), t)));
+                self.thin.push(Reverse((TotalOrder(angle), t)));
             }
         }
     }

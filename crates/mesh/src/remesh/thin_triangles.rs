@@ -22,6 +22,7 @@ use crate::DVec3;
 use crate::edit::may_collapse;
 use crate::film::Film;
 use crate::measure;
+use crate::order::TotalOrder;
 use crate::topology::NONE;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -64,22 +65,6 @@ pub enum Necks {
     Cut,
 }
 
-/// An angle with the total order that the heap needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Angle(f64);
-
-impl Eq for Angle {}
-impl PartialOrd for Angle {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Angle {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
-
 /// Applies the rules to the triangles with an angle below `degenerate_angle` (radians), until no rule applies to any of
 /// them. The film stays an oriented manifold over the same boundary loops. Interior vertices may vanish or be doubled.
 ///
@@ -94,7 +79,7 @@ pub fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks
     for t in 0..film.triangles().len() as u32 {
         rules.consider(t);
     }
-    while let Some(Reverse((Angle(angle), t))) = rules.thin.pop() {
+    while let Some(Reverse((TotalOrder(angle), t))) = rules.thin.pop() {
         if rules.film.topology.is_removed(t) {
             continue;
         }
@@ -126,7 +111,7 @@ struct Rules {
     degenerate_angle: f64,
     necks: Necks,
     /// The thin triangles by angle, then by number. The thinnest comes first.
-    thin: BinaryHeap<Reverse<(Angle, u32)>>,
+    thin: BinaryHeap<Reverse<(TotalOrder, u32)>>,
     changes: Changes,
 }
 
@@ -134,7 +119,7 @@ impl Rules {
     fn consider(&mut self, t: u32) {
         let angle = smallest_angle(self.film.corners(self.film.triangles()[t as usize]));
         if angle < self.degenerate_angle {
-            self.thin.push(Reverse((Angle(angle), t)));
+            self.thin.push(Reverse((TotalOrder(angle), t)));
         }
     }
 

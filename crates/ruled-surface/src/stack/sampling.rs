@@ -2,6 +2,8 @@
 
 use plateau_mesh::DVec3;
 use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::order::TotalOrder;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// How the points of a directrix are chosen from the given polyline.
@@ -119,47 +121,24 @@ fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
     Samples { places, nearest }
 }
 
-/// A stretch of the polyline and the point furthest from its chord.
-struct Chord {
-    height: f64,
-    from: usize,
-    to: usize,
-    peak: usize,
-}
+/// A stretch of the polyline: the height of the point furthest from its chord, its first point, its last point and the
+/// furthest one.
+type Chord = (TotalOrder, Reverse<usize>, [usize; 2]);
 
-impl Chord {
-    fn new(points: &[DVec3], from: usize, to: usize) -> Self {
-        let (a, b) = (points[from], points[to % points.len()]);
-        let chord = b - a;
-        let squared = chord.length_squared();
-        let mut stretch = Self { height: 0.0, from, to, peak: from };
-        for (k, point) in points.iter().enumerate().take(to).skip(from + 1) {
-            let along = if squared > 0.0 { ((*point - a).dot(chord) / squared).clamp(0.0, 1.0) } else { 0.0 };
-            let height = point.distance(a + chord * along);
-            if height > stretch.height {
-                (stretch.height, stretch.peak) = (height, k);
-            }
+fn chord(points: &[DVec3], from: usize, to: usize) -> Chord {
+    let (a, b) = (points[from], points[to % points.len()]);
+    let chord = b - a;
+    let squared = chord.length_squared();
+    let (mut most, mut peak) = (0.0, from);
+    for (k, point) in points.iter().enumerate().take(to).skip(from + 1) {
+        let along = if squared > 0.0 { ((*point - a).dot(chord) / squared).clamp(0.0, 1.0) } else { 0.0 };
+        let height = point.distance(a + chord * along);
+        if height > most {
+            (most, peak) = (height, k);
         }
-        stretch
     }
+    (TotalOrder(most), Reverse(from), [to, peak])
 }
-
-impl Ord for Chord {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.height.total_cmp(&other.height).then(other.from.cmp(&self.from))
-    }
-}
-impl PartialOrd for Chord {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl PartialEq for Chord {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Chord {}
 
 /// O(points · samples) at worst, points · log(samples) on most curves.
 fn by_chord_height(
@@ -179,23 +158,23 @@ fn by_chord_height(
         let furthest = (1..count)
             .fold(1, |best, k| if points[k].distance(points[0]) > points[best].distance(points[0]) { k } else { best });
         kept[furthest] = true;
-        heap.push(Chord::new(points, 0, furthest));
-        heap.push(Chord::new(points, furthest, count));
+        heap.push(chord(points, 0, furthest));
+        heap.push(chord(points, furthest, count));
     } else {
         kept[count - 1] = true;
-        heap.push(Chord::new(points, 0, count - 1));
+        heap.push(chord(points, 0, count - 1));
     }
     let mut chosen = 2;
-    while let Some(stretch) = heap.pop() {
-        let needed = stretch.height > tolerance || (closed && chosen < 3);
-        if chosen >= most || !needed || stretch.peak == stretch.from {
+    while let Some((TotalOrder(height), Reverse(from), [to, peak])) = heap.pop() {
+        let needed = height > tolerance || (closed && chosen < 3);
+        if chosen >= most || !needed || peak == from {
             break;
         }
-        kept[stretch.peak] = true;
+        kept[peak] = true;
         chosen += 1;
-        execution.look((stretch.to - stretch.from) as u64)?;
-        heap.push(Chord::new(points, stretch.from, stretch.peak));
-        heap.push(Chord::new(points, stretch.peak, stretch.to));
+        execution.look((to - from) as u64)?;
+        heap.push(chord(points, from, peak));
+        heap.push(chord(points, peak, to));
     }
     let places: Vec<(usize, f64)> = (0..count).filter(|&k| kept[k]).map(|k| (k, 0.0)).collect();
     let nearest = (0..count)

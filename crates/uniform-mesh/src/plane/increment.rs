@@ -42,27 +42,21 @@ pub(crate) fn fill(
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> Result<(), Interruption> {
-    let mut radius: Vec<u64> = vec![0; region.corners.len()];
-    let mut heap = BinaryHeap::new();
+    let mut queue = Circumradii::default();
+    let rank = |region: &Triangulation, t: u32| circumcentre(region.triangle(t)).1;
+    let least = (1.0 + SLACK) * (1.0 + SLACK);
     for t in 0..region.corners.len() as u32 {
-        consider(region, t, &mut radius, &mut heap);
+        queue.consider(t, rank(region, t), least);
     }
     let (mut star, mut work, mut inserted) = (Vec::new(), region.corners.len() as u64, 0u64);
-    while let Some((rank, Reverse(t))) = heap.pop() {
-        if radius[t as usize] != rank {
-            continue;
-        }
-        radius[t as usize] = 0;
+    while let Some(t) = queue.pop() {
         let (centre, _) = circumcentre(region.triangle(t));
         let (sight, visited) = region.look_towards(t, centre);
         work += visited;
         if let Sight::In(t) = sight {
             star.clear();
             region.insert(t, centre, &mut star, Triangulation::is_not_delaunay);
-            radius.resize(region.corners.len(), 0);
-            for &t in &star {
-                consider(region, t, &mut radius, &mut heap);
-            }
+            star.iter().for_each(|&t| queue.consider(t, rank(region, t), least));
             work += star.len() as u64;
             inserted += 1;
         }
@@ -81,15 +75,37 @@ pub(crate) fn fill(
     execution.look(work)
 }
 
-/// Ranks a triangle by its circumradius if a node may go into its centre.
-fn consider(region: &Triangulation, t: u32, radius: &mut [u64], heap: &mut BinaryHeap<(u64, Reverse<u32>)>) {
-    let (_, squared) = circumcentre(region.triangle(t));
-    radius[t as usize] = 0;
-    if squared.is_finite() && squared >= (1.0 + SLACK) * (1.0 + SLACK) {
+/// The triangles whose centres may get a node, largest circumradius first, then by number.
+#[derive(Debug, Default)]
+pub(crate) struct Circumradii {
+    /// For each triangle the rank with which it waits; 0 if it does not wait.
+    ranks: Vec<u64>,
+    heap: BinaryHeap<(u64, Reverse<u32>)>,
+}
+
+impl Circumradii {
+    /// Queues a triangle by its squared circumradius, if that is at least `least`, in place of its earlier entry.
+    pub fn consider(&mut self, t: u32, squared: f64, least: f64) {
+        if self.ranks.len() <= t as usize {
+            self.ranks.resize(t as usize + 1, 0);
+        }
         // The bits of a positive float rank as the float does; the lowest 22 of 52 are rounding's business.
-        let rank = squared.to_bits() >> 22;
-        radius[t as usize] = rank;
-        heap.push((rank, Reverse(t)));
+        let rank = if squared.is_finite() && squared >= least { squared.to_bits() >> 22 } else { 0 };
+        self.ranks[t as usize] = rank;
+        if rank > 0 {
+            self.heap.push((rank, Reverse(t)));
+        }
+    }
+
+    /// Takes the next triangle. Entries that a later one replaced are left out.
+    pub fn pop(&mut self) -> Option<u32> {
+        while let Some((rank, Reverse(t))) = self.heap.pop() {
+            if self.ranks[t as usize] == rank {
+                self.ranks[t as usize] = 0;
+                return Some(t);
+            }
+        }
+        None
     }
 }
 

@@ -18,13 +18,12 @@ use super::auxiliary::Surface;
 use super::move_nodes::{OnSurface, Sheet, TargetLength, refine};
 use crate::edges::{edges, topology};
 use crate::options::Transition as Freedom;
+use crate::plane::increment::Circumradii;
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure;
 use plateau_mesh::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
 use plateau_mesh::topology::NONE;
 use plateau_mesh::{DVec2, DVec3};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// An edge flips if its opposite angles add up to more than 180° plus this angle, in radians.
 const FLAT: f64 = 1e-7;
@@ -264,19 +263,14 @@ impl Rim<'_> {
 
     /// INCREMENT with distances on the surface.
     fn fill(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
-        let mut radius: Vec<u64> = Vec::new();
-        let mut heap = BinaryHeap::new();
+        let mut queue = Circumradii::default();
         for t in 0..self.flat.corners.len() as u32 {
-            self.consider(t, &mut radius, &mut heap);
+            queue.consider(t, self.squared_circumradius(t), 1.0);
         }
         let mut star = Vec::new();
-        while let Some((rank, Reverse(t))) = heap.pop() {
+        while let Some(t) = queue.pop() {
             self.work += 1;
             self.look(execution)?;
-            if radius[t as usize] != rank {
-                continue;
-            }
-            radius[t as usize] = 0;
             let Some(centre) = self.centre(t) else { continue };
             let (sight, visited) = self.flat.look_towards(t, centre);
             self.work += visited;
@@ -297,29 +291,18 @@ impl Rim<'_> {
             self.positions.push(position);
             let positions = &self.positions;
             self.flat.insert(holder, centre, &mut star, |flat, half_edge| is_bent(flat, positions, half_edge));
-            for &t in &star {
-                self.consider(t, &mut radius, &mut heap);
-            }
+            star.iter().for_each(|&t| queue.consider(t, self.squared_circumradius(t), 1.0));
             self.work += star.len() as u64;
         }
         execution.look(std::mem::take(&mut self.work))
     }
 
-    fn consider(&self, t: u32, radius: &mut Vec<u64>, heap: &mut BinaryHeap<(u64, Reverse<u32>)>) {
-        if radius.len() < self.flat.corners.len() {
-            radius.resize(self.flat.corners.len(), 0);
-        }
+    fn squared_circumradius(&self, t: u32) -> f64 {
         let [a, b, c] = self.flat.corners[t as usize].map(|v| self.positions[v as usize]);
         let (u, v) = (b - a, c - a);
         // R = abc / 4A.
         let product = u.length_squared() * v.length_squared() * (c - b).length_squared();
-        let squared = product / (4.0 * u.cross(v).length_squared());
-        radius[t as usize] = 0;
-        if squared.is_finite() && squared >= 1.0 {
-            let rank = squared.to_bits() >> 22;
-            radius[t as usize] = rank;
-            heap.push((rank, Reverse(t)));
-        }
+        product / (4.0 * u.cross(v).length_squared())
     }
 
     /// Parameters of the point of the surface that is equally far from a triangle's corners.

@@ -1,10 +1,11 @@
 //! The client's own initial mesh: checked, and numbered as all others are.
 
-use super::pins::{Pin, Pins, bits};
+use super::pins::{Pin, Pins};
 use plateau_mesh::edit::orient_along;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::is_degenerate;
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::topology::{Defect, NONE, Topology};
 use plateau_mesh::{DVec3, Error, Mesh, Place};
 
@@ -172,10 +173,10 @@ fn has_closed_part(topology: &Topology, mesh: &Mesh) -> bool {
 /// Fixes the vertices of the constraints and locks their edges. The mesh must have these edges.
 fn fix(film: &mut Film, pins: &Pins) -> Result<(), Error> {
     let mut known: Vec<([u64; 3], u32)> =
-        film.vertices.iter().enumerate().map(|(v, &point)| (bits(point), v as u32)).collect();
+        film.vertices.iter().enumerate().map(|(v, &point)| (position_key(point), v as u32)).collect();
     known.sort_unstable();
     let vertex = |point: DVec3| {
-        let key = bits(point);
+        let key = position_key(point);
         known.get(known.partition_point(|&(bits, _)| bits < key)).filter(|&&(bits, _)| bits == key).map(|&(_, v)| v)
     };
     let missing = |detail: &str| Error::input(Place::field("constraints"), detail);

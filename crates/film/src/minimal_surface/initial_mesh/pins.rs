@@ -6,6 +6,7 @@ use crate::minimal_surface::options::{BoundarySampling, Constraints};
 use glam::DVec2;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
@@ -36,7 +37,7 @@ impl Pins {
         let mut known = Known::new();
         for (k, &point) in boundaries.iter().flatten().enumerate() {
             // A point that occurs twice on the boundary keeps its first number.
-            known.entry(bits(point)).or_insert(Pin::Boundary(k as u32));
+            known.entry(position_key(point)).or_insert(Pin::Boundary(k as u32));
         }
         let mut pins = Self::default();
         for &point in &constraints.points {
@@ -67,7 +68,7 @@ impl Pins {
     }
 
     fn vertex(&mut self, point: DVec3, known: &mut Known) -> Pin {
-        *known.entry(bits(point)).or_insert_with(|| {
+        *known.entry(position_key(point)).or_insert_with(|| {
             self.points.push(point);
             Pin::Inner(self.points.len() as u32 - 1)
         })
@@ -94,11 +95,6 @@ impl Pins {
         };
         self.points.iter().map(place).collect()
     }
-}
-
-/// The bits of the coordinates, as a sortable key. -0 and 0 have the same key.
-pub(crate) fn bits(point: DVec3) -> [u64; 3] {
-    (point + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
 /// The plane position of the point of the film that is nearest to a point in space. It is moved a little into its

@@ -5,7 +5,8 @@ use crate::tensile_structure::options::{
     Cable, CableMode, Chamber, Course, FilmPrestress, Pressure, Structure, Weave, WeaveHold, chamber_place,
 };
 use plateau_mesh::error::InputError;
-use plateau_mesh::{DVec3, Place, polyline};
+use plateau_mesh::plane::polygon::doubled_area_vector;
+use plateau_mesh::{Place, polyline};
 
 pub(super) fn check_chambers(structure: &Structure, errors: &mut Vec<InputError>) {
     let last = structure.layers.len() - 1;
@@ -153,10 +154,7 @@ fn pressure_limit(structure: &Structure, layer: usize) -> f64 {
     };
     let across = structure.cables.iter().filter(|cable| matches!(cable.course, Course::Across(_)));
     let borne: f64 = across.map(|cable| forces_at_ends(structure, cable)).sum();
-    let mean = polyline::mean(points);
-    let next = |k: usize| points[(k + 1) % points.len()] - mean;
-    let area: DVec3 = (0..points.len()).map(|k| 0.5 * (points[k] - mean).cross(next(k))).sum();
-    (largest * polyline::length(points, true) + borne) / area.length()
+    (largest * polyline::length(points, true) + borne) / (0.5 * doubled_area_vector(points).length())
 }
 
 /// The sum of a cable's forces at its two ends, if it is given with the mode; else infinite. A woven film pulls along

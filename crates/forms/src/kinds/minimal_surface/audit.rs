@@ -8,7 +8,8 @@ use crate::audit::surface::Surface;
 use crate::audit::{curvature, points, topology};
 use plateau_archive::archive::MEAN_CURVATURE;
 use plateau_film::minimal_surface::Objective;
-use plateau_mesh::{DVec3, polyline};
+use plateau_mesh::DVec3;
+use plateau_mesh::polyline::{self, position_key};
 use std::collections::BTreeSet;
 
 impl SolverInput {
@@ -99,9 +100,8 @@ impl SolverInput {
         if fixed().next().is_none() {
             return;
         }
-        let bits = |point: &DVec3| (*point + DVec3::ZERO).to_array().map(f64::to_bits);
-        let vertices: BTreeSet<[u64; 3]> = audit.contents.mesh.vertices.iter().map(bits).collect();
-        let missing = fixed().position(|point| !vertices.contains(&bits(point)));
+        let vertices: BTreeSet<[u64; 3]> = audit.contents.mesh.vertices.iter().copied().map(position_key).collect();
+        let missing = fixed().position(|point| !vertices.contains(&position_key(*point)));
         audit.require(
             missing.is_none(),
             || "every point of the constraints is a vertex".into(),

@@ -1,0 +1,36 @@
+//! Disjoint sets of numbers (union-find with path halving).
+
+/// A partition of `0..count`. The smallest member of a set leads it.
+#[derive(Clone, Debug)]
+pub struct DisjointSets(Vec<u32>);
+
+impl DisjointSets {
+    /// Each number alone.
+    #[inline]
+    pub fn new(count: usize) -> Self {
+        Self((0..count as u32).collect())
+    }
+
+    /// The smallest member of a number's set.
+    #[inline]
+    pub fn leader(&mut self, mut k: u32) -> u32 {
+        while self.0[k as usize] != k {
+            self.0[k as usize] = self.0[self.0[k as usize] as usize];
+            k = self.0[k as usize];
+        }
+        k
+    }
+
+    /// Makes one set of those of two numbers.
+    #[inline]
+    pub fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.leader(a), self.leader(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+
+    /// Number of sets.
+    #[inline]
+    pub fn count(&self) -> usize {
+        (0..).zip(&self.0).filter(|(k, leader)| *k == **leader).count()
+    }
+}
