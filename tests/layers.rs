@@ -24,6 +24,8 @@ const CRATES: [(&str, &[&str]); 10] = [
             "error",
             "estimate",
             "random",
+            "order",
+            "disjoint_sets",
             "lib",
             "polyline",
             "topology",
