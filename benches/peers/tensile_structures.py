@@ -242,7 +242,8 @@ def kratos(case, triangles, tolerance, limit, folder):
                 "model_part_name": "Structure",
                 "echo_level": 0,
                 "projection_type": "planar",
-                "global_direction": [1.0, 0, 0],
+                # Must lie in no element's normal; the prestress is the same in all directions.
+                "global_direction": [1.0, 0, 0] if case == "sail" else [0, 0, 1.0],
                 "variable_name": "LOCAL_PRESTRESS_AXIS_1",
                 "method_specific_settings": {},
                 "check_local_space_dimension": False,
@@ -286,6 +287,9 @@ def kratos(case, triangles, tolerance, limit, folder):
     analysis.RunSolutionLoop()
     analysis.Finalize()
     at = [(node.X, node.Y, node.Z) for node in part.Nodes]
+    with open(os.path.join(folder, "kratos.obj"), "w") as file:
+        file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in at)
+        file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in faces)
 
     def distance(a, b):
         return math.dist(at[a], at[b])

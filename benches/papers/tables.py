@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+"""Prints the tables of docs/papers, one paper after another: solved by a running service, measured by judge.py.
+
+    python3 benches/papers/tables.py [chen-cai-zheng | liu-wang | bento-cavalcanti | katoh-ohsaki-xu | wang-tang]
+
+The service is that of PLATEAU_URL, or the one at http://127.0.0.1:8080. Needs numpy.
+"""
+import os
+import sys
+import tempfile
+
+import coordinates
+import judge
+import meshfiles
+from run import load, solve
+
+SERVICE = os.environ.get("PLATEAU_URL", "http://127.0.0.1:8080").rstrip("/")
+
+
+def film(request, surface=None, lattice=None):
+    """The statistics of a solved request, and what the judge measures on its mesh."""
+    job, data = solve(SERVICE, request)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.obj")
+        with open(path, "wb") as file:
+            file.write(data)
+        return job["statistics"], judge.judge(meshfiles.read(path), request, surface, None, lattice)
+
+
+def example(name, **more):
+    return {**load(f"api/examples/{name}.json"), **more}
+
+
+def made(name, **more):
+    return {**load(f"benches/papers/requests/{name}.json"), **more}
+
+
+def table(columns, rows):
+    print("\n| " + " | ".join(columns) + " |")
+    print("|" + " --- |" * len(columns))
+    for row in rows:
+        print("| " + " | ".join(row) + " |", flush=True)
+
+
+def ccz(found):
+    figures = found["chen_cai_zheng"]
+    angle = found["shape"]["angles_deg"]["min"]
+    return [f"{figures['area']:.4f}", f"{figures['curvature_max']:.1e}", f"{figures['curvature_normal_max']:.1e}",
+            f"{angle:.1f}°", "; ".join(found["faults"]) or "none"]
+
+
+RELAXATION = {"solver": "vertex_relaxation", "initial_mesh": "rings"}
+FAIRING = ["laplacian_fairing", "edge_swapping"]
+MINIMISING = ["area_minimising", "edge_swapping"]
+
+
+def chen_cai_zheng():
+    columns = ["boundary, triangles", "run", "area", "largest curvature", "along the normal", "smallest angle", "faults"]
+
+    def runs():
+        for name, limit, printed in [
+            ("helicoid", 535.0748, [("536.17", "0.1"), ("536.07", "0.0007")]),
+            ("catenoid", 58.1637, [("58.95", "0.23"), ("58.2", "0.004")]),
+        ]:
+            first = f"{name}, {example(name)['resolution']['triangles']}"
+            for step, (area, curvature) in zip(("step 2", "step 3"), printed):
+                yield [first, f"the paper's {step}", area, curvature, "", "", ""]
+            for tolerance, shown in ((0.01 / limit, "0.01"), (1e-6, "1e-6 of the area"), (1e-9, "1e-9 of the area")):
+                for step, stages in (("step 2", [FAIRING]), ("steps 2 and 3", None)):
+                    request = example(name, **RELAXATION, area_tolerance=tolerance, processes=stages)
+                    yield [first, f"{step}, ε {shown}", *ccz(film(request)[1])]
+            yield [first, "**default**", *ccz(film(example(name))[1])]
+            yield [first, "limit on this polygon", f"{limit}", "", "", "", ""]
+
+    table(columns, runs())
+
+    def levels():
+        for name, counts, printed in [
+            ("ccz-8-top", (800, 2400), [("9.9", "0.004"), ("9.87", "0.001")]),
+            ("ccz-8-bottom", (485, 1455), [("1191.3", "4.8e-05"), ("1187.8", "1.1e-05")]),
+        ]:
+            points = len(made(name)["boundaries"][0])
+            for count, (area, curvature) in zip(counts, printed):
+                first = f"{points} points, {count}"
+                yield [first, "the paper", area, curvature, "", "", ""]
+                request = made(name, **RELAXATION, area_tolerance=1e-9, resolution={"triangles": count})
+                yield [first, "steps 2 and 3, ε 1e-9 of the area", *ccz(film(request)[1])]
+                yield [first, "**default**", *ccz(film(made(name, resolution={"triangles": count}))[1])]
+
+    table(columns, levels())
+
+    def orders():
+        boundary = coordinates.rim(coordinates.scherk_surface(1), (-0.4 * coordinates.PI, 0.4 * coordinates.PI),
+                                   (-0.4 * coordinates.PI, 0.4 * coordinates.PI), 10, 10)
+        scherk = {"kind": "minimal_surface", "boundaries": [boundary], "boundary_sampling": "keep",
+                  "resolution": {"triangles": 800}}
+        for name, stages in [
+            ("theirs", None), ("area + swapping", [MINIMISING]), ("fairing + swapping", [FAIRING]),
+            ("area + swapping, then fairing + swapping", [MINIMISING, FAIRING]),
+            ("fairing, area, swapping in one stage", [["laplacian_fairing", "area_minimising", "edge_swapping"]]),
+        ]:
+            statistics, found = film({**scherk, **RELAXATION, "processes": stages})
+            yield [name, str(statistics["iterations"]), *ccz(found)[:3]]
+        statistics, found = film(scherk)
+        yield ["**default**", str(statistics["iterations"]), *ccz(found)[:3]]
+
+    table(["order of the processes", "sweeps", "area", "largest curvature", "along the normal"], orders())
+
+    def starts():
+        for shown, name in (("rings that cross (Fig. 4)", "ccz-4"), ("two contours (Fig. 9)", "ccz-9")):
+            for run, more in (("steps 2 and 3, ε 1e-8 of the area", {**RELAXATION, "area_tolerance": 1e-8}), ("**default**", {})):
+                statistics, found = film(made(name, **more))
+                yield [shown, run, f"{statistics['initial_area']:.3f}", *ccz(found)]
+
+    table(["boundary", "run", "area at first", *columns[2:]], starts())
+
+
+def middle(values):
+    return sorted(values)[len(values) // 2]
+
+
+# Ranges of the parameters over which Liu and Wang's surfaces are measured; they print none.
+PATCHES = [
+    ("helicoid, u 0.5..2, v ±π/3", coordinates.helicoid, (0.5, 2), coordinates.PI / 3, 7, 20, "helicoid:1.9", "0.716"),
+    ("helicoid, u ±2, v ±π/3", coordinates.helicoid, (-2, 2), coordinates.PI / 3, 7, 20, "helicoid:1.9", "0.716"),
+    ("helicoid, u 0.5..2, v ±π/6", coordinates.helicoid, (0.5, 2), coordinates.PI / 6, 7, 20, "helicoid:1.9", "0.716"),
+    ("catenoid, u π/4..3π/4, v ±0.4", coordinates.catenoid, (coordinates.PI / 4, 3 * coordinates.PI / 4), 0.4, 6, 25, "catenoid:2.05", "0.651"),
+    ("catenoid, u π/4..3π/4, v ±0.3", coordinates.catenoid, (coordinates.PI / 4, 3 * coordinates.PI / 4), 0.3, 6, 25, "catenoid:2.05", "0.651"),
+    ("catenoid, u π/6..5π/6, v ±0.7", coordinates.catenoid, (coordinates.PI / 6, 5 * coordinates.PI / 6), 0.7, 6, 25, "catenoid:2.05", "0.651"),
+]
+
+
+def liu_wang():
+    def errors(boundary, interior, surface, **more):
+        def of(seed):
+            request = {"kind": "minimal_surface", "boundaries": [boundary], "boundary_sampling": "keep", "seed": seed,
+                       "initial_mesh": "barycentres", "resolution": {"interior_vertices": interior}, **more}
+            return film(request, surface)[1]["liu_wang"]["mean_error"]
+
+        return middle([of(seed) for seed in range(1, 10)])
+
+    def row(name, boundary, interior, surface, printed):
+        least = {"objective": "minimal_mean_curvature"}
+        area = {"solver": "vertex_relaxation", "processes": [["area_minimising"]]}
+        own = errors(boundary, interior, surface, **least, least_squares_tolerance=1e-15)
+        loose, tight = (errors(boundary, interior, surface, **area, area_tolerance=e) for e in (1e-4, 1e-9))
+        rest = [errors(boundary, interior, surface, **least, boundary_curvature=True),
+                errors(boundary, interior, surface, solver="vertex_relaxation"), errors(boundary, interior, surface)]
+        return [name, f"{own:.2e}", f"{loose:.2e}", f"{own / loose:.2f}", f"{tight:.2e}", f"{own / tight:.2f}", printed,
+                *(f"{value:.2e}" for value in rest)]
+
+    columns = ["surface", "least squares", "area, to 1e-4", "ratio", "area, to 1e-9", "ratio", "the paper's ratio", "all rows",
+               "Chen, Cai, Zheng", "**default**"]
+    table(columns, (
+        row(name, coordinates.rim(surface, us, (-v, v), sides, sides), interior, exact, printed)
+        for name, surface, us, v, sides, interior, exact, printed in PATCHES))
+    table(columns, (
+        row(f"Scherk b = {b}, {4 * sides} + {interior}", coordinates.scherk(b, sides), interior, f"scherk:{b}", "")
+        for b in (0.4, 1, 4.9) for sides, interior in ((5, 16), (6, 20), (8, 30))))
+
+    def membrane():
+        yield ["the paper, on its own nine points", "4.786e-04", "", ""]
+        for name, more in (("least squares", {"objective": "minimal_mean_curvature"}),
+                           ("all rows", {"objective": "minimal_mean_curvature", "boundary_curvature": True}),
+                           ("**default**", {"initial_mesh": "barycentres"})):
+            statistics, found = film(made("lw-9", **more))
+            yield [name, f"{statistics['mean_curvature']['mean']:.3e}", f"{found['liu_wang']['mean_cycle_curvature']:.1e}",
+                   f"{found['shape']['area']:.4f}"]
+
+    table(["membrane of 9 + 4 points", "mean of the mean curvatures, by the area's gradient", "by the normal cycle", "area"],
+          membrane())
+
+
+def bento_cavalcanti():
+    def rings():
+        for figure, name, rules in [("Fig. 6", "bc-6", 1), ("Fig. 7", "bc-7", 1), ("Fig. 8", "bc-7", 0)]:
+            gap = made(name)["boundaries"][1][0][2]
+            for linear in ("direct", "conjugate_gradients"):
+                request = made(name, solver="pinkall_polthier", topology="free", initial_mesh="rings", tolerance=0,
+                               linear_solver=linear, degenerate_angle_deg=rules, max_iterations=200,
+                               area_tolerance=1e-6 if rules else 0)
+                statistics, found = film(request)
+                yield [f"{figure}: rings {gap} apart", "on" if rules else "off", linear, str(statistics["iterations"]),
+                       statistics["stop_reason"], str(statistics["components"]), f"{found['shape']['area']:.4f}",
+                       str(statistics["degenerate_triangles"])]
+            if rules:
+                statistics, found = film(made(name, topology="free"))
+                yield [f"{figure}: rings {gap} apart", "", "**default**", str(statistics["iterations"]),
+                       statistics["stop_reason"], str(statistics["components"]), f"{found['shape']['area']:.4f}",
+                       str(statistics["degenerate_triangles"])]
+        statistics, found = film(example("cut-cylinder"))
+        yield ["Fig. 9: cut cylinder", "on", "direct", str(statistics["iterations"]), statistics["stop_reason"],
+               str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["degenerate_triangles"])]
+
+    table(["example", "rules", "linear solver", "steps", "stopped by", "components", "area", "degenerate triangles"], rings())
+
+    def best():
+        for name in ("rings-12-best", "rings-14-best", "three-rings", "tetrahedron-loops", "nested-loops"):
+            spanning = film(example(name))[0]["spanning"]
+            for topology in spanning["topologies"][:4]:
+                area = topology["area"]
+                yield [name, " ".join(str(loops) for loops in topology["films"]),
+                       "does not hold" if area is None else f"{area:.4f}",
+                       "" if not topology["stability"] else "yes" if topology["stability"]["stable"] else "no",
+                       "yes" if topology["films_cross"] else ""]
+
+    table(["example", "films over", "area", "stable", "cross"], best())
+
+
+def katoh_ohsaki_xu():
+    theirs = {
+        ("auxiliary_surface", "all"): "645, 6.8173, 5.0000, 10.0000, 1.6711", ("plane", "lattice"): "774, 5, 5, 5, 0",
+        ("plane", "all"): "954, 5.3633, 4.5893, 9.9727, 0.9888", ("surface", "lattice"): "774, 5.0775, 4.2043, 6.1972, 0.2780",
+        ("surface", "all"): "954, 5.4280, 4.2043, 10.6405, 1.0605",
+        ("optimised_nodes", "lattice"): "774, 4.9597, 4.3490, 5.3982, 0.1915",
+        ("optimised_nodes", "all"): "954, 5.4765, 4.3490, 13.3777, 1.4842",
+    }
+    names = ["latticed-roof", "latticed-roof-steep", "latticed-film"]
+    solved = [film(example(name), lattice="members_lattice") for name in names]
+
+    def rows():
+        shown = {"auxiliary_surface": "auxiliary, on the surface", "auxiliary_plane": "auxiliary, in the plane", "plane": "plane",
+                 "surface": "surface", "optimised_nodes": "optimised"}
+        for stage in ("auxiliary_surface", "auxiliary_plane", "plane", "surface", "optimised_nodes"):
+            for group in ("lattice", "all"):
+                cells = []
+                for statistics, _ in solved:
+                    row = next(row for row in statistics["stages"] if row["name"] == stage)[group]
+                    cells.append("" if row is None else ", ".join(
+                        [str(row["count"])] + [f"{row[key]:.4f}" for key in ("mean", "min", "max", "std_dev")]))
+                if any(cells):
+                    name = f"{shown[stage]}{'' if stage.startswith('aux') else ', G1' if group == 'lattice' else ', all'}"
+                    yield [name, theirs.get((stage, group), ""), *cells]
+        for name, group in (("judged from the file, G1", "lattice"), ("judged from the file, all", "edges")):
+            yield [name, "", *(", ".join(
+                [str(found["katoh_ohsaki_xu"][group]["count"])]
+                + [f"{found['katoh_ohsaki_xu'][group][key]:.4f}" for key in ("mean", "min", "max", "std")]) for _, found in solved)]
+        stage = lambda statistics, name: next(row for row in statistics["stages"] if row["name"] == name)["lattice"]
+        falls = []
+        for statistics, _ in solved:
+            before, after = stage(statistics, "surface"), stage(statistics, "optimised_nodes")
+            falls.append(f"{after['std_dev'] / before['std_dev']:.2f}, "
+                         f"{(after['max'] - after['min']) / (before['max'] - before['min']):.2f}")
+        yield ["G1's std and range, after / before", "0.69, 0.53", *falls]
+        yield ["G1's share of the members", "0.8113", *(f"{found['katoh_ohsaki_xu']['lattice_share']:.4f}" for _, found in solved)]
+        yield ["smallest angle", "not given", *(f"{found['shape']['angles_deg']['min']:.1f}°" for _, found in solved)]
+
+    table(["row: count, mean, min, max, std", "theirs", *(f"`{name}`" for name in names)], rows())
+
+
+# Their Table 1: area, twist, convex edges, bending, curvature variation, normal variation.
+PRINTED = {
+    ("i", "minimal_area"): (40.56, 16.62, 12, 65.47, 49.65), ("i", "minimal_twist"): (40.94, 5.28, 105, 4.07, 14.94),
+    ("i", "maximal_convexity"): (40.94, 5.29, 112, 3.97, 14.50),
+    ("i", "minimal_bending_energy"): (40.94, 5.30, 108, 3.92, 14.79),
+    ("i", "minimal_mean_curvature_variation"): (40.93, 5.93, 74, 7.37, 7.66),
+    ("ii", "minimal_area"): (87.13, 124.08, 8, 1168.67, 218.29), ("ii", "maximal_convexity"): (89.22, 77.00, 180, 60.86, 53.98),
+    ("ii", "maximal_convexity + minimal_bending_energy"): (89.23, 78.57, 180, 58.45, 51.85),
+    ("ii", "maximal_convexity + minimal_mean_curvature_variation"): (89.22, 77.42, 180, 71.81, 51.10),
+    ("iii", "minimal_area"): (12.10, 20.54, 5, 49.03, 32.34), ("iii", "minimal_bending_energy"): (12.15, 23.32, 10, 22.84, 29.19),
+    ("iv", "maximal_convexity"): (0.15, 10.73, 153, 35.34, 2.41),
+    ("iv", "maximal_convexity + minimal_bending_energy"): (0.15, 9.24, 153, 24.50, 2.14),
+    ("v", "minimal_bending_energy"): (41.85, 3.02, 103, 44.18, 29.54, 7.39),
+    ("v", "minimal_normal_variation"): (41.90, 16.56, 16, 292.37, 90.57, 4.35),
+}
+
+
+def wang_tang():
+    alone = ["minimal_area", "minimal_twist", "maximal_convexity", "minimal_bending_energy", "minimal_mean_curvature_variation"]
+    coupled = ["maximal_convexity + minimal_bending_energy", "maximal_convexity + minimal_mean_curvature_variation"]
+
+    def rows():
+        for number in ("i", "ii", "iii", "iv", "v", "vi"):
+            for objective in alone + (["minimal_normal_variation"] if number == "v" else []) + coupled:
+                first, _, second = objective.partition(" + ")
+                request = example(f"wang-tang-{number}", objective=first, secondary_objective=second or None, all_objectives=False)
+                f = film(request)[1]["wang_tang"]
+                cells = [f"{f['area']:.2f}", f"{f['total_normal_twist']:.2f}", f"{f['convex_bridges']}/{f['bridges']}",
+                         f"{f['bending_energy']:.2f}", f"{f['mean_curvature_variation']:.2f}",
+                         "" if f["normal_variation"] is None else f"{f['normal_variation']:.2f}"]
+                printed = PRINTED.get((number, objective), ())
+                for k, value in enumerate(printed):
+                    cells[k] += f" ({value})" if k == 2 else f" ({value:.2f})"
+                yield [number.upper(), objective.replace("_", " "), *cells]
+
+    table(["example", "objective", "area", "normal twist", "convex bridges", "bending energy", "curvature variation",
+           "normal variation"], rows())
+
+
+PAPERS = {"chen-cai-zheng": chen_cai_zheng, "liu-wang": liu_wang, "bento-cavalcanti": bento_cavalcanti,
+          "katoh-ohsaki-xu": katoh_ohsaki_xu, "wang-tang": wang_tang}
+
+
+def main():
+    names = sys.argv[1:] or list(PAPERS)
+    for name in names:
+        if name not in PAPERS:
+            raise SystemExit(f"usage: tables.py [{' | '.join(PAPERS)}]")
+        PAPERS[name]()
+
+
+if __name__ == "__main__":
+    main()
