@@ -460,6 +460,8 @@ def judge(mesh, request=None, surface=None, domain=None, lattice=None, length=No
     found = {"faults": faults, "topology": topology, "shape": shape}
     request = request or {}
     if "directrices" in request:
+        # A strip may fold by more than 90 degrees; that is no fault of the mesh.
+        found["faults"] = [fault for fault in faults if "flipped" not in fault]
         found["wang_tang"] = wang_tang(mesh, request)
         return found
     found["chen_cai_zheng"] = chen_cai_zheng(mesh, interior)
