@@ -117,7 +117,7 @@ fn the_crates_of_the_geometry_depend_on_numerics_and_on_earlier_crates_only() {
         let package = format!("plateau-{name}");
         let output = Command::new(env!("CARGO"))
             .args(["tree", "--package", &package, "--edges", "normal", "--depth", "1", "--prefix", "none"])
-            .args(["--format", "{lib}"])
+            .args(["--format", "{lib}", "--no-default-features"])
             .current_dir(root())
             .output()
             .expect("cargo tree runs");

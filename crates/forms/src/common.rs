@@ -2,7 +2,6 @@
 
 use plateau_archive::units::{ForceUnit, Unit};
 use plateau_mesh::DVec3;
-use plateau_mesh::measure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
@@ -25,21 +24,6 @@ pub fn polylines(polylines: &[impl Deref<Target = [Point]>]) -> Vec<Vec<DVec3>> 
 #[must_use]
 pub fn count(polylines: &[impl Deref<Target = [Point]>]) -> usize {
     polylines.iter().map(|polyline| polyline.len()).sum()
-}
-
-/// Minimum, mean, maximum and standard deviation.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Spread {
-    pub min: f64,
-    pub mean: f64,
-    pub max: f64,
-    pub std_dev: f64,
-}
-
-impl From<measure::Spread> for Spread {
-    fn from(spread: measure::Spread) -> Self {
-        Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
-    }
 }
 
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]

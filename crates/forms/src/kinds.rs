@@ -1,19 +1,5 @@
 //! The table of the kinds of requests. Each kind is a folder with its types, its checks, its way to the solver and its
-//! words, and two lines here: its module and its place in the table. The service and the command line offer every kind
-//! of the table.
-
-#[cfg(feature = "cable-net")]
-pub mod cable_net;
-#[cfg(feature = "test-hooks")]
-pub mod enlargement;
-#[cfg(feature = "minimal-surface")]
-pub mod minimal_surface;
-#[cfg(feature = "ruled-surface")]
-pub mod ruled_surface;
-#[cfg(feature = "tensile-structure")]
-pub mod tensile_structure;
-#[cfg(feature = "uniform-mesh")]
-pub mod uniform_mesh;
+//! words, and one line here, in the table. The service and the command line offer every kind of the table.
 
 use crate::kind::{Kind, Objective};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -21,23 +7,31 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 
-impl Kind {
-    /// Every kind, in the order of the API document.
-    pub const ALL: &[Self] = &[
-        #[cfg(feature = "ruled-surface")]
-        ruled_surface::KIND,
-        #[cfg(feature = "minimal-surface")]
-        minimal_surface::KIND,
-        #[cfg(feature = "uniform-mesh")]
-        uniform_mesh::KIND,
-        #[cfg(feature = "tensile-structure")]
-        tensile_structure::KIND,
-        #[cfg(feature = "cable-net")]
-        cable_net::KIND,
-        #[cfg(feature = "test-hooks")]
-        enlargement::KIND,
-    ];
+/// Declares the module of each kind, a folder beside this file, and lists the kinds. Each kind is compiled only with its
+/// feature.
+macro_rules! kinds {
+    ($($module:ident if $feature:literal,)*) => {
+        $(#[cfg(feature = $feature)] pub mod $module;)*
 
+        impl Kind {
+            /// Every kind, in the order of the API document.
+            pub const ALL: &[Self] = &[$(#[cfg(feature = $feature)] $module::KIND),*];
+        }
+    };
+}
+
+// The order is that of the API document. `cargo fmt` does not find the files of these modules, because a macro declares
+// them, so scripts/test formats them by name.
+kinds! {
+    ruled_surface if "ruled-surface",
+    minimal_surface if "minimal-surface",
+    uniform_mesh if "uniform-mesh",
+    tensile_structure if "tensile-structure",
+    cable_net if "cable-net",
+    enlargement if "test-hooks",
+}
+
+impl Kind {
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|kind| kind.name() == name)

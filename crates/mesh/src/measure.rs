@@ -8,8 +8,11 @@ pub const DEGENERATE_ALTITUDE: f64 = 1e-10;
 
 /// Minimum, mean, maximum and standard deviation (of the whole population) of a list of values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spread {
-    /// Number of values.
+    /// Number of values. It is not serialised.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub count: usize,
     /// The least value.
     pub min: f64,

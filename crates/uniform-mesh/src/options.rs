@@ -27,12 +27,15 @@ pub enum Domain {
     Boundaries(Vec<Vec<DVec3>>),
 }
 
-/// The quantity that is minimised or maximised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Quantity that is optimised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "UniformMeshObjective"))]
 pub enum Objective {
     /// Problem 1 of the paper: as few nodes as possible, every edge in [ℓ, 2ℓ].
     FewestNodes,
     /// Problem 2 of the paper: as many edges of length ℓ as possible, every other edge in [ℓ, 2ℓ].
+    #[default]
     MostEqualEdges,
 }
 
@@ -99,8 +102,10 @@ pub enum Optimise {
     },
 }
 
-/// The range of the members outside the lattice group while nodes move.
+/// Lengths that members outside the lattice group may take while the nodes move.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Rim"))]
 pub enum Transition {
     /// They stay in [ℓ, 2ℓ] wherever that is possible.
     #[default]

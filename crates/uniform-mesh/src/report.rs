@@ -155,14 +155,16 @@ pub struct UniformMesh {
     pub warnings: Vec<Warning>,
 }
 
-/// The deviation that a number of lengths costs.
+/// Deviation of the members for one number of distinct lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SharedLengths"))]
 #[non_exhaustive]
 pub struct LengthsRow {
     /// Number of different lengths.
     pub lengths: usize,
-    /// Largest difference between a member and the length that stands for it.
+    /// Largest difference between a member's length and the shared length that replaces it.
     pub deviation: f64,
-    /// The same before any node moved for it.
+    /// The same difference before the nodes moved.
     pub deviation_before: f64,
 }

@@ -38,14 +38,16 @@ pub struct Stage {
     pub lattice: Option<Group>,
 }
 
-/// Counts of edge lengths in equal bins: bin k covers [`from` + k `width`, `from` + (k + 1) `width`).
+/// Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LengthHistogram {
-    /// Where bin 0 begins.
+    /// Smallest length that bin 0 counts.
     pub from: f64,
     /// Width of a bin.
     pub width: f64,
-    /// Edges in each bin.
+    /// Number of edges in each bin.
     pub counts: Vec<usize>,
 }
 

@@ -79,6 +79,8 @@ impl Objective {
 
 /// A process of Chen, Cai and Zheng's relaxation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Process {
     /// Every interior vertex moves at once to the area-weighted mean of its neighbours.
     LaplacianFairing,
@@ -264,13 +266,15 @@ impl Default for LiuWang {
     }
 }
 
-/// How Pinkall and Polthier's linear systems are solved.
+/// Method by which Pinkall and Polthier's linear systems are solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum LinearSolver {
     /// Elimination (L D Lᵀ) for every system.
     #[default]
     Direct,
-    /// Conjugate gradients, with elimination where they do not converge (Bento, Cavalcanti).
+    /// Conjugate gradients, and elimination only where they do not converge (Bento, Cavalcanti).
     ConjugateGradients,
 }
 
@@ -299,13 +303,15 @@ pub enum Resolution {
     InteriorVertices(usize),
 }
 
-/// Whether points may be added on the segments of the boundary.
+/// Sampling of the boundary: whether points may be added on its segments.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum BoundarySampling {
     /// Points are added on long segments, so that the mesh is as fine there as inside.
     #[default]
     Refine,
-    /// No points are added, as in the papers.
+    /// Only the polygon's vertices are used, as in the papers.
     Keep,
 }
 
@@ -380,11 +386,13 @@ impl Constraints {
 
 /// Treatment of a stationary surface that is not a local minimum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum OnUnstable {
     /// Return it with a warning.
     #[default]
     Report,
-    /// Leave it along its lowest mode and continue to a minimum.
+    /// Leave it along its most unstable mode and continue to a minimum.
     Descend,
 }
 

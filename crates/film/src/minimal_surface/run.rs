@@ -77,8 +77,10 @@ impl StopReason {
     }
 }
 
-/// The record of an iteration.
+/// The record of an iteration of the solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HistoryRow {
     /// The solver's phase.
     pub phase: &'static str,
@@ -90,21 +92,25 @@ pub struct HistoryRow {
     pub residual: f64,
 }
 
-/// The second variation of area under normal motion.
+/// Second variation of area under normal motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Stability {
-    /// Whether the Morse index is 0: a true local minimum.
+    /// Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film.
     pub stable: bool,
     /// Number of negative eigenvalues.
     pub morse_index: usize,
-    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
-    /// How the index was computed.
+    /// Method that gave the index.
     pub method: StabilityMethod,
 }
 
-/// How a Morse index was computed.
+/// Method that gave a Morse index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum StabilityMethod {
     /// From the signs of the pivots of a factorisation, which is exact.
     Inertia,
@@ -124,10 +130,12 @@ impl StabilityMethod {
     }
 }
 
-/// An area that is extrapolated to edges of length zero, in u².
+/// Area of the smooth surface on the same polygon, extrapolated from two resolutions to edges of length zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExtrapolatedArea {
-    /// The limit, in u².
+    /// Extrapolated area, in u².
     pub area: f64,
     /// Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
     /// corner.

@@ -14,6 +14,8 @@ use plateau_mesh::topology::Topology;
 
 /// Mean curvature over the vertices that are free to move, in 1/unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeanCurvature {
     /// The largest.
     pub max: f64,

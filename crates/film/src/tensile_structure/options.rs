@@ -98,14 +98,16 @@ pub enum WarpDirection {
     Along(Vec<DVec3>),
 }
 
-/// The prescribed quantity of the stresses of warp and weft.
+/// Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum WeaveHold {
-    /// Their ratio. Both vary by a common factor, whose mean over the film is 1, so that the forces within the film can
-    /// balance.
+    /// Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
     #[default]
     Ratio,
-    /// Their magnitudes. If these cannot be in equilibrium the found stresses deviate from them.
+    /// Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
+    /// from them, with the warning `stress_deviates`.
     Magnitudes,
 }
 

@@ -52,20 +52,24 @@ pub struct CableResult {
 
 /// Principal stresses of the film over all triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "FilmStress"))]
 pub struct Stress {
-    /// The least principal stress, a force per length.
+    /// Smallest principal stress, a force per length.
     pub min: f64,
-    /// The largest principal stress.
+    /// Largest principal stress.
     pub max: f64,
-    /// The largest deviation of a principal stress from the required one, as a fraction of it. Of a woven film that of
-    /// the stresses along warp and weft from those required at the same place.
+    /// Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
+    /// length. With warp and weft that of their stresses from those required at the same place.
     pub deviation: f64,
-    /// The stresses of a woven film.
+    /// Stresses along warp and weft; nothing for an isotropic tension.
     pub weave: Option<WeaveStress>,
 }
 
-/// The stresses of a woven film along warp and weft.
+/// Stresses along warp and weft.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WeaveStress {
     /// The prescribed quantity of the stresses.
@@ -74,25 +78,28 @@ pub struct WeaveStress {
     pub warp: StressRange,
     /// The stress along the weft.
     pub weft: StressRange,
-    /// The weft's stress over the warp's.
+    /// Stress of the weft over that of the warp.
     pub ratio: StressRange,
-    /// The ratio that was asked for.
+    /// Ratio of the stresses that were asked for.
     pub required_ratio: f64,
-    /// The root mean square over the film of the ratio over the required one, less 1.
+    /// Root mean square over the area of ratio / required ratio - 1.
     pub ratio_deviation_rms: f64,
-    /// The root mean square over the film of both stresses over those required at the same place, less 1.
+    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 there
+    /// is the warning `stress_deviates`.
     pub deviation_rms: f64,
 }
 
-/// The least, the largest and the mean value over the film's area.
+/// Smallest, largest and mean value over the film's area.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct StressRange {
     /// The least value.
     pub min: f64,
     /// The largest value.
     pub max: f64,
-    /// The mean by area.
+    /// Mean over the area.
     pub mean: f64,
 }
 
@@ -134,15 +141,17 @@ pub struct ForceBalance {
     pub residual_force: f64,
 }
 
-/// The stability of the shape.
+/// Second variation of the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "EquilibriumStability"))]
 #[non_exhaustive]
 pub struct Stability {
     /// Whether the Morse index is 0: a true local minimum of the energy.
     pub stable: bool,
     /// Number of negative eigenvalues of the second variation.
     pub morse_index: usize,
-    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
 }
 

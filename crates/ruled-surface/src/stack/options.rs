@@ -52,12 +52,13 @@ impl Default for Options {
 
 /// Whether a directrix may be run through backwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Direction {
     #[default]
     /// Each directrix runs as given.
     AsGiven,
-    /// Each directrix but the first is reversed where it runs against the one before it
-    /// ([`DirectionCriterion`](crate::DirectionCriterion)).
+    /// Each directrix but the first is reversed where it runs against the one before it.
     Auto,
 }
 
@@ -89,6 +90,8 @@ impl DirectionCriterion {
 
 /// The caps at the ends of a closed stack.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Caps {
     #[default]
     /// The ends stay open.

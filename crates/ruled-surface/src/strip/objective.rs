@@ -65,12 +65,16 @@ impl Weights {
     }
 }
 
-/// The sum over the non-convex bridges that decides among the paths with the most convex bridges.
+/// Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SecondaryObjective"))]
 pub enum Secondary {
     /// The bending energy at these bridges.
+    #[cfg_attr(feature = "serde", serde(rename = "minimal_bending_energy"))]
     BendingEnergy,
     /// The steps of the mean curvature vector that enter these bridges.
+    #[cfg_attr(feature = "serde", serde(rename = "minimal_mean_curvature_variation"))]
     MeanCurvatureVariation,
 }
 

@@ -1,9 +1,10 @@
 //! Statistics of a cable net.
 
-use crate::common::{ForceBalance, Point, Spread};
+use crate::common::{ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
 use plateau_film::cable_net as geometry;
-use plateau_mesh::{DVec3, measure};
+use plateau_mesh::DVec3;
+use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -128,7 +129,7 @@ impl CableNetStatistics {
             converged: found.converged(),
             stop_reason: found.stop_reason.name(),
             iterations: found.iterations,
-            edge_lengths: measure::Spread::of(found.lengths.iter().copied()).into(),
+            edge_lengths: Spread::of(found.lengths.iter().copied()),
         }
     }
 }

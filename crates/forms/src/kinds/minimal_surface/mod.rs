@@ -24,7 +24,7 @@ use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_film::minimal_surface as geometry;
+use plateau_film::minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use plateau_mesh::Mesh;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -207,15 +207,6 @@ pub enum Solver {
     Newton,
 }
 
-/// Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum BoundarySampling {
-    #[default]
-    Refine,
-    Keep,
-}
-
 /// Mesh that the solver starts from: built by the service, or supplied by the client.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
@@ -320,26 +311,6 @@ pub enum Topology {
     Best,
 }
 
-/// Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
-/// along its most unstable mode.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum OnUnstable {
-    #[default]
-    Report,
-    Descend,
-}
-
-/// Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
-/// gradients do not converge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum LinearSolver {
-    #[default]
-    Direct,
-    ConjugateGradients,
-}
-
 /// One process, or several that take turns.
 // The union also has a practical use: openapi-generator's Python cannot read a list of lists of names.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -358,15 +329,6 @@ impl ProcessStage {
             Self::Several(processes) => processes,
         }
     }
-}
-
-/// A process of vertex relaxation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Process {
-    LaplacianFairing,
-    AreaMinimising,
-    EdgeSwapping,
 }
 
 impl KindRequest for MinimalSurfaceRequest {
@@ -461,10 +423,7 @@ impl MinimalSurfaceRequest {
         let resolution = Resolution::or_default(self.resolution, common::count(&self.boundaries));
         let options = geometry::Options {
             method: self.method(),
-            boundary_sampling: match self.boundary_sampling {
-                BoundarySampling::Refine => geometry::BoundarySampling::Refine,
-                BoundarySampling::Keep => geometry::BoundarySampling::Keep,
-            },
+            boundary_sampling: self.boundary_sampling,
             initial_mesh,
             constraints: geometry::Constraints {
                 points: common::points(&self.constraints.points),
@@ -479,10 +438,7 @@ impl MinimalSurfaceRequest {
 
     /// Returns the method for the objective and the solver, which [`combinations`](Self::combinations) has checked.
     fn method(&self) -> geometry::Method {
-        let linear_solver = match self.linear_solver {
-            LinearSolver::Direct => geometry::LinearSolver::Direct,
-            LinearSolver::ConjugateGradients => geometry::LinearSolver::ConjugateGradients,
-        };
+        let linear_solver = self.linear_solver;
         let degenerate_angle = self.degenerate_angle_deg.get();
         let degenerate_angle = (degenerate_angle > 0.0).then(|| degenerate_angle.to_radians());
         let area_tolerance = self.area_tolerance.get();
@@ -494,17 +450,13 @@ impl MinimalSurfaceRequest {
             }),
             (Objective::MinimalDirichletEnergy, _) => geometry::Method::Harmonic,
             (Objective::MinimalArea, Solver::VertexRelaxation) => {
-                let process = |process: &Process| match process {
-                    Process::LaplacianFairing => geometry::Process::LaplacianFairing,
-                    Process::AreaMinimising => geometry::Process::AreaMinimising,
-                    Process::EdgeSwapping => geometry::Process::EdgeSwapping,
-                };
-                let stages = self.processes.as_ref();
                 geometry::Method::VertexRelaxation(geometry::VertexRelaxation {
                     area_tolerance,
                     fairing_tolerance: self.fairing_tolerance.map(Fraction::get),
-                    processes: stages
-                        .map(|all| all.iter().map(|stage| stage.processes().iter().map(process).collect()).collect()),
+                    processes: self
+                        .processes
+                        .as_ref()
+                        .map(|stages| stages.iter().map(|stage| stage.processes().to_vec()).collect()),
                 })
             }
             (Objective::MinimalArea, Solver::PinkallPolthier) => {
@@ -523,10 +475,7 @@ impl MinimalSurfaceRequest {
                     }
                     Topology::Best => geometry::TopologyRule::Best,
                 },
-                on_unstable: match self.on_unstable {
-                    OnUnstable::Report => geometry::OnUnstable::Report,
-                    OnUnstable::Descend => geometry::OnUnstable::Descend,
-                },
+                on_unstable: self.on_unstable,
             }),
         }
     }

@@ -1,59 +1,12 @@
 //! Statistics of a minimal surface.
 
 use super::certificate::Certificate;
-use crate::common::{AngleRange, Point, Spread};
-use plateau_film::minimal_surface as geometry;
+use crate::common::{AngleRange, Point};
+use plateau_film::minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
+use plateau_mesh::measure::Spread;
 use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct MeanCurvature {
-    pub max: f64,
-    pub mean: f64,
-    pub rms: f64,
-}
-
-/// One iteration of the solver.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct HistoryRow {
-    pub phase: &'static str,
-    pub iteration: u32,
-    pub area: f64,
-    pub residual: f64,
-}
-
-/// Second variation of area under normal motion.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Stability {
-    /// Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film.
-    pub stable: bool,
-    /// Number of negative eigenvalues.
-    pub morse_index: usize,
-    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
-    pub lowest_eigenvalue: f64,
-    /// Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0).
-    pub method: &'static str,
-}
-
-impl From<geometry::Stability> for Stability {
-    fn from(stability: geometry::Stability) -> Self {
-        Self {
-            stable: stability.stable,
-            morse_index: stability.morse_index,
-            lowest_eigenvalue: stability.lowest_eigenvalue,
-            method: stability.method.name(),
-        }
-    }
-}
-
-/// Area of the smooth surface on the same polygon, extrapolated from two resolutions.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct ExtrapolatedArea {
-    pub area: f64,
-    /// Estimate of the error of that area.
-    pub error_estimate: f64,
-}
 
 /// A change of topology.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -100,7 +53,7 @@ impl From<&geometry::SpanningComparison> for Spanning {
         let topology = |topology: &geometry::SpanningTopology| SpanningTopology {
             films: topology.films.clone(),
             area: topology.area,
-            stability: topology.stability.map(Into::into),
+            stability: topology.stability,
             films_cross: topology.films_cross,
             chosen: topology.chosen,
             gap: None,
@@ -147,7 +100,8 @@ pub struct Junctions {
 
 impl From<&geometry::JunctionStatistics> for Junctions {
     fn from(junctions: &geometry::JunctionStatistics) -> Self {
-        let degrees = |angles: plateau_mesh::measure::Spread| Spread {
+        let degrees = |angles: Spread| Spread {
+            count: angles.count,
             min: angles.min.to_degrees(),
             mean: angles.mean.to_degrees(),
             max: angles.max.to_degrees(),
@@ -233,12 +187,6 @@ pub struct MinimalStatistics {
 impl MinimalStatistics {
     #[must_use]
     pub fn of(statistics: &geometry::Statistics, origin: Point) -> Self {
-        let row = |row: &geometry::HistoryRow| HistoryRow {
-            phase: row.phase,
-            iteration: row.iteration,
-            area: row.area,
-            residual: row.residual,
-        };
         let pinch = |pinch: &plateau_mesh::remesh::thin_triangles::Pinch| Pinch {
             iteration: pinch.iteration,
             place: pinch.place.to_array(),
@@ -258,22 +206,16 @@ impl MinimalStatistics {
             genus: statistics.genus,
             area: statistics.area,
             initial_area: statistics.initial_area,
-            extrapolated_area: statistics
-                .extrapolated_area
-                .map(|limit| ExtrapolatedArea { area: limit.area, error_estimate: limit.error_estimate }),
-            mean_curvature: MeanCurvature {
-                max: statistics.mean_curvature.max,
-                mean: statistics.mean_curvature.mean,
-                rms: statistics.mean_curvature.rms,
-            },
+            extrapolated_area: statistics.extrapolated_area,
+            mean_curvature: statistics.mean_curvature,
             residual: statistics.residual,
             residual_full: statistics.residual_full,
             converged: statistics.converged,
             stop_reason: statistics.stop_reason.name(),
             iterations: statistics.iterations,
-            history: statistics.history.iter().map(row).collect(),
-            stability: statistics.stability.map(Into::into),
-            edge_lengths: statistics.edge_lengths.into(),
+            history: statistics.history.clone(),
+            stability: statistics.stability,
+            edge_lengths: statistics.edge_lengths,
             angles_deg: AngleRange {
                 min: statistics.smallest_angle.to_degrees(),
                 max: statistics.largest_angle.to_degrees(),

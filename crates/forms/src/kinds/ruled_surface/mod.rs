@@ -97,7 +97,7 @@ pub struct RuledSurfaceRequest {
     pub objective: Goal,
     /// Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`.
     #[serde(default)]
-    pub secondary_objective: Option<SecondaryObjective>,
+    pub secondary_objective: Option<geometry::Secondary>,
     /// Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     /// half-plane. 0 is the exact test.
     #[serde(default = "default_convexity_tolerance_deg")]
@@ -109,11 +109,11 @@ pub struct RuledSurfaceRequest {
     /// decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
     /// `auto` would.
     #[serde(default, skip_serializing_if = "is_default")]
-    pub direction: Direction,
+    pub direction: geometry::Direction,
     /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
     /// most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
     #[serde(default, skip_serializing_if = "is_default")]
-    pub caps: Caps,
+    pub caps: geometry::Caps,
     /// Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     /// them.
     #[serde(default)]
@@ -203,30 +203,6 @@ pub struct Weights {
 
 fn default_convexity_tolerance_deg() -> UpTo45 {
     UpTo45::new(1e-6)
-}
-
-/// Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SecondaryObjective {
-    MinimalBendingEnergy,
-    MinimalMeanCurvatureVariation,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Direction {
-    #[default]
-    AsGiven,
-    Auto,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Caps {
-    #[default]
-    None,
-    Flat,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -330,19 +306,10 @@ impl RuledSurfaceRequest {
         let options = geometry::Options {
             closed: self.closed,
             objective: self.objective.into(),
-            secondary: self.secondary_objective.map(|secondary| match secondary {
-                SecondaryObjective::MinimalBendingEnergy => geometry::Secondary::BendingEnergy,
-                SecondaryObjective::MinimalMeanCurvatureVariation => geometry::Secondary::MeanCurvatureVariation,
-            }),
+            secondary: self.secondary_objective,
             convexity_tolerance: self.convexity_tolerance_deg.get().to_radians(),
-            direction: match self.direction {
-                Direction::AsGiven => geometry::Direction::AsGiven,
-                Direction::Auto => geometry::Direction::Auto,
-            },
-            caps: match self.caps {
-                Caps::None => geometry::Caps::None,
-                Caps::Flat => geometry::Caps::Flat,
-            },
+            direction: self.direction,
+            caps: self.caps,
             normals: self.normals.as_deref().map(common::polylines),
             tangents: self.tangents.as_deref().map(common::polylines),
             all_objectives: self.all_objectives,

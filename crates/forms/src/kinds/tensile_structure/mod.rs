@@ -5,8 +5,8 @@ mod solve;
 mod statistics;
 
 pub use statistics::{
-    CableForce, ChamberState, EdgeReaction, EquilibriumStability, FilmStress, LayerFigures, MastForce, Ponding,
-    RingPosition, StressRange, SupportReaction, TensileStatistics, WeaveHold, WeaveStress,
+    CableForce, ChamberState, EdgeReaction, LayerFigures, MastForce, Ponding, RingPosition, SupportReaction,
+    TensileStatistics,
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
@@ -22,7 +22,7 @@ use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::equilibrium::Support;
-use plateau_film::tensile_structure as geometry;
+use plateau_film::tensile_structure::{self as geometry, WeaveHold};
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -323,10 +323,7 @@ impl Film {
                 geometry::WarpDirection::Along(common::points(along.as_deref().unwrap_or_default()))
             }
         };
-        let hold = match self.hold.unwrap_or_default() {
-            WeaveHold::Ratio => geometry::WeaveHold::Ratio,
-            WeaveHold::Magnitudes => geometry::WeaveHold::Magnitudes,
-        };
+        let hold = self.hold.unwrap_or_default();
         Ok(geometry::FilmPrestress::Woven(geometry::Weave { warp: warp.get(), weft: weft.get(), direction, hold }))
     }
 }

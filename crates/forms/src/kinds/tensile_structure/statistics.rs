@@ -1,23 +1,12 @@
 //! Statistics of a tensile structure.
 
-use crate::common::{AngleRange, ForceBalance, Point, Spread};
+use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
-use plateau_film::tensile_structure as geometry;
+use plateau_film::tensile_structure::{self as geometry, Stability, Stress};
+use plateau_mesh::measure::Spread;
 use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum WeaveHold {
-    /// Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
-    #[default]
-    Ratio,
-    /// Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
-    /// from them, and the job has the warning `stress_deviates`.
-    Magnitudes,
-}
+use serde::Serialize;
 
 /// A cable of the found shape.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -75,25 +64,13 @@ pub struct EdgeReaction {
     pub force: Point,
 }
 
-/// Principal stresses of the film.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct FilmStress {
-    pub min: f64,
-    pub max: f64,
-    /// Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
-    /// length. With warp and weft that of their stresses from those required at the same place.
-    pub deviation: f64,
-    /// Null for an isotropic tension.
-    pub weave: Option<WeaveStress>,
-}
-
 /// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LayerFigures {
     pub triangles: usize,
     pub area: f64,
     /// Null if the forces could not be balanced.
-    pub stress: Option<FilmStress>,
+    pub stress: Option<Stress>,
 }
 
 /// A chamber of the found shape.
@@ -105,70 +82,6 @@ pub struct ChamberState {
     pub pressure: f64,
     /// Volume up to the next layer, or up to fans from each boundary to its mean.
     pub volume: f64,
-}
-
-/// Stresses along warp and weft.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct WeaveStress {
-    pub hold: WeaveHold,
-    pub warp: StressRange,
-    pub weft: StressRange,
-    /// Stress of the weft over that of the warp.
-    pub ratio: StressRange,
-    pub required_ratio: f64,
-    /// Root mean square over the area of ratio / required ratio - 1.
-    pub ratio_deviation_rms: f64,
-    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
-    /// job has the warning `stress_deviates`.
-    pub deviation_rms: f64,
-}
-
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct StressRange {
-    pub min: f64,
-    pub max: f64,
-    /// Mean over the area.
-    pub mean: f64,
-}
-
-impl From<geometry::StressRange> for StressRange {
-    fn from(range: geometry::StressRange) -> Self {
-        Self { min: range.min, max: range.max, mean: range.mean }
-    }
-}
-
-impl From<geometry::Stress> for FilmStress {
-    fn from(stress: geometry::Stress) -> Self {
-        let geometry::Stress { min, max, deviation, weave } = stress;
-        Self { min, max, deviation, weave: weave.map(WeaveStress::from) }
-    }
-}
-
-impl From<geometry::WeaveStress> for WeaveStress {
-    fn from(stress: geometry::WeaveStress) -> Self {
-        Self {
-            hold: match stress.hold {
-                geometry::WeaveHold::Ratio => WeaveHold::Ratio,
-                geometry::WeaveHold::Magnitudes => WeaveHold::Magnitudes,
-            },
-            warp: stress.warp.into(),
-            weft: stress.weft.into(),
-            ratio: stress.ratio.into(),
-            required_ratio: stress.required_ratio,
-            ratio_deviation_rms: stress.ratio_deviation_rms,
-            deviation_rms: stress.deviation_rms,
-        }
-    }
-}
-
-/// Second variation of the energy.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct EquilibriumStability {
-    /// Whether the Morse index is 0: a true local minimum.
-    pub stable: bool,
-    pub morse_index: usize,
-    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
-    pub lowest_eigenvalue: f64,
 }
 
 /// Water that stands on the film after rain, in all hollows from which it cannot run off over an edge.
@@ -216,12 +129,12 @@ pub struct TensileStatistics {
     /// Null if the forces could not be balanced.
     pub balance: Option<ForceBalance>,
     /// Stresses of all layers. Null if the forces could not be balanced.
-    pub stress: Option<FilmStress>,
+    pub stress: Option<Stress>,
     /// Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
     /// Null without such an edge.
     pub contact_angle_deg: Option<AngleRange>,
     /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
-    pub stability: Option<EquilibriumStability>,
+    pub stability: Option<Stability>,
     /// Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0.
     pub minimum_slope_deg: f64,
     /// Centroid of the triangle with the smallest slope.
@@ -272,7 +185,7 @@ impl TensileStatistics {
         let layer = |layer: &geometry::LayerResult| LayerFigures {
             triangles: layer.triangles,
             area: layer.area,
-            stress: layer.stress.map(FilmStress::from),
+            stress: layer.stress,
         };
         let chamber = |(chamber, found): (&geometry::Chamber, &geometry::ChamberResult)| ChamberState {
             below: chamber.below,
@@ -312,15 +225,11 @@ impl TensileStatistics {
                 imbalance: balance.imbalance,
                 residual_force: balance.residual_force,
             }),
-            stress: statistics.stress.map(FilmStress::from),
+            stress: statistics.stress,
             contact_angle_deg: statistics
                 .contact_angle
                 .map(|(min, max)| AngleRange { min: min.to_degrees(), max: max.to_degrees() }),
-            stability: statistics.stability.map(|stability| EquilibriumStability {
-                stable: stability.stable,
-                morse_index: stability.morse_index,
-                lowest_eigenvalue: stability.lowest_eigenvalue,
-            }),
+            stability: statistics.stability,
             minimum_slope_deg: statistics.minimum_slope.to_degrees(),
             minimum_slope_at: statistics.flattest_place.to_array(),
             ponding: statistics.ponding.map(|ponding| Ponding {
@@ -333,7 +242,7 @@ impl TensileStatistics {
             converged: statistics.converged,
             stop_reason: statistics.stop_reason.name(),
             iterations: statistics.iterations,
-            edge_lengths: statistics.edge_lengths.into(),
+            edge_lengths: statistics.edge_lengths,
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,

@@ -4,9 +4,7 @@ mod audit;
 mod solve;
 mod statistics;
 
-pub use statistics::{
-    GroupLengths, LengthHistogram, OutOfRange, SharedLengths, Stage, StageGroup, SurfaceFit, UniformStatistics,
-};
+pub use statistics::{GroupLengths, OutOfRange, Stage, StageGroup, SurfaceFit, UniformStatistics};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
 use crate::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten};
@@ -91,7 +89,7 @@ pub struct UniformMeshRequest {
     /// members.
     pub edge_length: Length,
     #[serde(default, skip_serializing_if = "is_default")]
-    pub objective: Objective,
+    pub objective: geometry::Objective,
     /// Whether the inner nodes of a curved domain move on the surface after meshing.
     #[serde(default = "yes")]
     pub optimise_nodes: bool,
@@ -107,7 +105,7 @@ pub struct UniformMeshRequest {
     pub length_tolerance: Option<Tolerance>,
     /// Lengths that members outside the lattice group may take while the nodes move.
     #[serde(default, skip_serializing_if = "is_default")]
-    pub rim: Rim,
+    pub rim: geometry::Transition,
     /// Number of rectangles along u and v in the auxiliary triangulation of a patch.
     #[serde(default = "default_auxiliary_grid")]
     pub auxiliary_grid: [Whole<2, 400>; 2],
@@ -179,18 +177,6 @@ pub struct Nurbs {
     pub trim_curves: Option<Vec<Value>>,
 }
 
-/// Quantity that is optimised. `GET /v1/objectives` has the formulas.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[schemars(rename = "UniformMeshObjective")]
-#[serde(rename_all = "snake_case")]
-pub enum Objective {
-    /// As few nodes as possible.
-    FewestNodes,
-    /// As many members of the edge length as possible.
-    #[default]
-    MostEqualEdges,
-}
-
 /// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
 /// members to at most `max_distinct_lengths` lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -199,16 +185,6 @@ pub enum Optimise {
     #[default]
     Nodes,
     Lengths,
-}
-
-/// `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
-/// in the paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Rim {
-    #[default]
-    Bounded,
-    Free,
 }
 
 impl Domain {
@@ -318,16 +294,10 @@ impl UniformMeshRequest {
         };
         let options = geometry::Options {
             edge_length: self.edge_length.get(),
-            objective: match self.objective {
-                Objective::FewestNodes => geometry::Objective::FewestNodes,
-                Objective::MostEqualEdges => geometry::Objective::MostEqualEdges,
-            },
+            objective: self.objective,
             length_tolerance: self.length_tolerance.map(Tolerance::get),
             optimise,
-            transition: match self.rim {
-                Rim::Bounded => geometry::Transition::Bounded,
-                Rim::Free => geometry::Transition::Free,
-            },
+            transition: self.rim,
             auxiliary_grid: self.auxiliary_grid.map(Whole::get),
         };
         (self.domain.to_geometry(), options)

@@ -1,6 +1,7 @@
 //! Statistics of a lattice.
 
-use crate::common::{AngleRange, Point, Spread};
+use crate::common::{AngleRange, Point};
+use plateau_mesh::measure::Spread;
 use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
@@ -20,10 +21,10 @@ pub struct GroupLengths {
     pub std_dev: f64,
 }
 
-impl From<plateau_mesh::measure::Spread> for GroupLengths {
-    fn from(spread: plateau_mesh::measure::Spread) -> Self {
-        let Spread { min, mean, max, std_dev } = spread.into();
-        Self { count: spread.count, min, mean, max, std_dev }
+impl From<Spread> for GroupLengths {
+    fn from(spread: Spread) -> Self {
+        let Spread { count, min, mean, max, std_dev } = spread;
+        Self { count, min, mean, max, std_dev }
     }
 }
 
@@ -53,24 +54,6 @@ pub struct Stage {
     pub all: StageGroup,
     /// Null for the auxiliary triangulation.
     pub lattice: Option<StageGroup>,
-}
-
-/// Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct LengthHistogram {
-    pub from: f64,
-    pub width: f64,
-    pub counts: Vec<usize>,
-}
-
-/// Deviation of the members for one number of distinct lengths.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct SharedLengths {
-    pub lengths: usize,
-    /// Largest difference between a member's length and the shared length that replaces it.
-    pub deviation: f64,
-    /// The same difference before the nodes moved.
-    pub deviation_before: f64,
 }
 
 /// A member outside the range from the edge length to its double.
@@ -145,7 +128,7 @@ pub struct UniformStatistics {
     /// Curved domains: the mesh beside its surface. Null for polygons.
     pub surface: Option<SurfaceFit>,
     pub angles_deg: AngleRange,
-    pub length_histogram: LengthHistogram,
+    pub length_histogram: geometry::statistics::LengthHistogram,
     /// Entry k is the number of nodes with k members.
     pub valence_histogram: Vec<usize>,
     /// For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
@@ -154,7 +137,7 @@ pub struct UniformStatistics {
     /// Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage.
     pub stages: Vec<Stage>,
     /// With `optimise: lengths`, the deviation for each number of lengths that was tried.
-    pub shared_lengths: Vec<SharedLengths>,
+    pub shared_lengths: Vec<geometry::LengthsRow>,
 }
 
 impl UniformStatistics {
@@ -175,11 +158,6 @@ impl UniformStatistics {
             all: stage.all.into(),
             lattice: stage.lattice.map(Into::into),
         };
-        let shared = |row: &geometry::LengthsRow| SharedLengths {
-            lengths: row.lengths,
-            deviation: row.deviation,
-            deviation_before: row.deviation_before,
-        };
         Self {
             origin,
             objective: options.objective.name(),
@@ -187,7 +165,7 @@ impl UniformStatistics {
             nodes: statistics.nodes,
             triangles: statistics.triangles,
             edges: statistics.edges,
-            edge_lengths: statistics.edge_lengths.into(),
+            edge_lengths: statistics.edge_lengths,
             lattice_edges: statistics.lattice_edges.into(),
             equal_edges: statistics.equal_edges,
             distinct_lengths: statistics.distinct_lengths,
@@ -200,15 +178,11 @@ impl UniformStatistics {
             converged: mesh.converged,
             surface: statistics.surface.map(Into::into),
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
-            length_histogram: LengthHistogram {
-                from: statistics.length_histogram.from,
-                width: statistics.length_histogram.width,
-                counts: statistics.length_histogram.counts.clone(),
-            },
+            length_histogram: statistics.length_histogram.clone(),
             valence_histogram: statistics.valence_histogram.clone(),
             node_lower_bound: statistics.node_lower_bound,
             stages: mesh.stages.iter().map(stage).collect(),
-            shared_lengths: mesh.shared_lengths.iter().map(shared).collect(),
+            shared_lengths: mesh.shared_lengths.clone(),
         }
     }
 }
