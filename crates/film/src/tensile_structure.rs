@@ -98,12 +98,7 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
             .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
             .map_err(|error| placed(structure, error))?;
         let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
-        let stands = found.is_shape() && model.flipped() == 0;
-        if remeshing::may_travel(structure) && found.gave_up() && !stands {
-            travel(structure, options, exec)?
-        } else {
-            (model, found)
-        }
+        (model, found)
     };
     outcome::finish(model, found, structure, exec)
 }
@@ -147,13 +142,38 @@ fn check_catenaries(structure: &Structure) -> Result<(), Error> {
         if ends.iter().any(joined) {
             return None;
         }
+        let place = || options::cable_place(structure, k);
+        if catenary::are_plumb(ends, structure.up) {
+            return plumb_refusal(structure, cable, ends, place());
+        }
         let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
         let detail =
             format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
-        Some(InputError::new(options::cable_place(structure, k).then("value"), detail))
+        Some(InputError::new(place().then("value"), detail))
     };
     let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// Refuses a cable between supports one above the other that cannot hang straight, or whose mode leaves its force open.
+fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: Place) -> Option<InputError> {
+    let force = catenary::plumb_force(cable, ends, structure.up);
+    match force {
+        Some(Ok(_)) => None,
+        Some(Err(TooSmall { least })) => {
+            let bound = if matches!(cable.mode, CableMode::UnstressedLength(_)) { "less" } else { "more" };
+            let detail = format!(
+                "must be {bound} than {least:.6}: the lowest part of this cable, which hangs straight down, would push"
+            );
+            Some(InputError::new(place.then("value"), detail))
+        }
+        None if cable.weight > 0.0 || matches!(cable.mode, CableMode::HorizontalComponent(_)) => {
+            let detail = "is not offered for a cable between points one above the other, which hangs straight; give a \
+                          force, a force density or the unstressed length";
+            Some(InputError::new(place.then("mode"), detail))
+        }
+        None => None,
+    }
 }
 
 /// The error of the initial mesh with the cables across the film at their own places.

@@ -64,8 +64,8 @@ const BALANCED: f64 = 1e-12;
 /// How a search without a result ended.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Ending {
-    /// A vertex moves away without end.
-    RunsAway(String),
+    /// A vertex moves away without end; its place in the input if it has one.
+    RunsAway(String, Option<InputError>),
     /// A part closes; its place in the input if it has one.
     Collapses(String, Option<InputError>),
     /// The rounds are used up, or no step keeps the mesh.

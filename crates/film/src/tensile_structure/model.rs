@@ -1,7 +1,7 @@
 //! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may
 //! do.
 
-use super::catenary::Catenary;
+use super::catenary::{self, Catenary};
 use super::options::{
     BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
     chamber_place,
@@ -220,7 +220,14 @@ impl Model {
         let vertices = model.vertices();
         for (cable, chain) in structure.cables.iter().zip(&model.chains) {
             let segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            let (law, by) = law(cable);
+            let ends = [chain[0], chain[chain.len() - 1]].map(|v| vertices[v as usize]);
+            let held = |v: u32| (v as usize).checked_sub(model.films).is_some_and(|k| model.air_fixed[k]);
+            let hangs_between_supports =
+                matches!(cable.course, Course::Air(_)) && held(chain[0]) && held(chain[chain.len() - 1]);
+            let (law, by) = match catenary::plumb_force(cable, ends, structure.up) {
+                Some(Ok(force)) if hangs_between_supports => (Law::Force(force), ForceBy::Law),
+                _ => law(cable),
+            };
             model.start_forces.push(start_force(cable, structure, &segments, &vertices));
             model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
             model.forces_by.push(by);
@@ -673,7 +680,7 @@ impl Model {
     /// Adds a cable as it is at the start.
     fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
         let cable = &self.cables[k];
-        if self.forces_by[k] == ForceBy::Law && cable.weight == 0.0 {
+        if self.forces_by[k] == ForceBy::Law {
             body.terms.push(Box::new(cable.clone()));
             return;
         }

@@ -5,7 +5,7 @@
 //! vertex of it, because nothing but the order tells them apart.
 
 use super::model::Model;
-use super::options::{Course, Pressure, SlidingPart, Structure};
+use super::options::{Course, SlidingPart, Structure};
 use crate::equilibrium::Freedom;
 use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
 use plateau_mesh::{DVec3, Execution, Interruption};
@@ -227,6 +227,9 @@ impl Model {
 
     fn renew_sliding(&mut self, structure: &Structure) {
         let mut sliding = Vec::new();
+        let mut contacts = self.contacts.iter();
+        let mut renewed = Vec::new();
+        self.at_contacts.clear();
         for (number, part) in (0u32..).zip(&structure.sliding) {
             let (vertices, closed) = match part.part {
                 SlidingPart::Point(point) => {
@@ -244,7 +247,12 @@ impl Model {
                 let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
                 sliding.push((vertices[k], Freedom::AcrossOn { support: number, beside }));
             }
+            if part.contact_angle.is_some() {
+                renewed.extend(contacts.next().map(|contact| contact.with_chain(&vertices, closed)));
+                self.at_contacts.extend(&vertices);
+            }
         }
+        self.contacts = renewed;
         self.sliding = sliding;
     }
 
@@ -295,19 +303,9 @@ impl Model {
     }
 }
 
-/// Whether the form finding may remesh the structure: one film of the same tension in all directions, whose edges meet
-/// their supports at no given angle. Others keep the mesh with which they begin.
-pub(super) fn may_travel(structure: &Structure) -> bool {
-    let at_no_angle = |sliding: &super::options::Sliding| sliding.contact_angle.is_none();
-    structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
-}
-
-/// Whether the form finding begins on a coarse mesh: an edge or a corner moves, or a tube has a given volume. A film
-/// whose edges are held, or whose rings move along their axes, keeps the mesh of its start as long as that leads to a
-/// shape.
+/// Whether the form finding renews the mesh: one film of the same tension in all directions. A woven film has no energy
+/// that falls from round to round, and the layers of a cushion share their edges, so these keep the mesh with which they
+/// begin.
 pub(super) fn travels(structure: &Structure) -> bool {
-    let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
-    let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
-    let moves = edges || !structure.sliding.is_empty() || !structure.free_points.is_empty();
-    may_travel(structure) && structure.rings.is_empty() && (moves || by_volume && structure.boundaries.len() > 1)
+    structure.layers.len() == 1 && structure.weave().is_none()
 }

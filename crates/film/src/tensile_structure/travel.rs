@@ -2,11 +2,14 @@
 //!
 //! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
 //! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, the
-//! gradient flow, and bold steps while the film's tension grows. If none does, the first one's ending says why.
+//! gradient flow, and bold steps while the film's tension grows. The last attempt begins almost without tension: then
+//! the cables alone decide where corners and joints stand, and their energy is convex, so that the start does not
+//! matter. Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that
+//! there is no equilibrium.
 
 use super::form_finding::{Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
-use super::options::{Course, FilmPrestress, Pressure, cable_place};
+use super::options::{Course, FilmPrestress, Pressure, SlidingPart, cable_place};
 use super::remeshing::Fineness;
 use crate::equilibrium::settling::{Pace, Settler, energy};
 use crate::equilibrium::{Body, Determined};
@@ -34,9 +37,13 @@ const WAIT: u32 = 2;
 const MAX_STUCK: u32 = 6;
 /// Rounds in which a corner or a strait goes on closing before it counts as closed.
 const CLOSING: u32 = 10;
-/// First part of the film's tension, and the rounds in which it grows to all of it, in the third attempt.
-const FIRST_TENSION: f64 = 0.3;
-const TENSION_ROUNDS: u32 = 8;
+/// The attempts. Those with growing tension are made without pressure only.
+const ATTEMPTS: [Attempt; 4] = [
+    Attempt { pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+    Attempt { pace: Pace::BOLD, first_tension: 0.03, tension_rounds: 24 },
+];
 /// A vertex runs away beyond this distance from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
 /// Largest number of kicks along an unstable mode, and their length in edges.
@@ -48,6 +55,25 @@ const MAX_FAILURES: u32 = 12;
 const CALIBRATIONS: u32 = 4;
 /// The number of triangles is met within this fraction.
 const COUNT_TOLERANCE: f64 = 0.05;
+
+/// How an attempt goes on.
+#[derive(Clone, Copy, Debug)]
+struct Attempt {
+    pace: Pace,
+    /// First part of the film's tension, and the rounds in which it grows to all of it.
+    first_tension: f64,
+    tension_rounds: u32,
+}
+
+impl Attempt {
+    /// The part of the tension in a round.
+    fn tension(self, round: u32) -> f64 {
+        if round >= self.tension_rounds {
+            return 1.0;
+        }
+        self.first_tension + (1.0 - self.first_tension) * f64::from(round) / f64::from(self.tension_rounds)
+    }
+}
 
 /// Figures that the rounds of an attempt watch.
 struct Watch {
@@ -81,27 +107,21 @@ impl Run<'_> {
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
         let mut first = None;
-        for (number, (pace, ramp)) in
-            [(Pace::BOLD, 1.0), (Pace::CAUTIOUS, 1.0), (Pace::BOLD, FIRST_TENSION)].into_iter().enumerate()
+        for (number, attempt) in ATTEMPTS.into_iter().filter(|attempt| plain || attempt.tension_rounds == 0).enumerate()
         {
-            if number == 2 && !plain {
-                break;
-            }
             if number > 0 {
                 *self.model = start.clone();
                 self.more_solves();
             }
-            let Some((ending, last)) = self.attempt_at(pace, ramp, found)? else {
+            let Some((ending, last)) = self.attempt_at(attempt, found)? else {
                 found.ending = None;
                 return Ok(());
             };
-            let surer =
-                |known: &(Ending, _)| matches!(known.0, Ending::NotFound(_)) && !matches!(ending, Ending::NotFound(_));
-            if first.as_ref().is_none_or(surer) {
-                first = Some((ending.clone(), last));
-            }
-            if matches!(ending, Ending::RunsAway(_)) {
-                break;
+            // An attempt without an ending leaves open whether there is a shape.
+            let leaves_open =
+                |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));
+            if first.as_ref().is_none_or(leaves_open) {
+                first = Some((ending, last));
             }
         }
         if let Some((ending, last)) = first {
@@ -146,7 +166,8 @@ impl Run<'_> {
     }
 
     /// Makes one attempt. Returns the ending and the last shape if there is no result.
-    fn attempt_at(&mut self, pace: Pace, ramp: f64, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+    fn attempt_at(&mut self, attempt: Attempt, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+        let pace = attempt.pace;
         let mut settler = Settler::default();
         let mut watch = self.watch();
         let mut level = COARSE.min(self.wanted());
@@ -176,9 +197,8 @@ impl Run<'_> {
                 return Ok(Some((Ending::NotFound(detail), self.model.clone())));
             }
             rounds += 1;
-            let grown = ramp + (1.0 - ramp) * f64::from(rounds.min(TENSION_ROUNDS)) / f64::from(TENSION_ROUNDS);
             self.model.hang(self.structure);
-            let (mut body, complete) = self.settling_body(grown, edge)?;
+            let (mut body, complete) = self.settling_body(attempt.tension(rounds), edge)?;
             if rounds == 1 {
                 settler.multipliers = self.start_multipliers(&body);
             }
@@ -200,7 +220,7 @@ impl Run<'_> {
             if stuck >= MAX_STUCK {
                 return Ok(Some((self.stuck(&watch), self.model.clone())));
             }
-            let ramping = ramp < 1.0 && rounds <= TENSION_ROUNDS;
+            let ramping = rounds < attempt.tension_rounds;
             let moves = round.moved > REMESH_ABOVE * edge;
             if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || stuck > 0 || ramping {
                 edge = self.size(level);
@@ -394,15 +414,16 @@ impl Run<'_> {
             let DVec3 { x, y, z } = p + self.model.centre;
             format!("({x:.4}, {y:.4}, {z:.4})")
         };
-        let far = at.iter().max_by(|a, b| a.distance(watch.centre).total_cmp(&b.distance(watch.centre)))?;
-        let distance = far.distance(watch.centre);
+        let distances = at.iter().map(|p| p.distance(watch.centre)).enumerate();
+        let (v, distance) = distances.max_by(|a, b| a.1.total_cmp(&b.1))?;
         if distance.is_nan() || distance > FAR * watch.radius {
             let detail = format!(
                 "a vertex runs away: it is at {}, {:.0} times the radius of the start from its centre",
-                place(*far),
+                place(at[v]),
                 distance / watch.radius
             );
-            return Some(Ending::RunsAway(detail));
+            let own = self.place_of(v as u32).map(|place| InputError::new(place, "runs away"));
+            return Some(Ending::RunsAway(detail, own));
         }
         if let Some(ending) = self.corner(watch, &at, &place) {
             return Some(ending);
@@ -426,7 +447,13 @@ impl Run<'_> {
             let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
-                let own = InputError::new(cable_place(self.structure, k), "shrinks to nothing");
+                // A point that moves is named rather than the cable that it pulls in.
+                let chain = &self.model.chains[k];
+                let end = [chain[0], chain[chain.len() - 1]].into_iter().find_map(|v| self.place_of(v));
+                let own = match end {
+                    Some(end) => InputError::new(end, format!("moves to the other end of cable {}", cable.name)),
+                    None => InputError::new(cable_place(self.structure, k), "shrinks to nothing"),
+                };
                 return Some(Ending::Collapses(detail, Some(own)));
             }
         }
@@ -470,9 +497,25 @@ impl Run<'_> {
                 "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
                 place(at[v as usize])
             );
-            let own = Place::field("boundaries").at(boundary).at(point);
+            let own = self.place_of(v).unwrap_or_else(|| Place::field("boundaries").at(boundary).at(point));
             Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point")))
         })
+    }
+
+    /// The place in the input of a point that moves by itself: a joint, a free point, a point that slides, a hub.
+    fn place_of(&self, v: u32) -> Option<Place> {
+        let structure = self.structure;
+        let hubs = structure.rings.iter().enumerate().filter(|(_, ring)| ring.hub.is_some());
+        let in_the_air = (v as usize).checked_sub(self.model.films);
+        let joined = hubs.map(|(k, _)| Place::field("rings").at(k));
+        let mut joined = joined.chain((0..structure.joints.len()).map(|k| Place::field("joints").at(k)));
+        let free = || self.model.free.iter().position(|&own| own == v).map(|k| Place::field("free_points").at(k));
+        let slides = |sliding: &super::options::Sliding| matches!(sliding.part, SlidingPart::Point(point) if self.model.input_vertex(point) == v);
+        let sliding = || structure.sliding.iter().position(slides).map(|k| Place::field("supports").at(k));
+        match in_the_air {
+            Some(k) => joined.nth(k),
+            None => free().or_else(sliding),
+        }
     }
 
     /// Finds the narrowest chord between two sides.
