@@ -58,6 +58,7 @@ mod reactions;
 mod remeshing;
 mod shape;
 mod stress;
+mod taut_start;
 mod travel;
 mod warnings;
 mod weave;
@@ -75,7 +76,7 @@ pub use shape::{
 use crate::equilibrium::Support;
 use crate::minimal_surface::{self, Resolution};
 use catenary::{Catenary, TooSmall};
-use form_finding::Found;
+use form_finding::{Coarse, Found};
 use model::Model;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
@@ -94,13 +95,41 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
     let (model, found) = if remeshing::travels(structure) {
         travel(structure, options, exec)?
     } else {
+        let (model, found) = on_its_mesh(structure, options, exec)?;
+        let stands = found.is_shape() && model.flipped() == 0;
+        if remeshing::may_travel(structure) && found.gave_up() && !stands {
+            travel(structure, options, exec)?
+        } else {
+            (model, found)
+        }
+    };
+    outcome::finish(model, found, structure, exec)
+}
+
+/// A mesh counts as too coarse if its mean edge exceeds the given one by this factor.
+const TOO_COARSE: f64 = 1.15;
+/// Largest factor by which a finer mesh has more triangles.
+const MOST_FINER: f64 = 4.0;
+
+/// Finds the shape on the mesh with which it begins. A film may become much larger than the boundaries let expect; if
+/// its edges are then longer than the given length, the shape is found once more on a finer mesh.
+fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
+    let find = |options: &Options, exec: &Execution| {
         let mut model = exec
             .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
             .map_err(|error| placed(structure, error))?;
         let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
-        (model, found)
+        Ok((model, found))
     };
-    outcome::finish(model, found, structure, exec)
+    let Resolution::EdgeLength(edge) = options.resolution else { return find(options, exec) };
+    let (model, found) = exec.part([0.0, 0.5], |exec| find(options, exec))?;
+    let ratio = model.mean_edge() / edge;
+    if !found.is_shape() || ratio < TOO_COARSE {
+        return Ok((model, found));
+    }
+    let triangles = model.layers[0].film.triangles().len() as f64 * (ratio * ratio).min(MOST_FINER);
+    let finer = Options { resolution: Resolution::Triangles(triangles as usize), ..*options };
+    exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
 /// Finds the shape on meshes that are renewed, from a coarse one on.
@@ -115,7 +144,8 @@ fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<
     let mut model = exec
         .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, &start, share, exec))
         .map_err(|error| placed(structure, error))?;
-    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(count), exec);
+    let coarse = Coarse { count, options: start, share };
+    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(coarse), exec);
     let found = exec.part([0.1, 1.0], run)?;
     Ok((model, found))
 }

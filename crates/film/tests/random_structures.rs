@@ -222,7 +222,7 @@ fn tent(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
         let own = side(random, k, count, chord, halves[k]);
         structure.cables.push(own);
     }
-    let height = random.between(1.5, 3.0);
+    let height = random.between(0.8, 1.8);
     let rise = 6.0 * displaced * random.between(-0.8, 1.0);
     let mut ring = circle(16, random.between(0.6, 1.2), height + rise);
     ring.reverse();

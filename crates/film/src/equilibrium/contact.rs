@@ -159,17 +159,15 @@ impl Contact {
             }
             Support::Line { .. } | Support::Circle { .. } | Support::Mesh { .. } => return None,
         };
+        let mut segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        if closed && let (Some(&first), Some(&last)) = (chain.first(), chain.last()) {
+            segments.push([last, first]);
+        }
         // The cosine of a right angle is exactly 0.
         let tension = tension * libm::sin(0.5 * PI - angle);
-        let mut contact = Self { segments: segments(chain, closed), surface, tension, start: 0.0 };
+        let mut contact = Self { segments, surface, tension, start: 0.0 };
         contact.start = contact.area(at);
         Some(contact)
-    }
-
-    /// The same energy, counted from the same start, of an edge that has other vertices.
-    #[must_use]
-    pub(crate) fn with_chain(&self, chain: &[u32], closed: bool) -> Self {
-        Self { segments: segments(chain, closed), ..self.clone() }
     }
 
     /// The area on the left of the edge less that at the start.
@@ -181,14 +179,6 @@ impl Contact {
     fn shares<'a>(&'a self, at: &'a [DVec3]) -> impl Iterator<Item = ([u32; 2], Share)> + 'a {
         self.segments.iter().map(|&[a, b]| ([a, b], self.surface.share(at[a as usize], at[b as usize])))
     }
-}
-
-fn segments(chain: &[u32], closed: bool) -> Vec<[u32; 2]> {
-    let mut segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    if closed && let (Some(&first), Some(&last)) = (chain.first(), chain.last()) {
-        segments.push([last, first]);
-    }
-    segments
 }
 
 /// Chooses the pole for the solid angles of a chain of unit vectors. The solid angle jumps where the chain passes the

@@ -5,12 +5,15 @@
 //! vertex of it, because nothing but the order tells them apart.
 
 use super::model::Model;
-use super::options::{Course, SlidingPart, Structure};
+use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
 use crate::equilibrium::Freedom;
+use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Sweeps that even out the triangles of a mesh of the last level.
+const POLISHES: u32 = 4;
 /// Fewest vertices inside a stretch of a cable or of a sliding edge.
 const FEWEST: usize = 3;
 
@@ -176,6 +179,13 @@ impl Model {
             None => place,
         };
         let neck = moving.remesh(fineness.size, fineness.rounds, &onto, exec)?;
+        if fineness.all_points {
+            for _ in 0..POLISHES {
+                exec.look(20 * moving.film.triangles().len() as u64)?;
+                tangential_relaxation(&mut moving.film, 1);
+                flip_to_delaunay(&mut moving.film, exec)?;
+            }
+        }
         let mut number: BTreeMap<u32, u32> = before.into_iter().zip(moving.named.iter().copied()).collect();
         // The points inside a stretch are spread evenly over its vertices.
         let mut present = vec![Vec::new(); moving.flexible.len()];
@@ -227,9 +237,6 @@ impl Model {
 
     fn renew_sliding(&mut self, structure: &Structure) {
         let mut sliding = Vec::new();
-        let mut contacts = self.contacts.iter();
-        let mut renewed = Vec::new();
-        self.at_contacts.clear();
         for (number, part) in (0u32..).zip(&structure.sliding) {
             let (vertices, closed) = match part.part {
                 SlidingPart::Point(point) => {
@@ -247,12 +254,7 @@ impl Model {
                 let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
                 sliding.push((vertices[k], Freedom::AcrossOn { support: number, beside }));
             }
-            if part.contact_angle.is_some() {
-                renewed.extend(contacts.next().map(|contact| contact.with_chain(&vertices, closed)));
-                self.at_contacts.extend(&vertices);
-            }
         }
-        self.contacts = renewed;
         self.sliding = sliding;
     }
 
@@ -303,9 +305,24 @@ impl Model {
     }
 }
 
-/// Whether the form finding renews the mesh: one film of the same tension in all directions. A woven film has no energy
-/// that falls from round to round, and the layers of a cushion share their edges, so these keep the mesh with which they
-/// begin.
+/// Whether the form finding may renew the mesh: one film of the same tension in all directions. A woven film has no
+/// energy that falls from round to round, and the layers of a cushion share their edges. An edge that meets its support
+/// at a given angle has an energy that no springs exceed. These keep the mesh with which they begin.
+pub(super) fn may_travel(structure: &Structure) -> bool {
+    let at_no_angle = |sliding: &Sliding| sliding.contact_angle.is_none();
+    structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
+}
+
+/// Whether the form finding begins on a coarse mesh: an edge, a corner or a ring moves, or a tube has a given volume. A
+/// film whose edges are held keeps the mesh of its start, whose errors fall more evenly with its edges, as long as that
+/// leads to a shape.
 pub(super) fn travels(structure: &Structure) -> bool {
-    structure.layers.len() == 1 && structure.weave().is_none()
+    let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
+    let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
+    let moves = edges
+        || !structure.sliding.is_empty()
+        || !structure.free_points.is_empty()
+        || !structure.rings.is_empty()
+        || by_volume && structure.boundaries.len() > 1;
+    may_travel(structure) && moves
 }

@@ -1,22 +1,22 @@
 //! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
 //!
 //! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
-//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, the
-//! gradient flow, and bold steps while the film's tension grows. The last attempt begins almost without tension: then
-//! the cables alone decide where corners and joints stand, and their energy is convex, so that the start does not
-//! matter. Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that
-//! there is no equilibrium.
+//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, bold
+//! steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)), the gradient
+//! flow, and bold steps while the film's tension grows. Only if all attempts end with a part that closes or a vertex
+//! that runs away does that count as evidence that there is no equilibrium.
 
-use super::form_finding::{Ending, Found, Run, Stop};
+use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
-use super::options::{Course, FilmPrestress, Pressure, SlidingPart, cable_place};
+use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
 use super::remeshing::Fineness;
+use super::taut_start::taut;
 use crate::equilibrium::settling::{Pace, Settler, energy};
-use crate::equilibrium::{Body, Determined};
+use crate::equilibrium::{Body, Determined, Support};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::remesh::moving::Neck;
-use plateau_mesh::{DVec3, Error, Place, Progress};
+use plateau_mesh::{DVec3, Error, Place, Progress, measure};
 
 /// Triangles of the first level. From 100 to 300 random structures are found equally often.
 pub(super) const COARSE: f64 = 300.0;
@@ -29,6 +29,10 @@ const REMESH_ABOVE: f64 = 0.3;
 const NEWTON_BELOW: f64 = 0.5;
 /// A coarse level is left below this step, in edges.
 const SETTLED: f64 = 0.05;
+/// The residual at which Newton's method ends on a coarse level.
+const COARSE_TOLERANCE: f64 = 1e-4;
+/// A mesh with a larger angle (radians, 137°) is renewed once Newton's method has converged on it.
+const WORN: f64 = 2.4;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Rounds between two tries of Newton's method.
@@ -37,12 +41,17 @@ const WAIT: u32 = 2;
 const MAX_STUCK: u32 = 6;
 /// Rounds in which a corner or a strait goes on closing before it counts as closed.
 const CLOSING: u32 = 10;
-/// The attempts. Those with growing tension are made without pressure only.
+/// A corner may be closing below the first of these angles in degrees, and is closed if it stays below the second for
+/// some rounds. Sharp corners open again.
+const CLOSES: f64 = 3.0;
+const CLOSED: f64 = 0.2;
+const STAYS_CLOSED: u32 = 3;
+/// The attempts. Those from the taut start and those with growing tension are made without pressure only.
 const ATTEMPTS: [Attempt; 4] = [
-    Attempt { pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
-    Attempt { pace: Pace::BOLD, first_tension: 0.03, tension_rounds: 24 },
+    Attempt { is_taut: false, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: false, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
 ];
 /// A vertex runs away beyond this distance from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
@@ -59,6 +68,8 @@ const COUNT_TOLERANCE: f64 = 0.05;
 /// How an attempt goes on.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
+    /// Whether it begins from the taut start, if there is one.
+    is_taut: bool,
     pace: Pace,
     /// First part of the film's tension, and the rounds in which it grows to all of it.
     first_tension: f64,
@@ -83,6 +94,7 @@ struct Watch {
     area: f64,
     least_angle: f64,
     closing: u32,
+    closed: u32,
     narrow: Option<Strait>,
     last_width: f64,
     pinching: u32,
@@ -102,21 +114,30 @@ struct Strait {
 
 impl Run<'_> {
     /// The searches of all attempts. The model begins and ends with every attempt that fails as it was.
-    pub fn search(&mut self, found: &mut Found) -> Result<(), Stop> {
+    pub fn search(&mut self, coarse: Coarse, found: &mut Found) -> Result<(), Stop> {
         let start = self.model.clone();
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
+        let mut taut = None;
         let mut first = None;
         for (number, attempt) in ATTEMPTS.into_iter().filter(|attempt| plain || attempt.tension_rounds == 0).enumerate()
         {
             if number > 0 {
-                *self.model = start.clone();
                 self.more_solves();
             }
+            if number == 1 && plain {
+                taut = self.taut_model(coarse, &start)?;
+            }
+            *self.model = match &taut {
+                Some(taut) if attempt.is_taut => taut.clone(),
+                None if attempt.is_taut && attempt.tension_rounds == 0 => continue,
+                _ => start.clone(),
+            };
             let Some((ending, last)) = self.attempt_at(attempt, found)? else {
                 found.ending = None;
                 return Ok(());
             };
+            let ending = self.judged(ending);
             // An attempt without an ending leaves open whether there is a shape.
             let leaves_open =
                 |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));
@@ -130,6 +151,38 @@ impl Run<'_> {
         }
         found.stop_reason = StopReason::Stalled;
         Ok(())
+    }
+
+    /// The first mesh of the taut start, if there is one.
+    fn taut_model(&self, coarse: Coarse, start: &Model) -> Result<Option<Model>, Stop> {
+        let Some(structure) = taut(self.structure, &start.start_forces) else { return Ok(None) };
+        match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
+            Ok(mut model) => {
+                (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
+                Ok(Some(model))
+            }
+            Err(error @ Error::Interrupted(_)) => Err(error.into()),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// A part that closes is evidence only if the cables alone have a single equilibrium, from which the taut attempts
+    /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is near.
+    fn judged(&self, ending: Ending) -> Ending {
+        let structure = self.structure;
+        let flat = |sliding: &Sliding| matches!(sliding.on, Support::Line { .. } | Support::Plane { .. });
+        let by_force = |cable: &Cable| match cable.mode {
+            CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_) => !cable.course.is_mast(),
+            CableMode::UnstressedLength(_) => true,
+            CableMode::HorizontalComponent(_) | CableMode::Length(_) | CableMode::Sag(_) => false,
+        };
+        let is_convex = structure.chambers.is_empty()
+            && structure.sliding.iter().all(flat)
+            && structure.cables.iter().all(by_force);
+        match ending {
+            Ending::Collapses(detail, _) if !is_convex => Ending::NotFound(detail),
+            ending => ending,
+        }
     }
 
     /// Refuses a volume on the other side of a tube's loops.
@@ -157,7 +210,7 @@ impl Run<'_> {
             crate::minimal_surface::Resolution::EdgeLength(edge) => {
                 4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * edge * edge)
             }
-            _ => self.count,
+            _ => self.coarse.map_or(COARSE, |coarse| coarse.count),
         }
     }
 
@@ -230,18 +283,17 @@ impl Run<'_> {
             if ramping || moves || stuck > 0 || !complete || rounds < wait {
                 continue;
             }
-            if !is_last {
-                if round.step < SETTLED * edge {
-                    level = (GROWTH * level).min(self.wanted());
-                    fresh = true;
-                }
+            if !is_last && round.step < SETTLED * edge {
+                level = (GROWTH * level).min(self.wanted());
+                fresh = true;
                 continue;
             }
             if round.step >= NEWTON_BELOW * edge {
                 continue;
             }
             let before = self.model.clone();
-            let reason = self.newton(found)?;
+            let tolerance = self.options.tolerance;
+            let reason = self.newton(found, if is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
             found.stop_reason = reason;
             let whole = self.model.flipped() == 0;
             match reason {
@@ -253,15 +305,21 @@ impl Run<'_> {
                         settler.restart();
                         continue;
                     }
-                    if self.travelled(&before) > edge && failures < MAX_FAILURES {
+                    let is_worn = || measure::angle_range(&self.model.layers[0].film.mesh()).1 > WORN;
+                    if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
                         // Newton's method moves vertices along the normals, which wears triangles out.
                         failures += 3;
-                        self.renew_mesh(edge, 1, true, &mut watch)?;
+                        self.renew_mesh(edge, 2, is_last, &mut watch)?;
                         settler.restart();
                         continue;
                     }
+                    if !is_last {
+                        level = (GROWTH * level).min(self.wanted());
+                        fresh = true;
+                        continue;
+                    }
                     self.model.order_input_first(self.structure);
-                    let again = self.newton(found)?;
+                    let again = self.newton(found, tolerance)?;
                     found.stop_reason = again;
                     return Ok(None);
                 }
@@ -398,6 +456,7 @@ impl Run<'_> {
             area: self.model.layers[0].film.area(),
             least_angle: f64::INFINITY,
             closing: 0,
+            closed: 0,
             narrow: None,
             last_width: f64::INFINITY,
             pinching: 0,
@@ -490,15 +549,22 @@ impl Run<'_> {
         let &(v, boundary, point) =
             corners.iter().min_by(|a, b| angles[a.0 as usize].total_cmp(&angles[b.0 as usize]))?;
         let angle = angles[v as usize].to_degrees();
-        watch.closing = if angle < 3.0 && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
+        watch.closing = if angle < CLOSES && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
+        watch.closed = if angle < CLOSED { watch.closed + 1 } else { 0 };
         watch.least_angle = angle;
-        (watch.closing >= CLOSING || angle < 0.2).then(|| {
+        (watch.closing >= CLOSING || watch.closed >= STAYS_CLOSED).then(|| {
             let detail = format!(
                 "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
                 place(at[v as usize])
             );
-            let own = self.place_of(v).unwrap_or_else(|| Place::field("boundaries").at(boundary).at(point));
-            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point")))
+            // At a support it is the other end of one of its sides that has moved too far.
+            let ends = self.model.chains.iter().map(|chain| [chain[0], chain[chain.len() - 1]]);
+            let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
+            let own = self
+                .place_of(v)
+                .or_else(|| ends.filter_map(other).find_map(|end| self.place_of(end)))
+                .unwrap_or_else(|| Place::field("boundaries").at(boundary).at(point));
+            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point or beside it")))
         })
     }
 
@@ -510,7 +576,7 @@ impl Run<'_> {
         let joined = hubs.map(|(k, _)| Place::field("rings").at(k));
         let mut joined = joined.chain((0..structure.joints.len()).map(|k| Place::field("joints").at(k)));
         let free = || self.model.free.iter().position(|&own| own == v).map(|k| Place::field("free_points").at(k));
-        let slides = |sliding: &super::options::Sliding| matches!(sliding.part, SlidingPart::Point(point) if self.model.input_vertex(point) == v);
+        let slides = |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if self.model.input_vertex(point) == v);
         let sliding = || structure.sliding.iter().position(slides).map(|k| Place::field("supports").at(k));
         match in_the_air {
             Some(k) => joined.nth(k),
@@ -548,8 +614,8 @@ impl Run<'_> {
 
     /// The ending of an attempt in which no step keeps the mesh.
     fn stuck(&self, watch: &Watch) -> Ending {
-        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.05);
-        if watch.least_angle < 10.0 {
+        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.03);
+        if watch.least_angle < CLOSES {
             let detail = format!("the film closes at a corner: its sides meet at {:.2} degrees", watch.least_angle);
             return Ending::Collapses(detail, None);
         }
