@@ -73,6 +73,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "tensile_structure/mixing",
             "tensile_structure/model",
             "tensile_structure/remeshing",
+            "tensile_structure/taut_start",
             "tensile_structure/form_finding",
             "tensile_structure/travel",
             "tensile_structure/ponding",

@@ -58,6 +58,7 @@ mod reactions;
 mod remeshing;
 mod shape;
 mod stress;
+mod taut_start;
 mod travel;
 mod warnings;
 mod weave;
@@ -75,7 +76,7 @@ pub use shape::{
 use crate::equilibrium::Support;
 use crate::minimal_surface::{self, Resolution};
 use catenary::{Catenary, TooSmall};
-use form_finding::Found;
+use form_finding::{Coarse, Found};
 use model::Model;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
@@ -94,10 +95,7 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
     let (model, found) = if remeshing::travels(structure) {
         travel(structure, options, exec)?
     } else {
-        let mut model = exec
-            .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
-            .map_err(|error| placed(structure, error))?;
-        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
+        let (model, found) = on_its_mesh(structure, options, exec)?;
         let stands = found.is_shape() && model.flipped() == 0;
         if remeshing::may_travel(structure) && found.gave_up() && !stands {
             travel(structure, options, exec)?
@@ -106,6 +104,32 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
         }
     };
     outcome::finish(model, found, structure, exec)
+}
+
+/// A mesh counts as too coarse if its mean edge exceeds the given one by this factor.
+const TOO_COARSE: f64 = 1.15;
+/// Largest factor by which a finer mesh has more triangles.
+const MOST_FINER: f64 = 4.0;
+
+/// Finds the shape on the mesh with which it begins. A film may become much larger than the boundaries let expect; if
+/// its edges are then longer than the given length, the shape is found once more on a finer mesh.
+fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
+    let find = |options: &Options, exec: &Execution| {
+        let mut model = exec
+            .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
+            .map_err(|error| placed(structure, error))?;
+        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
+        Ok((model, found))
+    };
+    let Resolution::EdgeLength(edge) = options.resolution else { return find(options, exec) };
+    let (model, found) = exec.part([0.0, 0.5], |exec| find(options, exec))?;
+    let ratio = model.mean_edge() / edge;
+    if !found.is_shape() || ratio < TOO_COARSE {
+        return Ok((model, found));
+    }
+    let triangles = model.layers[0].film.triangles().len() as f64 * (ratio * ratio).min(MOST_FINER);
+    let finer = Options { resolution: Resolution::Triangles(triangles as usize), ..*options };
+    exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
 /// Finds the shape on meshes that are renewed, from a coarse one on.
@@ -120,7 +144,8 @@ fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<
     let mut model = exec
         .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, &start, share, exec))
         .map_err(|error| placed(structure, error))?;
-    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(count), exec);
+    let coarse = Coarse { count, options: start, share };
+    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(coarse), exec);
     let found = exec.part([0.1, 1.0], run)?;
     Ok((model, found))
 }
@@ -147,13 +172,38 @@ fn check_catenaries(structure: &Structure) -> Result<(), Error> {
         if ends.iter().any(joined) {
             return None;
         }
+        let place = || options::cable_place(structure, k);
+        if catenary::are_plumb(ends, structure.up) {
+            return plumb_refusal(structure, cable, ends, place());
+        }
         let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
         let detail =
             format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
-        Some(InputError::new(options::cable_place(structure, k).then("value"), detail))
+        Some(InputError::new(place().then("value"), detail))
     };
     let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// Refuses a cable between supports one above the other that cannot hang straight, or whose mode leaves its force open.
+fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: Place) -> Option<InputError> {
+    let force = catenary::plumb_force(cable, ends, structure.up);
+    match force {
+        Some(Ok(_)) => None,
+        Some(Err(TooSmall { least })) => {
+            let bound = if matches!(cable.mode, CableMode::UnstressedLength(_)) { "less" } else { "more" };
+            let detail = format!(
+                "must be {bound} than {least:.6}: the lowest part of this cable, which hangs straight down, would push"
+            );
+            Some(InputError::new(place.then("value"), detail))
+        }
+        None if cable.weight > 0.0 || matches!(cable.mode, CableMode::HorizontalComponent(_)) => {
+            let detail = "is not offered for a cable between points one above the other, which hangs straight; give a \
+                          force, a force density or the unstressed length";
+            Some(InputError::new(place.then("mode"), detail))
+        }
+        None => None,
+    }
 }
 
 /// The error of the initial mesh with the cables across the film at their own places.

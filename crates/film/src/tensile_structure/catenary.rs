@@ -24,6 +24,47 @@ const SCAN: f64 = 1.02;
 /// then straight.
 const VERTICAL: f64 = 1e-6;
 
+/// A heavy cable between two points one above the other, which hangs straight: its force at the height zero. The force
+/// grows with the height by the weight per length. `None` for other cables, and for modes that leave its force open.
+///
+/// # Errors
+/// The least value for which no part of the cable would have to push.
+pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<Result<f64, TooSmall>> {
+    let span = ends[1] - ends[0];
+    let length = span.length();
+    if cable.weight <= 0.0 || !are_plumb(ends, up) {
+        return None;
+    }
+    let [first, second] = ends.map(|end| end.dot(up));
+    let (mean, lowest) = (0.5 * (first + second), first.min(second));
+    // The force at the height of reference, and that height.
+    let (force, height) = match cable.mode {
+        CableMode::Force(force) => (force, mean),
+        CableMode::EndTension(force) => (force, first),
+        CableMode::ForceDensity(density) => (density * length, mean),
+        CableMode::UnstressedLength(unstressed) => {
+            (cable.axial_stiffness.unwrap_or(1.0) * (length / unstressed - 1.0), mean)
+        }
+        CableMode::HorizontalComponent(_) | CableMode::Length(_) | CableMode::Sag(_) => return None,
+    };
+    let least = cable.weight * (height - lowest);
+    if force <= least {
+        let least = match cable.mode {
+            CableMode::ForceDensity(_) => least / length,
+            CableMode::UnstressedLength(_) => length / (1.0 + least / cable.axial_stiffness.unwrap_or(1.0)),
+            _ => least,
+        };
+        return Some(Err(TooSmall { least }));
+    }
+    Some(Ok(force - cable.weight * height))
+}
+
+/// Whether two points are one above the other.
+pub(super) fn are_plumb(ends: [DVec3; 2], up: DVec3) -> bool {
+    let span = ends[1] - ends[0];
+    span.reject_from_normalized(up).length() <= VERTICAL * span.length()
+}
+
 /// A heavy cable in equilibrium between two points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Catenary {

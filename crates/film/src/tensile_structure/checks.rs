@@ -1,13 +1,17 @@
 //! The checks of a tensile structure that need no mesh.
 
+mod across;
 mod boundary;
 mod chambers;
 mod requirement;
 
 use super::options::{Cable, Course, FilmPrestress, Options, Structure, WarpDirection, Weave, layer_place, stretch};
+use across::check_crossings;
 use boundary::{check_cable, check_ring, check_sliding};
 use chambers::check_chambers;
 use plateau_mesh::error::InputError;
+use plateau_mesh::plane::flatness::Flatness;
+use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::{DVec3, Error, Place};
 use requirement::{COORDINATE, UNIT_VECTOR, is_usable, require};
 
@@ -59,6 +63,8 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     check_free_points(structure, &mut errors);
     if errors.is_empty() {
         check_chambers(structure, &mut errors);
+        check_crossings(structure, &mut errors);
+        check_warp(structure, &mut errors);
         check_supports(structure, &mut errors);
     }
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
@@ -97,6 +103,27 @@ fn check_weave(weave: &Weave, errors: &mut Vec<InputError>) {
             require(errors, distinct, direction().then("along"), detail);
         }
     }
+}
+
+/// A warp at a smaller angle to the normal of a plane film, in radians, has no direction on it that is sure.
+const ALONG_THE_NORMAL: f64 = 0.02;
+
+/// Refuses a warp that runs along the normal of boundaries in one plane.
+fn check_warp(structure: &Structure, errors: &mut Vec<InputError>) {
+    let Some(Weave { direction: WarpDirection::Parallel(warp), .. }) = structure.weave() else { return };
+    let Some(outline) = structure.boundaries.first().filter(|points| points.len() > 2) else { return };
+    let Some(plane) = Frame::of_loop(outline) else { return };
+    let points = structure.boundaries.iter().flatten().copied();
+    if matches!(Flatness::of(points, outline, &plane), Flatness::Bent(_)) {
+        return;
+    }
+    let detail = "has no projection on this film: the boundaries lie in a plane, and the warp runs along its normal";
+    require(
+        errors,
+        warp.cross(plane.normal).length() > ALONG_THE_NORMAL,
+        Place::field("film").then("direction"),
+        detail,
+    );
 }
 
 /// Fewest cables and masts that can hold a joint: one mast between two cables, or three cables.

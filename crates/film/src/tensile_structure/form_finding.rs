@@ -64,8 +64,8 @@ const BALANCED: f64 = 1e-12;
 /// How a search without a result ended.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Ending {
-    /// A vertex moves away without end.
-    RunsAway(String),
+    /// A vertex moves away without end; its place in the input if it has one.
+    RunsAway(String, Option<InputError>),
     /// A part closes; its place in the input if it has one.
     Collapses(String, Option<InputError>),
     /// The rounds are used up, or no step keeps the mesh.
@@ -160,12 +160,21 @@ pub(super) struct Run<'a> {
     pub solves: u32,
     pub limit: u32,
     pub fraction: f64,
-    /// Number of triangles that are wanted.
-    pub count: f64,
+    /// The coarse mesh of a structure whose mesh is renewed as it moves.
+    pub coarse: Option<Coarse>,
     /// The size with which remeshing comes to the wanted number of triangles, over that of equilateral ones.
     pub calibration: f64,
-    /// Whether the mesh is renewed as the structure moves.
-    pub travels: bool,
+}
+
+/// The mesh with which a structure begins to travel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Coarse {
+    /// Number of triangles that are wanted in the end.
+    pub count: f64,
+    /// The options of the first mesh.
+    pub options: Options,
+    /// The length of the edges of the last mesh over those of the first.
+    pub share: f64,
 }
 
 /// Why a phase ended early.
@@ -187,8 +196,8 @@ fn too_large(error: LinearError) -> Error {
     Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
 }
 
-/// Finds the shape. The model's vertices become those of the shape. With a `count` of triangles the structure travels:
-/// the model is a coarse mesh, which is renewed as it moves and gets as many triangles.
+/// Finds the shape. The model's vertices become those of the shape. With a `coarse` mesh the structure travels: the mesh is renewed
+/// as the structure moves, and gets finer.
 ///
 /// # Errors
 /// The cancel; [`Error::NoResult`] for a mesh that is too large.
@@ -196,22 +205,11 @@ pub(super) fn run(
     model: &mut Model,
     structure: &Structure,
     options: &Options,
-    count: Option<f64>,
+    coarse: Option<Coarse>,
     exec: &Execution,
 ) -> Result<Found, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
-    let mut run = Run {
-        structure,
-        options,
-        exec,
-        model,
-        solves: 0,
-        limit,
-        fraction: 0.0,
-        count: count.unwrap_or(0.0),
-        calibration: 1.0,
-        travels: count.is_some(),
-    };
+    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0, coarse, calibration: 1.0 };
     let start = run.model.clone();
     let mut found = run.attempt()?;
     run.release_slack(&start, &mut found)?;
@@ -282,8 +280,8 @@ impl Run<'_> {
     }
 
     fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
-        if self.travels {
-            self.search(found)?;
+        if let Some(coarse) = self.coarse {
+            self.search(coarse, found)?;
             if found.is_shape() && self.model.flipped() == 0 {
                 self.balance(found)?;
             }
@@ -294,7 +292,7 @@ impl Run<'_> {
             self.settle(first_round)?;
             first_round = VOLUME_ROUNDS;
             let reason = match self.model.stress_field {
-                None => self.newton(found)?,
+                None => self.newton(found, self.options.tolerance)?,
                 Some(_) => self.renew_references(found)?,
             };
             found.stop_reason = reason;
@@ -483,8 +481,8 @@ impl Run<'_> {
     }
 
     /// Step 2.
-    pub fn newton(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
-        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: NEWTON_STEPS };
+    pub fn newton(&mut self, found: &mut Found, tolerance: f64) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: NEWTON_STEPS };
         for _ in 0..MAX_RENEWALS {
             let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
             let mut weights = self.model.weights(self.structure, &body.vertices);
@@ -508,7 +506,7 @@ impl Run<'_> {
             if self.slacken(found) {
                 continue;
             }
-            if change <= self.options.tolerance.max(1e-12) {
+            if change <= tolerance.max(1e-12) {
                 if self.model.flipped() > 0 {
                     return Ok(StopReason::Stalled);
                 }

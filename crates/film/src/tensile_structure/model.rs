@@ -1,7 +1,7 @@
 //! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may
 //! do.
 
-use super::catenary::Catenary;
+use super::catenary::{self, Catenary};
 use super::options::{
     BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
     chamber_place,
@@ -220,7 +220,14 @@ impl Model {
         let vertices = model.vertices();
         for (cable, chain) in structure.cables.iter().zip(&model.chains) {
             let segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            let (law, by) = law(cable);
+            let ends = [chain[0], chain[chain.len() - 1]].map(|v| vertices[v as usize]);
+            let held = |v: u32| (v as usize).checked_sub(model.films).is_some_and(|k| model.air_fixed[k]);
+            let hangs_between_supports =
+                matches!(cable.course, Course::Air(_)) && held(chain[0]) && held(chain[chain.len() - 1]);
+            let (law, by) = match catenary::plumb_force(cable, ends, structure.up) {
+                Some(Ok(force)) if hangs_between_supports => (Law::Force(force), ForceBy::Law),
+                _ => law(cable),
+            };
             model.start_forces.push(start_force(cable, structure, &segments, &vertices));
             model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
             model.forces_by.push(by);
@@ -275,7 +282,7 @@ impl Model {
         self.cables[k].law = Law::Force(0.0);
     }
 
-    fn is_let_go(&self, k: usize) -> bool {
+    pub fn is_let_go(&self, k: usize) -> bool {
         self.forces_by[k] == ForceBy::Law && self.cables[k].law == Law::Force(0.0)
     }
 
@@ -477,6 +484,11 @@ impl Model {
             let ratio = match cable.mode {
                 CableMode::Sag(sag) => term.sag(&at) / sag,
                 CableMode::HorizontalComponent(wanted) => wanted / (*force * term.level_part(&at).max(LEAST_ACROSS)),
+                CableMode::Length(_) => {
+                    let own = start_force(cable, structure, &term.segments, &at);
+                    *force = own.clamp(0.5 * *force, 2.0 * *force);
+                    continue;
+                }
                 _ => {
                     *force = start_force(cable, structure, &term.segments, &at);
                     continue;
@@ -673,7 +685,7 @@ impl Model {
     /// Adds a cable as it is at the start.
     fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
         let cable = &self.cables[k];
-        if self.forces_by[k] == ForceBy::Law && cable.weight == 0.0 {
+        if self.forces_by[k] == ForceBy::Law {
             body.terms.push(Box::new(cable.clone()));
             return;
         }
@@ -846,10 +858,14 @@ const LEAST_ACROSS: f64 = 0.1;
 /// be far from those of an equilibrium, where no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
 
-/// The radius of an arc of the given length over a chord; half the length if the chord is not shorter.
+/// Half angle of the flattest arc with which a cable of given length begins. Its force is the largest one of the rounds
+/// from far away, in which the ends may stand further apart than the cable is long.
+const FLATTEST: f64 = 0.05;
+
+/// The radius of an arc of the given length over a chord; that of the flattest arc if the chord is not shorter.
 fn arc_radius(chord: f64, length: f64) -> f64 {
     if chord >= length {
-        return 0.5 * length;
+        return 0.5 * length / FLATTEST;
     }
     // The half angle t with sin t / t = chord / length, by bisection: the quotient falls from 1 to 0.
     let (mut low, mut high) = (0.0, std::f64::consts::PI);
@@ -857,7 +873,7 @@ fn arc_radius(chord: f64, length: f64) -> f64 {
         let middle: f64 = 0.5 * (low + high);
         *(if libm::sin(middle) * length > chord * middle { &mut low } else { &mut high }) = middle;
     }
-    0.5 * length / low.max(1e-6)
+    0.5 * length / low.max(FLATTEST)
 }
 
 /// The law of a cable and what determines its force.

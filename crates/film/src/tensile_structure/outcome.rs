@@ -51,8 +51,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
         Error::NoResult { reason: "no_equilibrium", detail, places }
     };
     match &found.ending {
-        Some(Ending::RunsAway(detail)) => named(detail, None),
-        Some(Ending::Collapses(detail, own)) => named(detail, own.as_ref()),
+        Some(Ending::RunsAway(detail, own) | Ending::Collapses(detail, own)) => named(detail, own.as_ref()),
         Some(Ending::NotFound(detail)) => {
             let detail = format!(
                 "no shape in equilibrium was found, which does not say that there is none: {detail}; start nearer to \

@@ -5,12 +5,15 @@
 //! vertex of it, because nothing but the order tells them apart.
 
 use super::model::Model;
-use super::options::{Course, Pressure, SlidingPart, Structure};
+use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
 use crate::equilibrium::Freedom;
+use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Sweeps that even out the triangles of a mesh of the last level.
+const POLISHES: u32 = 4;
 /// Fewest vertices inside a stretch of a cable or of a sliding edge.
 const FEWEST: usize = 3;
 
@@ -176,6 +179,13 @@ impl Model {
             None => place,
         };
         let neck = moving.remesh(fineness.size, fineness.rounds, &onto, exec)?;
+        if fineness.all_points {
+            for _ in 0..POLISHES {
+                exec.look(20 * moving.film.triangles().len() as u64)?;
+                tangential_relaxation(&mut moving.film, 1);
+                flip_to_delaunay(&mut moving.film, exec)?;
+            }
+        }
         let mut number: BTreeMap<u32, u32> = before.into_iter().zip(moving.named.iter().copied()).collect();
         // The points inside a stretch are spread evenly over its vertices.
         let mut present = vec![Vec::new(); moving.flexible.len()];
@@ -295,19 +305,24 @@ impl Model {
     }
 }
 
-/// Whether the form finding may remesh the structure: one film of the same tension in all directions, whose edges meet
-/// their supports at no given angle. Others keep the mesh with which they begin.
+/// Whether the form finding may renew the mesh: one film of the same tension in all directions. A woven film has no
+/// energy that falls from round to round, and the layers of a cushion share their edges. An edge that meets its support
+/// at a given angle has an energy that no springs exceed. These keep the mesh with which they begin.
 pub(super) fn may_travel(structure: &Structure) -> bool {
-    let at_no_angle = |sliding: &super::options::Sliding| sliding.contact_angle.is_none();
+    let at_no_angle = |sliding: &Sliding| sliding.contact_angle.is_none();
     structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
 }
 
-/// Whether the form finding begins on a coarse mesh: an edge or a corner moves, or a tube has a given volume. A film
-/// whose edges are held, or whose rings move along their axes, keeps the mesh of its start as long as that leads to a
-/// shape.
+/// Whether the form finding begins on a coarse mesh: an edge, a corner or a ring moves, or a tube has a given volume. A
+/// film whose edges are held keeps the mesh of its start, whose errors fall more evenly with its edges, as long as that
+/// leads to a shape.
 pub(super) fn travels(structure: &Structure) -> bool {
     let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
     let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
-    let moves = edges || !structure.sliding.is_empty() || !structure.free_points.is_empty();
-    may_travel(structure) && structure.rings.is_empty() && (moves || by_volume && structure.boundaries.len() > 1)
+    let moves = edges
+        || !structure.sliding.is_empty()
+        || !structure.free_points.is_empty()
+        || !structure.rings.is_empty()
+        || by_volume && structure.boundaries.len() > 1;
+    may_travel(structure) && moves
 }

@@ -1,19 +1,22 @@
 //! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
 //!
 //! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
-//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, the
-//! gradient flow, and bold steps while the film's tension grows. If none does, the first one's ending says why.
+//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, bold
+//! steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)), the gradient
+//! flow, and bold steps while the film's tension grows. Only if all attempts end with a part that closes or a vertex
+//! that runs away does that count as evidence that there is no equilibrium.
 
-use super::form_finding::{Ending, Found, Run, Stop};
+use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
-use super::options::{Course, FilmPrestress, Pressure, cable_place};
+use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
 use super::remeshing::Fineness;
+use super::taut_start::taut;
 use crate::equilibrium::settling::{Pace, Settler, energy};
-use crate::equilibrium::{Body, Determined};
+use crate::equilibrium::{Body, Determined, Support};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::remesh::moving::Neck;
-use plateau_mesh::{DVec3, Error, Place, Progress};
+use plateau_mesh::{DVec3, Error, Place, Progress, measure};
 
 /// Triangles of the first level. From 100 to 300 random structures are found equally often.
 pub(super) const COARSE: f64 = 300.0;
@@ -26,6 +29,10 @@ const REMESH_ABOVE: f64 = 0.3;
 const NEWTON_BELOW: f64 = 0.5;
 /// A coarse level is left below this step, in edges.
 const SETTLED: f64 = 0.05;
+/// The residual at which Newton's method ends on a coarse level.
+const COARSE_TOLERANCE: f64 = 1e-4;
+/// A mesh with a larger angle (radians, 137°) is renewed once Newton's method has converged on it.
+const WORN: f64 = 2.4;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Rounds between two tries of Newton's method.
@@ -34,9 +41,18 @@ const WAIT: u32 = 2;
 const MAX_STUCK: u32 = 6;
 /// Rounds in which a corner or a strait goes on closing before it counts as closed.
 const CLOSING: u32 = 10;
-/// First part of the film's tension, and the rounds in which it grows to all of it, in the third attempt.
-const FIRST_TENSION: f64 = 0.3;
-const TENSION_ROUNDS: u32 = 8;
+/// A corner may be closing below the first of these angles in degrees, and is closed if it stays below the second for
+/// some rounds. Sharp corners open again.
+const CLOSES: f64 = 3.0;
+const CLOSED: f64 = 0.2;
+const STAYS_CLOSED: u32 = 3;
+/// The attempts. Those from the taut start and those with growing tension are made without pressure only.
+const ATTEMPTS: [Attempt; 4] = [
+    Attempt { is_taut: false, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: false, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+];
 /// A vertex runs away beyond this distance from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
 /// Largest number of kicks along an unstable mode, and their length in edges.
@@ -49,6 +65,27 @@ const CALIBRATIONS: u32 = 4;
 /// The number of triangles is met within this fraction.
 const COUNT_TOLERANCE: f64 = 0.05;
 
+/// How an attempt goes on.
+#[derive(Clone, Copy, Debug)]
+struct Attempt {
+    /// Whether it begins from the taut start, if there is one.
+    is_taut: bool,
+    pace: Pace,
+    /// First part of the film's tension, and the rounds in which it grows to all of it.
+    first_tension: f64,
+    tension_rounds: u32,
+}
+
+impl Attempt {
+    /// The part of the tension in a round.
+    fn tension(self, round: u32) -> f64 {
+        if round >= self.tension_rounds {
+            return 1.0;
+        }
+        self.first_tension + (1.0 - self.first_tension) * f64::from(round) / f64::from(self.tension_rounds)
+    }
+}
+
 /// Figures that the rounds of an attempt watch.
 struct Watch {
     centre: DVec3,
@@ -57,6 +94,7 @@ struct Watch {
     area: f64,
     least_angle: f64,
     closing: u32,
+    closed: u32,
     narrow: Option<Strait>,
     last_width: f64,
     pinching: u32,
@@ -76,32 +114,35 @@ struct Strait {
 
 impl Run<'_> {
     /// The searches of all attempts. The model begins and ends with every attempt that fails as it was.
-    pub fn search(&mut self, found: &mut Found) -> Result<(), Stop> {
+    pub fn search(&mut self, coarse: Coarse, found: &mut Found) -> Result<(), Stop> {
         let start = self.model.clone();
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
+        let mut taut = None;
         let mut first = None;
-        for (number, (pace, ramp)) in
-            [(Pace::BOLD, 1.0), (Pace::CAUTIOUS, 1.0), (Pace::BOLD, FIRST_TENSION)].into_iter().enumerate()
+        for (number, attempt) in ATTEMPTS.into_iter().filter(|attempt| plain || attempt.tension_rounds == 0).enumerate()
         {
-            if number == 2 && !plain {
-                break;
-            }
             if number > 0 {
-                *self.model = start.clone();
                 self.more_solves();
             }
-            let Some((ending, last)) = self.attempt_at(pace, ramp, found)? else {
+            if number == 1 && plain {
+                taut = self.taut_model(coarse, &start)?;
+            }
+            *self.model = match &taut {
+                Some(taut) if attempt.is_taut => taut.clone(),
+                None if attempt.is_taut && attempt.tension_rounds == 0 => continue,
+                _ => start.clone(),
+            };
+            let Some((ending, last)) = self.attempt_at(attempt, found)? else {
                 found.ending = None;
                 return Ok(());
             };
-            let surer =
-                |known: &(Ending, _)| matches!(known.0, Ending::NotFound(_)) && !matches!(ending, Ending::NotFound(_));
-            if first.as_ref().is_none_or(surer) {
-                first = Some((ending.clone(), last));
-            }
-            if matches!(ending, Ending::RunsAway(_)) {
-                break;
+            let ending = self.judged(ending);
+            // An attempt without an ending leaves open whether there is a shape.
+            let leaves_open =
+                |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));
+            if first.as_ref().is_none_or(leaves_open) {
+                first = Some((ending, last));
             }
         }
         if let Some((ending, last)) = first {
@@ -110,6 +151,38 @@ impl Run<'_> {
         }
         found.stop_reason = StopReason::Stalled;
         Ok(())
+    }
+
+    /// The first mesh of the taut start, if there is one.
+    fn taut_model(&self, coarse: Coarse, start: &Model) -> Result<Option<Model>, Stop> {
+        let Some(structure) = taut(self.structure, &start.start_forces) else { return Ok(None) };
+        match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
+            Ok(mut model) => {
+                (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
+                Ok(Some(model))
+            }
+            Err(error @ Error::Interrupted(_)) => Err(error.into()),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// A part that closes is evidence only if the cables alone have a single equilibrium, from which the taut attempts
+    /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is near.
+    fn judged(&self, ending: Ending) -> Ending {
+        let structure = self.structure;
+        let flat = |sliding: &Sliding| matches!(sliding.on, Support::Line { .. } | Support::Plane { .. });
+        let by_force = |cable: &Cable| match cable.mode {
+            CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_) => !cable.course.is_mast(),
+            CableMode::UnstressedLength(_) => true,
+            CableMode::HorizontalComponent(_) | CableMode::Length(_) | CableMode::Sag(_) => false,
+        };
+        let is_convex = structure.chambers.is_empty()
+            && structure.sliding.iter().all(flat)
+            && structure.cables.iter().all(by_force);
+        match ending {
+            Ending::Collapses(detail, _) if !is_convex => Ending::NotFound(detail),
+            ending => ending,
+        }
     }
 
     /// Refuses a volume on the other side of a tube's loops.
@@ -137,7 +210,7 @@ impl Run<'_> {
             crate::minimal_surface::Resolution::EdgeLength(edge) => {
                 4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * edge * edge)
             }
-            _ => self.count,
+            _ => self.coarse.map_or(COARSE, |coarse| coarse.count),
         }
     }
 
@@ -146,7 +219,8 @@ impl Run<'_> {
     }
 
     /// Makes one attempt. Returns the ending and the last shape if there is no result.
-    fn attempt_at(&mut self, pace: Pace, ramp: f64, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+    fn attempt_at(&mut self, attempt: Attempt, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+        let pace = attempt.pace;
         let mut settler = Settler::default();
         let mut watch = self.watch();
         let mut level = COARSE.min(self.wanted());
@@ -176,9 +250,8 @@ impl Run<'_> {
                 return Ok(Some((Ending::NotFound(detail), self.model.clone())));
             }
             rounds += 1;
-            let grown = ramp + (1.0 - ramp) * f64::from(rounds.min(TENSION_ROUNDS)) / f64::from(TENSION_ROUNDS);
             self.model.hang(self.structure);
-            let (mut body, complete) = self.settling_body(grown, edge)?;
+            let (mut body, complete) = self.settling_body(attempt.tension(rounds), edge)?;
             if rounds == 1 {
                 settler.multipliers = self.start_multipliers(&body);
             }
@@ -200,7 +273,7 @@ impl Run<'_> {
             if stuck >= MAX_STUCK {
                 return Ok(Some((self.stuck(&watch), self.model.clone())));
             }
-            let ramping = ramp < 1.0 && rounds <= TENSION_ROUNDS;
+            let ramping = rounds < attempt.tension_rounds;
             let moves = round.moved > REMESH_ABOVE * edge;
             if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || stuck > 0 || ramping {
                 edge = self.size(level);
@@ -210,18 +283,17 @@ impl Run<'_> {
             if ramping || moves || stuck > 0 || !complete || rounds < wait {
                 continue;
             }
-            if !is_last {
-                if round.step < SETTLED * edge {
-                    level = (GROWTH * level).min(self.wanted());
-                    fresh = true;
-                }
+            if !is_last && round.step < SETTLED * edge {
+                level = (GROWTH * level).min(self.wanted());
+                fresh = true;
                 continue;
             }
             if round.step >= NEWTON_BELOW * edge {
                 continue;
             }
             let before = self.model.clone();
-            let reason = self.newton(found)?;
+            let tolerance = self.options.tolerance;
+            let reason = self.newton(found, if is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
             found.stop_reason = reason;
             let whole = self.model.flipped() == 0;
             match reason {
@@ -233,15 +305,21 @@ impl Run<'_> {
                         settler.restart();
                         continue;
                     }
-                    if self.travelled(&before) > edge && failures < MAX_FAILURES {
+                    let is_worn = || measure::angle_range(&self.model.layers[0].film.mesh()).1 > WORN;
+                    if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
                         // Newton's method moves vertices along the normals, which wears triangles out.
                         failures += 3;
-                        self.renew_mesh(edge, 1, true, &mut watch)?;
+                        self.renew_mesh(edge, 2, is_last, &mut watch)?;
                         settler.restart();
                         continue;
                     }
+                    if !is_last {
+                        level = (GROWTH * level).min(self.wanted());
+                        fresh = true;
+                        continue;
+                    }
                     self.model.order_input_first(self.structure);
-                    let again = self.newton(found)?;
+                    let again = self.newton(found, tolerance)?;
                     found.stop_reason = again;
                     return Ok(None);
                 }
@@ -378,6 +456,7 @@ impl Run<'_> {
             area: self.model.layers[0].film.area(),
             least_angle: f64::INFINITY,
             closing: 0,
+            closed: 0,
             narrow: None,
             last_width: f64::INFINITY,
             pinching: 0,
@@ -394,15 +473,16 @@ impl Run<'_> {
             let DVec3 { x, y, z } = p + self.model.centre;
             format!("({x:.4}, {y:.4}, {z:.4})")
         };
-        let far = at.iter().max_by(|a, b| a.distance(watch.centre).total_cmp(&b.distance(watch.centre)))?;
-        let distance = far.distance(watch.centre);
+        let distances = at.iter().map(|p| p.distance(watch.centre)).enumerate();
+        let (v, distance) = distances.max_by(|a, b| a.1.total_cmp(&b.1))?;
         if distance.is_nan() || distance > FAR * watch.radius {
             let detail = format!(
                 "a vertex runs away: it is at {}, {:.0} times the radius of the start from its centre",
-                place(*far),
+                place(at[v]),
                 distance / watch.radius
             );
-            return Some(Ending::RunsAway(detail));
+            let own = self.place_of(v as u32).map(|place| InputError::new(place, "runs away"));
+            return Some(Ending::RunsAway(detail, own));
         }
         if let Some(ending) = self.corner(watch, &at, &place) {
             return Some(ending);
@@ -426,7 +506,13 @@ impl Run<'_> {
             let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
-                let own = InputError::new(cable_place(self.structure, k), "shrinks to nothing");
+                // A point that moves is named rather than the cable that it pulls in.
+                let chain = &self.model.chains[k];
+                let end = [chain[0], chain[chain.len() - 1]].into_iter().find_map(|v| self.place_of(v));
+                let own = match end {
+                    Some(end) => InputError::new(end, format!("moves to the other end of cable {}", cable.name)),
+                    None => InputError::new(cable_place(self.structure, k), "shrinks to nothing"),
+                };
                 return Some(Ending::Collapses(detail, Some(own)));
             }
         }
@@ -463,16 +549,39 @@ impl Run<'_> {
         let &(v, boundary, point) =
             corners.iter().min_by(|a, b| angles[a.0 as usize].total_cmp(&angles[b.0 as usize]))?;
         let angle = angles[v as usize].to_degrees();
-        watch.closing = if angle < 3.0 && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
+        watch.closing = if angle < CLOSES && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
+        watch.closed = if angle < CLOSED { watch.closed + 1 } else { 0 };
         watch.least_angle = angle;
-        (watch.closing >= CLOSING || angle < 0.2).then(|| {
+        (watch.closing >= CLOSING || watch.closed >= STAYS_CLOSED).then(|| {
             let detail = format!(
                 "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
                 place(at[v as usize])
             );
-            let own = Place::field("boundaries").at(boundary).at(point);
-            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point")))
+            // At a support it is the other end of one of its sides that has moved too far.
+            let ends = self.model.chains.iter().map(|chain| [chain[0], chain[chain.len() - 1]]);
+            let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
+            let own = self
+                .place_of(v)
+                .or_else(|| ends.filter_map(other).find_map(|end| self.place_of(end)))
+                .unwrap_or_else(|| Place::field("boundaries").at(boundary).at(point));
+            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point or beside it")))
         })
+    }
+
+    /// The place in the input of a point that moves by itself: a joint, a free point, a point that slides, a hub.
+    fn place_of(&self, v: u32) -> Option<Place> {
+        let structure = self.structure;
+        let hubs = structure.rings.iter().enumerate().filter(|(_, ring)| ring.hub.is_some());
+        let in_the_air = (v as usize).checked_sub(self.model.films);
+        let joined = hubs.map(|(k, _)| Place::field("rings").at(k));
+        let mut joined = joined.chain((0..structure.joints.len()).map(|k| Place::field("joints").at(k)));
+        let free = || self.model.free.iter().position(|&own| own == v).map(|k| Place::field("free_points").at(k));
+        let slides = |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if self.model.input_vertex(point) == v);
+        let sliding = || structure.sliding.iter().position(slides).map(|k| Place::field("supports").at(k));
+        match in_the_air {
+            Some(k) => joined.nth(k),
+            None => free().or_else(sliding),
+        }
     }
 
     /// Finds the narrowest chord between two sides.
@@ -505,8 +614,8 @@ impl Run<'_> {
 
     /// The ending of an attempt in which no step keeps the mesh.
     fn stuck(&self, watch: &Watch) -> Ending {
-        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.05);
-        if watch.least_angle < 10.0 {
+        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.03);
+        if watch.least_angle < CLOSES {
             let detail = format!("the film closes at a corner: its sides meet at {:.2} degrees", watch.least_angle);
             return Ending::Collapses(detail, None);
         }
