@@ -143,7 +143,7 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
         (hypar(json!({ "units": { "force": "m" } })), vec!["/units/force"]),
         (hypar(json!({ "cables": [] })), vec!["/cables"]),
         (hypar(json!({ "cables": [{ "name": "a" }] })), vec!["/cables"]),
-        (cable(json!({ "force": -1 })), vec!["/cables/0/force"]),
+        (cable(json!({ "force": 0 })), vec!["/cables/0/force"]),
         (cable(json!({ "length": 0 })), vec!["/cables/0/length"]),
         (cable(json!({ "force_density": 1, "force": 1 })), vec!["/cables/0/force_density"]),
         (cable(json!({ "force": 1, "edges": [0, 4] })), vec!["/cables/0/edges/1"]),
@@ -281,4 +281,85 @@ async fn a_job_of_a_net_can_be_cancelled() {
     let cancel = job["links"]["cancel"].as_str().unwrap();
     let cancelled: Value = app.request(Method::POST, cancel).send().await.unwrap().json().await.unwrap();
     assert_eq!(cancelled["status"], "cancelled");
+}
+
+/// Returns two cables of a force that bear a load between two supports.
+fn loaded(force: f64) -> Value {
+    json!({
+        "units": { "length": "m", "force": "kN" }, "vertices": [[-1, 0, 0], [1, 0, 0], [0, 0, -0.5]],
+        "edges": [[0, 2], [1, 2]], "supports": [0, 1], "cables": [{ "name": "a", "force": force }],
+        "loads": [{ "vertices": [2], "force": [0, 0, -3] }],
+    })
+}
+
+#[tokio::test]
+async fn targets_that_no_net_meets_fail_and_name_the_edges() {
+    let app = TestApp::start().await;
+    let posted = app.post(CABLE_NETS, &loaded(1.0)).await;
+    let job = app.ended(posted.json().await.unwrap()).await;
+    assert_eq!(
+        (&job["status"], &job["error"]["type"]),
+        (&json!("failed"), &json!("/problems/targets-not-reached")),
+        "{job:#}"
+    );
+    assert_eq!(pointers(&job["error"]), ["/edges/0", "/edges/1"]);
+    // 2 F cos = 3: a force above 1.5 bears the load.
+    let job = app.solve(CABLE_NETS, &loaded(2.5)).await;
+    assert!((number(&job["statistics"]["cables"][0]["force"]) - 2.5).abs() < 1e-6, "{job:#}");
+}
+
+#[tokio::test]
+async fn a_missed_target_is_a_warning_that_names_the_edge() {
+    let app = TestApp::start().await;
+    let string = json!({
+        "vertices": [[0, 0, 0], [1, 0, 0], [2, 0, 0]], "edges": [[0, 1], [1, 2]], "supports": [0, 2],
+        "cables": [{ "edges": [0], "force": 1 }, { "edges": [1], "force": 5 }],
+    });
+    let job = app.solve(CABLE_NETS, &string).await;
+    assert_eq!(job["warnings"][0]["code"], "targets_missed", "{job:#}");
+    assert!(job["warnings"][0]["detail"].as_str().unwrap().ends_with(": /edges/1"), "{job:#}");
+}
+
+#[tokio::test]
+async fn a_net_has_as_many_cables_as_edges() {
+    let app = TestApp::start().await;
+    // A string of 1,501 edges, each of which is a cable with its own target.
+    let count = 1501;
+    let vertices: Vec<Value> = (0..=count).map(|k| json!([k, 0, 0])).collect();
+    let edges: Vec<Value> = (0..count).map(|k| json!([k, k + 1])).collect();
+    let cables: Vec<Value> = (0..count).map(|k| json!({ "edges": [k], "force": 3, "length": 1 })).collect();
+    let net = json!({ "vertices": vertices, "edges": edges, "supports": [0, count], "cables": cables });
+    let job = app.solve(CABLE_NETS, &net).await;
+    assert_eq!(job["statistics"]["cables"].as_array().unwrap().len(), count);
+    assert!(number(&job["statistics"]["objective_value"]) < 1e-12, "{}", job["statistics"]["objective_value"]);
+}
+
+/// Returns a mast on its foot with three stays of force 2 and a load on its top.
+fn stayed(mast: Value) -> Value {
+    json!({
+        "vertices": [[0, 0, 0], [0.2, 0.1, 3.5], [3, 0, 0], [-1.5, 2.598076211353316, 0], [-1.5, -2.598076211353316, 0]],
+        "edges": [[0, 1], [2, 1], [3, 1], [4, 1]], "supports": [0, 2, 3, 4],
+        "cables": [merged(json!({ "name": "mast", "edges": [0] }), &mast), { "name": "stays", "force": 2 }],
+        "loads": [{ "vertices": [1], "force": [0, 0, -1.5] }], "tolerance": 1e-12,
+    })
+}
+
+#[tokio::test]
+async fn a_strut_has_a_negative_force() {
+    let app = TestApp::start().await;
+    // Upright and 4 high, the mast bears 3 × 2 × 4/5 of the stays and 1.5 of the load.
+    for mast in [json!({ "strut": true, "length": 4 }), json!({ "force": -6.3, "length": 4, "axial_stiffness": 1000 })]
+    {
+        let job = app.solve(CABLE_NETS, &stayed(mast.clone())).await;
+        let found = &job["statistics"]["cables"][0];
+        assert!((number(&found["force"]) + 6.3).abs() < 1e-5, "{mast}: {found:#}");
+        assert!((number(&found["length"]) - 4.0).abs() < 1e-5, "{mast}: {found:#}");
+        if mast.get("force").is_some() {
+            assert!((number(&found["unstressed_length"]) - 4.0 / (1.0 - 0.0063)).abs() < 1e-4, "{found:#}");
+        }
+    }
+    let refused = problem(app.post(CABLE_NETS, &stayed(json!({ "strut": true, "force": 6.3 }))).await, 422).await;
+    assert_eq!(pointers(&refused), ["/cables/0/force"]);
+    let refused = problem(app.post(CABLE_NETS, &stayed(json!({ "force": 0 }))).await, 422).await;
+    assert_eq!(pointers(&refused), ["/cables/0/force"]);
 }

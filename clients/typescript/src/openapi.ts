@@ -572,9 +572,15 @@ export interface components {
              * @description Mean force, weighted by length.
              */
             force: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest force, at the upper end of a segment if the cable is heavy.
+             */
             force_max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Least force, at the lower end of a segment if the cable is heavy.
+             */
             force_min: number;
             /** Format: double */
             length: number;
@@ -641,8 +647,8 @@ export interface components {
         /**
          * @description A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
          *
-         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-         *     Cables are groups of edges with common targets.
+         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+         *     or a strut in compression. Cables are groups of edges with common targets.
          */
         CableNetRequest: {
             /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
@@ -664,13 +670,16 @@ export interface components {
             label?: string | null;
             /**
              * Format: double
-             * @description Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-             *     tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
+             * @description Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+             *     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
              */
             least_force_density?: number;
             /** @description Loads on vertices. Loads of one vertex are added. */
             loads?: components["schemas"]["NetLoad"][];
-            /** @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time. */
+            /**
+             * @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+             *     struts.
+             */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
@@ -698,8 +707,8 @@ export interface components {
         /**
          * @description A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
          *
-         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-         *     Cables are groups of edges with common targets.
+         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+         *     or a strut in compression. Cables are groups of edges with common targets.
          */
         CableNetRequestWithKind: {
             /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
@@ -724,13 +733,16 @@ export interface components {
             label?: string | null;
             /**
              * Format: double
-             * @description Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-             *     tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
+             * @description Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+             *     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
              */
             least_force_density?: number;
             /** @description Loads on vertices. Loads of one vertex are added. */
             loads?: components["schemas"]["NetLoad"][];
-            /** @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time. */
+            /**
+             * @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+             *     struts.
+             */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
@@ -773,7 +785,7 @@ export interface components {
             iterations: number;
             /**
              * Format: double
-             * @description Σ force · length.
+             * @description Σ |force| · length.
              */
             load_path: number;
             objective: string;
@@ -788,7 +800,7 @@ export interface components {
             reactions: components["schemas"]["NetReaction"][];
             /**
              * Format: double
-             * @description Largest force on a free vertex that is not balanced, over the largest force of a cable.
+             * @description Largest force on a free vertex that is not balanced, over the largest force of an edge.
              */
             residual: number;
             stop_reason: string;
@@ -1446,6 +1458,8 @@ export interface components {
             lines: components["schemas"]["MeshLines"][];
             /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
             origin: number[];
+            /** @description Numbers for each triangle. Only tensile structures have them. */
+            triangle_attributes?: components["schemas"]["TriangleAttributes"];
             /** @description Three indices of vertices for each triangle, counted from 0. A cable net has none. */
             triangles: number[][];
             unit: components["schemas"]["Units"];
@@ -1798,12 +1812,13 @@ export interface components {
             edges?: number[] | null;
             /**
              * Format: double
-             * @description Force that each edge is to have.
+             * @description Force that each edge is to have: positive in a cable, negative in a strut.
              */
             force?: number | null;
             /**
              * Format: double
-             * @description Force over length of each edge, which is held. Not together with `force` or `length`.
+             * @description Force over length of each edge, which is held: positive in a cable, negative in a strut. Not together with
+             *     `force` or `length`.
              */
             force_density?: number | null;
             /**
@@ -1813,6 +1828,8 @@ export interface components {
             length?: number | null;
             /** @description Name in statistics and files. Null means its number, as in `cable 0`. */
             name?: string | null;
+            /** @description Whether the edges are struts, which push. A negative `force` or `force_density` says it too. */
+            strut?: boolean;
         };
         /** @description A cable of the found net: all its edges together. */
         NetCableResult: {
@@ -1821,7 +1838,7 @@ export interface components {
             edges: number;
             /**
              * Format: double
-             * @description Mean force, weighted by length.
+             * @description Mean force, weighted by length. Forces of struts are negative.
              */
             force: number;
             force_densities: components["schemas"]["ValueRange"];
@@ -1849,7 +1866,8 @@ export interface components {
             slack_edges: number;
             /**
              * Format: double
-             * @description Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
+             * @description Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial
+             *     stiffness, or if a strut's force exceeds it.
              */
             unstressed_length: number | null;
         };
@@ -2896,6 +2914,20 @@ export interface components {
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";
+        /**
+         * @description The stress of each triangle, with which the forces balance at every vertex, in force per length of the request's
+         *     units.
+         */
+        TriangleAttributes: {
+            /** @description Largest principal stress. */
+            stress_max: number[];
+            /** @description Unit vector along the largest principal stress. */
+            stress_max_x: number[];
+            stress_max_y: number[];
+            stress_max_z: number[];
+            /** @description Least principal stress. */
+            stress_min: number[];
+        };
         /** @description A job: an accepted request and its state. */
         UniformMeshJob: {
             /** @description Time of submission (RFC 3339, UTC). */

@@ -118,7 +118,7 @@ pub struct Contents {
     #[serde(with = "mesh")]
     pub mesh: Mesh,
     pub vertex_attributes: Vec<Attribute>,
-    /// Attributes of the triangles, which no format writes.
+    /// Attributes of the triangles. Only JSON has them.
     pub triangle_attributes: Vec<Attribute>,
     pub line_sets: Vec<LineSet>,
     /// Vertices that the points of each input polyline became.

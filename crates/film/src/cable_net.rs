@@ -3,7 +3,7 @@
 //! [`solve`] takes a [`Net`]: points, the cables between them, supports and loads. Without targets the force densities
 //! give the shape by linear equations (Schek 1974). With forces and lengths that cables are to have, the densities are
 //! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held
-//! too.
+//! too. Edges may be struts, which push: their forces and densities are negative, and the net may be a tensegrity.
 //!
 //! ```
 //! use plateau_film::cable_net::{Edge, Net, Options, solve};
@@ -23,11 +23,15 @@
 //!
 //! Source: Schek, *The force density method for form finding and computation of general networks* (1974).
 
+mod fitted;
 mod fitting;
+mod loss;
 mod options;
 mod shape;
+mod step;
+mod struts;
 
-pub use fitting::StopReason;
+pub use fitted::StopReason;
 pub use options::{Edge, Net, Options};
 
 use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place, polyline};
@@ -47,15 +51,17 @@ pub struct CableNet {
     pub reactions: Vec<DVec3>,
     /// The sum of all loads.
     pub loads: DVec3,
-    /// For each edge whether only the least density keeps it in tension.
+    /// For each edge whether only the least density keeps a force in it.
     pub slack: Vec<bool>,
+    /// For each edge whether it misses a target by more than half.
+    pub missed: Vec<bool>,
     /// The sum of the reactions' magnitudes.
     pub magnitudes: f64,
     /// |loads + reactions| over the sum of the reactions' magnitudes.
     pub imbalance: f64,
     /// The largest force on a free vertex that is not balanced.
     pub residual_force: f64,
-    /// Σ F L.
+    /// Σ |F| L.
     pub load_path: f64,
     /// Weighted sum of the mean squared relative deviations from the targets, and of the load path over that at the
     /// start; zero without targets.
@@ -89,12 +95,20 @@ impl CableNet {
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular
-/// to working precision, that collapses, or whose targets leave cables slack; [`Error::Interrupted`] on cancel. A
-/// deadline returns the shape of the last step.
+/// to working precision, that collapses or runs away from its targets, or whose targets leave cables slack;
+/// [`Error::Interrupted`] on cancel. A deadline returns the shape of the last step.
 pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet, Error> {
     check(net, options)?;
-    let fitted = fitting::fit(net, options, exec)?;
-    let at = fitted.vertices;
+    // Far from zero the differences of coordinates lose digits, so the shape is found beside a support.
+    let origin = net.vertices[net.supports[0] as usize];
+    let local = Net { vertices: net.vertices.iter().map(|p| *p - origin).collect(), ..net.clone() };
+    let has_struts = net.edges.iter().any(|edge| edge.strut) && net.edges.iter().any(|edge| !edge.held);
+    let fit = if has_struts { struts::fit } else { fitting::fit };
+    let fitted = fit(&local, options, exec)?;
+    let mut at: Vec<DVec3> = fitted.vertices.iter().map(|p| *p + origin).collect();
+    for &support in &net.supports {
+        at[support as usize] = net.vertices[support as usize];
+    }
     let mut unbalanced: Vec<DVec3> = (0..at.len()).map(|v| net.load(v)).collect();
     let loads = unbalanced.iter().sum();
     let (mut forces, mut lengths) = (Vec::with_capacity(net.edges.len()), Vec::with_capacity(net.edges.len()));
@@ -119,8 +133,13 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
     refuse_collapsed(net, &lengths)?;
     let slack = fitting::slack_edges(net, options, &forces, &fitted.densities);
     refuse_slack(options, &slack)?;
+    let deviations = deviations(net, options, &forces, &lengths);
+    if fitted.stop_reason != StopReason::NoTargets {
+        refuse_runaway(net, &lengths, &deviations)?;
+    }
     Ok(CableNet {
-        load_path: forces.iter().zip(&lengths).map(|(force, length)| force * length).sum(),
+        load_path: forces.iter().zip(&lengths).map(|(force, length)| force.abs() * length).sum(),
+        missed: deviations.iter().map(|deviation| *deviation > loss::FAR).collect(),
         vertices: at,
         forces,
         lengths,
@@ -173,6 +192,34 @@ fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
     refuse("slack_cable", detail, &slack, "would be slack")
 }
 
+/// Length of an edge above which a net runs away from its targets, as a multiple of the size of the net as it was
+/// given, with all target lengths added to it, and the relative deviation above which a target counts as missed then.
+const RUNAWAY: f64 = 20.0;
+const MISSED: f64 = 1e-3;
+
+/// The largest relative deviation of each edge from a target that counts.
+fn deviations(net: &Net, options: &Options, forces: &[f64], lengths: &[f64]) -> Vec<f64> {
+    let off = |value: f64, target: Option<f64>, weight: f64| {
+        target.filter(|_| weight > 0.0).map_or(0.0, |target| (value / target - 1.0).abs())
+    };
+    let of = |((edge, force), length): ((&Edge, &f64), &f64)| {
+        off(*force, edge.force, options.force_weight).max(off(*length, edge.length, options.length_weight))
+    };
+    net.edges.iter().zip(forces).zip(lengths).map(of).collect()
+}
+
+/// Refuses a shape whose edges grow without limit while it comes nearer to its targets: no net meets them.
+fn refuse_runaway(net: &Net, lengths: &[f64], deviations: &[f64]) -> Result<(), Error> {
+    let wanted: f64 = net.edges.iter().filter_map(|edge| edge.length).sum();
+    let most = RUNAWAY * (polyline::radius(&net.vertices) + wanted);
+    if deviations.iter().all(|deviation| *deviation <= MISSED) {
+        return Ok(());
+    }
+    let long: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] > most).collect();
+    let detail = "no net meets the targets: the nearer it comes to them, the longer some edges become, without limit";
+    refuse("targets_not_reached", detail, &long, "grows without limit")
+}
+
 /// Checks the arguments of [`solve`] before any work: linear in the size of the net.
 ///
 /// # Errors
@@ -181,13 +228,18 @@ pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
     options::check(net, options)
 }
 
-/// Number of bytes of memory per edge: most of it for the factor of a step, with six unknowns at every vertex. Square
-/// grids took 6,100 bytes at 20,000 edges and 6,900 at 105,000. The rest is a margin, because the factor of other nets
-/// fills in more.
-const BYTES_PER_EDGE: f64 = 12_000.0;
+/// Number of bytes of memory per edge, and per entry of the factor of the equations with one unknown at a vertex. A
+/// step has six unknowns, so its factor has 36 numbers of 8 bytes in the place of one, or fewer where its order is
+/// better. Grids of squares, walls of bricks and grids in space take 70 % to 80 % of the sum.
+const BYTES_PER_EDGE: f64 = 5_600.0;
+const BYTES_PER_ENTRY: f64 = 330.0;
 
-/// Estimates the memory that solving takes. A net has no triangles.
+/// Estimates the memory that solving takes, for a net that [`check`] accepts. A net has no triangles. The fill of the
+/// factor decides, which depends on how the edges join: a net in space takes twice as much per edge as one on a
+/// surface. It is found by ordering the equations, which takes far less time than solving them.
 #[must_use]
 pub fn estimate(net: &Net) -> Estimate {
-    Estimate { triangles: 0.0, cells: 0, bytes: (net.edges.len() as f64 * BYTES_PER_EDGE) as u64 }
+    let factor = shape::Shape::new(net).map(|shape| shape.factor_entries());
+    let bytes = |entries: usize| net.edges.len() as f64 * BYTES_PER_EDGE + entries as f64 * BYTES_PER_ENTRY;
+    Estimate { triangles: 0.0, cells: 0, bytes: factor.map_or(u64::MAX, |entries| bytes(entries) as u64) }
 }

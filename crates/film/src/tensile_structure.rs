@@ -70,7 +70,7 @@ pub use options::{
 pub use ponding::Ponding;
 pub use shape::{
     CableResult, ChamberResult, EdgeReaction, ForceBalance, LayerResult, Reaction, Stability, Statistics, Stress,
-    StressRange, TensileStructure, WeaveStress,
+    StressRange, TensileStructure, TriangleStress, WeaveStress,
 };
 
 use crate::equilibrium::Support;

@@ -29,7 +29,7 @@ fn found(net: &Net, options: &Options) -> CableNet {
     let result = solve(net, options, &Execution::default()).unwrap();
     let scale = result.forces.iter().copied().fold(0.0, f64::max);
     assert!(result.residual_force < 1e-9 * scale && result.imbalance < 1e-12, "{result:?}");
-    assert!(result.forces.iter().all(|force| *force > 0.0));
+    assert!(result.forces.iter().zip(&net.edges).all(|(force, edge)| (*force < 0.0) == edge.strut));
     result
 }
 
@@ -73,6 +73,7 @@ fn lifted(cells: u32) -> Net {
         ends,
         density: Some(force_at_start(rim) * f64::from(cells) / 10.0),
         held: false,
+        strut: false,
         force: rim.then_some(20.0),
         length: (!rim).then_some(10.0 / f64::from(cells)),
     });
@@ -271,4 +272,124 @@ fn the_same_net_gives_the_same_bits_and_looks_at_the_caller() {
     let cancel = Execution::new(&|| Signal::Cancel, &|_| {});
     let cancelled = solve(&net, &Options::default(), &cancel);
     assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled));
+}
+
+/// Returns a prism of three struts: a fixed triangle of radius 1, one above it that begins turned by `turn` degrees,
+/// and cables of force 1 between them. A strut joins each lower vertex to the upper vertex that is two thirds of a turn
+/// further than the one to which its cable goes.
+fn triplex(turn: f64) -> Net {
+    let third = |k: u32, turn: f64, z: f64| {
+        let angle = (120.0 * f64::from(k) + turn).to_radians();
+        DVec3::new(libm::cos(angle), libm::sin(angle), z)
+    };
+    let mut vertices: Vec<DVec3> = (0..3).map(|k| third(k, 0.0, 0.0)).collect();
+    vertices.extend((0..3).map(|k| third(k, turn, 1.4)));
+    let mut edges = Vec::new();
+    for k in 0..3 {
+        let above = |by: u32| 3 + (k + by) % 3;
+        edges.push(Edge { ends: [above(0), above(1)], length: Some(3.0f64.sqrt()), ..Edge::default() });
+        edges.push(Edge { ends: [k, above(0)], force: Some(1.0), ..Edge::default() });
+        edges.push(Edge { ends: [k, above(1)], strut: true, length: Some(2.5), ..Edge::default() });
+    }
+    Net { vertices, edges, supports: vec![0, 1, 2], loads: Vec::new() }
+}
+
+#[test]
+fn the_prism_of_three_struts_is_twisted_by_thirty_degrees() {
+    for turn in [-20.0, 0.0, 10.0, 60.0] {
+        let net = triplex(turn);
+        let result = found(&net, &Options::default());
+        println!("{turn}: {} {} {:?} {:?}", result.loss, result.iterations, result.stop_reason, result.forces);
+        assert!(result.converged() && result.loss < 1e-16, "{turn}: {result:?}");
+        for k in 3..6 {
+            let p = result.vertices[k];
+            let twist = libm::atan2(p.y, p.x).to_degrees() - 120.0 * (k - 3) as f64;
+            assert!(((twist - 30.0 + 540.0).rem_euclid(360.0) - 180.0).abs() < 1e-6, "{turn}: {twist}");
+            assert!((p.truncate().length() - 1.0).abs() < 1e-6);
+        }
+        // The force density of a strut is that of its cable, and its length is as it was asked for.
+        for (edge, (length, q)) in net.edges.iter().zip(result.lengths.iter().zip(&result.densities)) {
+            assert!(
+                !edge.strut || (length - 2.5).abs() < 1e-8 && (q + result.densities[1]).abs() < 1e-6,
+                "{length} {q}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_strut_bears_what_statics_says() {
+    // A mast on a fixed foot, held by three stays of force 2 against a pull to the side.
+    let foot = DVec3::ZERO;
+    let anchors = [0.0f64, 120.0, 240.0]
+        .map(|angle| DVec3::new(3.0 * libm::cos(angle.to_radians()), 3.0 * libm::sin(angle.to_radians()), 0.0));
+    let mut vertices = vec![foot, DVec3::new(0.2, 0.1, 3.5)];
+    vertices.extend(anchors);
+    let mut edges = vec![Edge { ends: [0, 1], strut: true, length: Some(4.0), ..Edge::default() }];
+    edges.extend((2..5).map(|k| Edge { ends: [k, 1], force: Some(2.0), ..Edge::default() }));
+    let net = Net { vertices, edges, supports: vec![0, 2, 3, 4], loads: Vec::new() };
+    let result = found(&net, &Options { tolerance: 1e-12, ..Options::default() });
+    // By symmetry the mast stands upright, and bears the three stays' vertical parts.
+    let top = result.vertices[1];
+    assert!(top.distance(DVec3::new(0.0, 0.0, 4.0)) < 1e-6, "{top} {result:?}");
+    assert!((result.forces[0] + 3.0 * 2.0 * 0.8).abs() < 1e-6, "{:?}", result.forces);
+    // Below a load the mast bears more, and the targets are met all the same.
+    let loads = vec![DVec3::ZERO, DVec3::new(0.0, 0.0, -1.5), DVec3::ZERO, DVec3::ZERO, DVec3::ZERO];
+    let result = found(&Net { loads, ..net }, &Options { tolerance: 1e-12, ..Options::default() });
+    assert!((result.forces[0] + 3.0 * 2.0 * 0.8 + 1.5).abs() < 1e-6, "{:?}", result.forces);
+}
+
+#[test]
+fn targets_that_no_net_meets_fail_and_name_the_edges_that_grow() {
+    // Two cables of force 1 cannot bear a load of 3: 2 F cos = 3 needs F > 1.5.
+    let vertices = vec![DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, -0.5)];
+    let net = |force: f64| Net {
+        vertices: vertices.clone(),
+        edges: (0..2).map(|k| Edge { ends: [k, 2], force: Some(force), ..Edge::default() }).collect(),
+        supports: vec![0, 1],
+        loads: vec![DVec3::ZERO, DVec3::ZERO, DVec3::new(0.0, 0.0, -3.0)],
+    };
+    for force in [0.5, 1.0, 1.4, 1.49] {
+        match solve(&net(force), &Options::default(), &Execution::default()) {
+            Err(Error::NoResult { reason, places, .. }) => {
+                let named: Vec<String> = places.iter().map(|place| place.place.to_string()).collect();
+                assert_eq!((reason, named), ("targets_not_reached", vec!["/edges/0".into(), "/edges/1".into()]));
+            }
+            other => panic!("{force}: {other:?}"),
+        }
+    }
+    // A force that is enough is reached, also where the net hangs deep.
+    for force in [1.6, 1.501] {
+        let result = found(&net(force), &Options::default());
+        assert!((result.forces[0] / force - 1.0).abs() < 1e-6 && !result.missed.contains(&true), "{result:?}");
+    }
+}
+
+#[test]
+fn an_edge_that_misses_a_target_by_more_than_half_is_marked() {
+    // A straight string: both halves have the same force, so no net has both targets.
+    let vertices = vec![DVec3::ZERO, DVec3::new(1.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
+    let edge = |k: u32, force: f64| Edge { ends: [k, k + 1], force: Some(force), ..Edge::default() };
+    let net = Net { vertices, edges: vec![edge(0, 1.0), edge(1, 5.0)], supports: vec![0, 2], loads: Vec::new() };
+    let result = found(&net, &Options::default());
+    assert_eq!(result.missed, [false, true], "{:?}", result.forces);
+    assert!(result.converged() && (result.forces[1] / 5.0 - 1.0).abs() > 0.5, "{:?}", result.forces);
+}
+
+#[test]
+fn a_net_at_survey_coordinates_is_balanced_as_far_as_they_allow() {
+    let mut net = lifted(10);
+    let options = Options { least_density: 0.1, ..Options::default() };
+    let reference = found(&net, &options);
+    let far = DVec3::new(512_345.5, 5_412_345.75, 290.25);
+    net.vertices.iter_mut().for_each(|p| *p += far);
+    let result = solve(&net, &options, &Execution::default()).unwrap();
+    let largest = result.forces.iter().copied().fold(0.0, f64::max);
+    // Coordinates of 5e6 are whole multiples of 1e-9, and the densities are about 20.
+    println!("{} {}", result.residual_force / largest, result.loss / reference.loss - 1.0);
+    assert!(result.residual_force < 2e-8 * largest, "{}", result.residual_force / largest);
+    assert!((result.loss / reference.loss - 1.0).abs() < 1e-6);
+    for (p, q) in result.vertices.iter().zip(&reference.vertices) {
+        assert!((*p - far).distance(*q) < 1e-6);
+    }
 }

@@ -63,6 +63,7 @@ pub const FAILURES: &[(&str, &str)] = &[
     ("not-flattenable", "The surface cannot be flattened"),
     ("self-intersecting-boundary", "The boundary crosses itself"),
     ("slack-cable", "A cable would be slack"),
+    ("targets-not-reached", "No net meets the targets"),
     ("too-large", "The mesh is too large"),
 ];
 

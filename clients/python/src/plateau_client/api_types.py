@@ -224,7 +224,9 @@ class CableForce(TypedDict):
     force: float
     """Mean force, weighted by length."""
     force_max: float
+    """Largest force, at the upper end of a segment if the cable is heavy."""
     force_min: float
+    """Least force, at the lower end of a segment if the cable is heavy."""
     length: float
     mode: str
     name: str
@@ -265,8 +267,8 @@ class CableNetJob(TypedDict):
 class CableNetRequest(TypedDict):
     """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
 
-    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-    Cables are groups of edges with common targets."""
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+    or a strut in compression. Cables are groups of edges with common targets."""
     cables: NotRequired[Sequence[NetCable]]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
     cache: NotRequired[Cache]
@@ -283,12 +285,13 @@ class CableNetRequest(TypedDict):
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
     least_force_density: NotRequired[float]
-    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+    cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
     loads: NotRequired[Sequence[NetLoad]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+    struts."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: NotRequired[Optional[str]]
@@ -309,8 +312,8 @@ class CableNetRequest(TypedDict):
 class CableNetRequestWithKind(TypedDict):
     """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
 
-    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-    Cables are groups of edges with common targets."""
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+    or a strut in compression. Cables are groups of edges with common targets."""
     cables: NotRequired[List[NetCable]]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
     cache: NotRequired[Cache]
@@ -327,12 +330,13 @@ class CableNetRequestWithKind(TypedDict):
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
     least_force_density: NotRequired[float]
-    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+    cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
     loads: NotRequired[List[NetLoad]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+    struts."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: NotRequired[Optional[str]]
@@ -364,7 +368,7 @@ class CableNetStatistics(TypedDict):
     """Largest derivative of the loss by the logarithm of a force density."""
     iterations: int
     load_path: float
-    """Σ force · length."""
+    """Σ |force| · length."""
     objective: str
     objective_value: float
     """Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets."""
@@ -373,7 +377,7 @@ class CableNetStatistics(TypedDict):
     reactions: List[NetReaction]
     """Supports in the order of the request."""
     residual: float
-    """Largest force on a free vertex that is not balanced, over the largest force of a cable."""
+    """Largest force on a free vertex that is not balanced, over the largest force of an edge."""
     stop_reason: str
     triangles: int
     """Always 0: a net has no triangles."""
@@ -855,6 +859,8 @@ class Mesh(TypedDict):
     lines: List[MeshLines]
     origin: List[float]
     """Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`."""
+    triangle_attributes: NotRequired[TriangleAttributes]
+    """Numbers for each triangle. Only tensile structures have them."""
     triangles: List[List[int]]
     """Three indices of vertices for each triangle, counted from 0. A cable net has none."""
     unit: Units
@@ -1116,13 +1122,16 @@ class NetCable(TypedDict):
     edges: NotRequired[Optional[Sequence[int]]]
     """Numbers of its edges, counted from 0. Null means all edges that no other cable lists."""
     force: NotRequired[Optional[float]]
-    """Force that each edge is to have."""
+    """Force that each edge is to have: positive in a cable, negative in a strut."""
     force_density: NotRequired[Optional[float]]
-    """Force over length of each edge, which is held. Not together with `force` or `length`."""
+    """Force over length of each edge, which is held: positive in a cable, negative in a strut. Not together with
+    `force` or `length`."""
     length: NotRequired[Optional[float]]
     """Length that each edge is to have in the found shape."""
     name: NotRequired[Optional[str]]
     """Name in statistics and files. Null means its number, as in `cable 0`."""
+    strut: NotRequired[bool]
+    """Whether the edges are struts, which push. A negative `force` or `force_density` says it too."""
 
 
 class NetCableResult(TypedDict):
@@ -1131,7 +1140,7 @@ class NetCableResult(TypedDict):
     edges: int
     """Number of its edges."""
     force: float
-    """Mean force, weighted by length."""
+    """Mean force, weighted by length. Forces of struts are negative."""
     force_densities: ValueRange
     force_deviation: Optional[float]
     """Largest |force / target - 1|; null without a target."""
@@ -1145,7 +1154,8 @@ class NetCableResult(TypedDict):
     slack_edges: int
     """Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension."""
     unstressed_length: Optional[float]
-    """Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness."""
+    """Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial
+    stiffness, or if a strut's force exceeds it."""
 
 
 class NetLoad(TypedDict):
@@ -1880,6 +1890,19 @@ class TensileStructureRequestWithKind(TypedDict):
     pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
 
 
+class TriangleAttributes(TypedDict):
+    """The stress of each triangle, with which the forces balance at every vertex, in force per length of the request's
+    units."""
+    stress_max: List[float]
+    """Largest principal stress."""
+    stress_max_x: List[float]
+    """Unit vector along the largest principal stress."""
+    stress_max_y: List[float]
+    stress_max_z: List[float]
+    stress_min: List[float]
+    """Least principal stress."""
+
+
 class UniformMeshJob(TypedDict):
     """A job: an accepted request and its state."""
     created_at: str
@@ -2293,8 +2316,8 @@ class TensileStructureOptions(TypedDict, total=False):
 class CableNetOptions(TypedDict, total=False):
     """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
 
-    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-    Cables are groups of edges with common targets."""
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+    or a strut in compression. Cables are groups of edges with common targets."""
     cables: Sequence[NetCable]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
     cache: Cache
@@ -2307,12 +2330,13 @@ class CableNetOptions(TypedDict, total=False):
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
     least_force_density: float
-    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+    cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
     loads: Sequence[NetLoad]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: Optional[int]
-    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+    struts."""
     metadata: Optional[Dict[str, Any]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: Optional[str]

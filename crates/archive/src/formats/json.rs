@@ -17,6 +17,8 @@ struct Mesh<'a> {
     vertices: Vec<[f64; 3]>,
     triangles: &'a [[u32; 3]],
     attributes: BTreeMap<&'static str, &'a [f64]>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    triangle_attributes: BTreeMap<&'a str, &'a [f64]>,
     lines: Vec<LinesOf<'a>>,
     input_vertices: &'a [Vec<u32>],
 }
@@ -52,6 +54,7 @@ pub fn to_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         vertices: contents.mesh.vertices.iter().map(|&vertex| (vertex - shift).to_array()).collect(),
         triangles: &contents.mesh.triangles,
         attributes: curvature.into_iter().collect(),
+        triangle_attributes: contents.triangle_attributes.iter().map(|of| (&*of.name, &*of.values)).collect(),
         lines: choices.line_sets(contents).iter().map(|set| lines_of(set, shift)).collect(),
         input_vertices: &contents.input_vertices,
     };

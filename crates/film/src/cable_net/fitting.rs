@@ -36,6 +36,17 @@
 //! numbers δx, λ of each free vertex. It costs one factorisation for each step, whatever the number of edges, where a
 //! dense Jacobian would have a column for each.
 //!
+//! μ follows the ratio of the loss's fall to the fall that the linearised residuals promise (Madsen, Nielsen,
+//! Tingleff). A step v that raises the loss is halved a few times before μ grows, because a new μ costs a
+//! factorisation. A step that was kept after halving leaves μ as it is.
+//!
+//! # Acceleration
+//!
+//! The second derivative of the residuals along a step v is r_vv = (2/h) ((r(s + h v) - r(s)) / h - J v). The same
+//! factor gives (JᵀJ + μ) a = -Jᵀ r_vv, and v + a/2 follows the curved path of least residuals further than v does. It
+//! is taken if 2 |a| ≤ ¾ |v| (Transtrum, Sethna, *Geodesic acceleration and the small-curvature approximation for
+//! nonlinear least squares*, 2012).
+//!
 //! A density at the least one stays there in a step if the gradient would lower it (a projected step: Bertsekas,
 //! *Projected Newton methods for optimization problems with simple constraints*, 1982). A density that a step would
 //! take below the least one ends at the least one.
@@ -46,29 +57,31 @@
 //! cable nets* (2013), for densities from the targets and the shape before. The sparse form of the step is worked out
 //! here.
 
+use super::fitted::{
+    DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, StopReason, TIGHTENED, refused, report,
+};
+use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
-use crate::energy::outer;
-use glam::DMat3;
-use plateau_mesh::sparse::pattern::BlockPattern;
-use plateau_mesh::sparse::{LinearError, Symbolic};
-use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
+use super::step::{Change, Damping, Factor, Member, Step, gradients, members};
+use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
 /// one, as a fraction of it. Fitting never reaches zero: where the targets
 /// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
 const SLACK: f64 = 1e-3;
-/// Damping at the start, as a multiple of the loss, its factors after a step that was kept and one that was not, and
-/// its range. A smaller start takes steps that are refused.
-const DAMPING: f64 = 1e-2;
-const RELAXED: f64 = 0.2;
-const TIGHTENED: f64 = 4.0;
-const LEAST_DAMPING: f64 = 1e-12;
-const LARGEST_DAMPING: f64 = 1e12;
-/// Largest change of a logarithm of a density in one step: a factor of e².
-const LARGEST_STEP: f64 = 2.0;
-/// Steps in a row that must lower the loss by less than the tolerance.
-const QUIET_STEPS: u32 = 3;
+/// Ratio of the loss's fall to the predicted one above which the damping is relaxed, the ratio below which it is
+/// tightened, and the factor of the first. On nets of 480 to 1,984 edges a factor of 0.1 takes 50 to 55 factorisations
+/// where 0.2 takes 60 to 65.
+const GOOD: f64 = 0.75;
+const POOR: f64 = 0.25;
+const RELAXED: f64 = 0.1;
+/// Number of times that a step which raises the loss is halved.
+const HALVINGS: u32 = 3;
+/// Part h of a step at which the second derivative is measured, and the largest ratio 2 |a| / |v| at which it is
+/// trusted. Both are the values of Transtrum and Sethna.
+const PROBE: f64 = 0.1;
+const LARGEST_ACCELERATION: f64 = 0.75;
 /// Largest number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
 /// Number of shapes from which densities for the start are made. With 13 every target of the nets of
@@ -79,301 +92,13 @@ const ROUNDS: u32 = 13;
 const LARGEST_FACTOR: f64 = 2.0;
 /// Smallest density of the start over the given one. Densities below about a tenth of this value count as slack.
 const LEAST_SHARE: f64 = 0.01;
-/// Relative deviation above which a target is missed by far.
-const FAR: f64 = 0.5;
-/// Part of the mean diagonal that is added to the positions' block and subtracted from the multipliers', so that the
-/// factorisation without pivoting exists (Vanderbei, *Symmetric quasidefinite matrices*, 1995). The step deviates from
-/// the linearised equilibrium by about as much; the loss is that of the exact one.
-const REGULARISATION: f64 = 1e-9;
-
-/// Why fitting ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopReason {
-    /// The net has no targets: the shape follows from the densities.
-    NoTargets,
-    /// The loss no longer falls.
-    Change,
-    /// No step lowers the loss.
-    Stalled,
-    /// The allowed steps are used up.
-    MaxIterations,
-    /// The caller's time is used up.
-    Deadline,
-}
-
-impl StopReason {
-    /// A stable name in snake case.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NoTargets => "no_targets",
-            Self::Change => "change",
-            Self::Stalled => "stalled",
-            Self::MaxIterations => "max_iterations",
-            Self::Deadline => "deadline",
-        }
-    }
-}
-
-/// The densities that were found.
-#[derive(Clone, Debug)]
-pub(super) struct Fitted {
-    pub densities: Vec<f64>,
-    pub vertices: Vec<DVec3>,
-    pub loss: f64,
-    /// The largest derivative of the loss by a logarithm of a density.
-    pub gradient: f64,
-    pub iterations: u32,
-    pub stop_reason: StopReason,
-}
-
-/// Sums over the residuals of one edge: of r², r r_s, r r_ℓ, r_s², r_s r_ℓ, r_ℓ².
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    loss: f64,
-    g_s: f64,
-    g_l: f64,
-    h_ss: f64,
-    h_sl: f64,
-    h_ll: f64,
-}
-
-impl Sums {
-    fn add(&mut self, r: f64, by_s: f64, by_length: f64) {
-        self.loss += r * r;
-        self.g_s += r * by_s;
-        self.g_l += r * by_length;
-        self.h_ss += by_s * by_s;
-        self.h_sl += by_s * by_length;
-        self.h_ll += by_length * by_length;
-    }
-}
-
-/// The loss and its derivatives.
-pub(super) struct Loss<'a> {
-    net: &'a Net,
-    least: f64,
-    force: f64,
-    length: f64,
-    load_path: f64,
-    /// For each edge whether its density stays: it is held, or it is the least one and the gradient would lower it.
-    stays: Vec<bool>,
-}
-
-impl<'a> Loss<'a> {
-    pub fn new(net: &'a Net, options: &Options, densities: &[f64], at: &[DVec3]) -> Self {
-        let share = |weight: f64, count: usize| if count == 0 { 0.0 } else { (weight / count as f64).sqrt() };
-        let forces = net.edges.iter().filter(|edge| edge.force.is_some()).count();
-        let lengths = net.edges.iter().filter(|edge| edge.length.is_some()).count();
-        let path: f64 = net.edges.iter().zip(densities).map(|(edge, q)| q * length(edge.ends, at).powi(2)).sum();
-        Self {
-            net,
-            least: options.least_density,
-            force: share(options.force_weight, forces),
-            length: share(options.length_weight, lengths),
-            load_path: (options.load_path_weight / path.max(f64::MIN_POSITIVE)).sqrt(),
-            stays: net.edges.iter().map(|edge| edge.held).collect(),
-        }
-    }
-
-    pub fn has_targets(&self) -> bool {
-        self.force > 0.0 || self.length > 0.0 || self.load_path > 0.0
-    }
-
-    /// The derivative p = dq/ds of an edge's density: zero if the density stays.
-    fn slope(&self, e: usize, q: f64) -> f64 {
-        if self.stays[e] { 0.0 } else { q }
-    }
-
-    /// Marks the densities that the next step must not change.
-    fn hold(&mut self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<(), LinearError> {
-        self.stays = self.net.edges.iter().map(|edge| edge.held).collect();
-        let least = self.least;
-        if densities.iter().any(|q| *q <= least) {
-            let gradient = self.gradient(densities, at, shape)?;
-            let lowest = densities.iter().zip(&gradient).map(|(q, g)| *q <= least && *g >= 0.0);
-            self.stays.iter_mut().zip(lowest).for_each(|(stays, lowest)| *stays |= lowest);
-        }
-        Ok(())
-    }
-
-    /// Whether some target is missed by far.
-    fn is_far(&self, densities: &[f64], at: &[DVec3]) -> bool {
-        self.net.edges.iter().zip(densities).any(|(edge, q)| {
-            let length = length(edge.ends, at);
-            let far = |value: f64, target: Option<f64>| target.is_some_and(|target| (value / target - 1.0).abs() > FAR);
-            (self.force > 0.0 && far(q * length, edge.force)) || (self.length > 0.0 && far(length, edge.length))
-        })
-    }
-
-    fn sums(&self, e: usize, q: f64, at: &[DVec3]) -> Sums {
-        let edge = &self.net.edges[e];
-        let (length, p) = (length(edge.ends, at), self.slope(e, q));
-        let mut sums = Sums::default();
-        if let Some(target) = edge.force {
-            let factor = self.force / target;
-            sums.add(factor * q * length - self.force, factor * p * length, factor * q);
-        }
-        if let Some(target) = edge.length {
-            sums.add(self.length * (length / target - 1.0), 0.0, self.length / target);
-        }
-        if self.load_path > 0.0 {
-            let root = q.sqrt();
-            sums.add(self.load_path * root * length, 0.5 * self.load_path * p * length / root, self.load_path * root);
-        }
-        sums
-    }
-
-    pub fn value(&self, densities: &[f64], at: &[DVec3]) -> f64 {
-        densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at).loss).sum()
-    }
-
-    /// The derivative of half the loss by each logarithm s, by the adjoint equations: with D λ = ∂/∂x it is
-    /// g_s - p ℓ u·Δλ.
-    pub fn gradient(&self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<Vec<f64>, LinearError> {
-        let mut by_positions = vec![DVec3::ZERO; at.len()];
-        let sums: Vec<Sums> = densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at)).collect();
-        for (edge, sums) in self.net.edges.iter().zip(&sums) {
-            let [a, b] = edge.ends;
-            let pull = sums.g_l * unit(edge.ends, at);
-            by_positions[b as usize] += pull;
-            by_positions[a as usize] -= pull;
-        }
-        let lambda = shape.solve(densities, &by_positions)?;
-        let of = |(e, sums): (usize, &Sums)| {
-            let [a, b] = self.net.edges[e].ends;
-            let edge = at[b as usize] - at[a as usize];
-            sums.g_s - self.slope(e, densities[e]) * edge.dot(lambda[b as usize] - lambda[a as usize])
-        };
-        Ok(sums.iter().enumerate().map(of).collect())
-    }
-}
-
-fn length([a, b]: [u32; 2], at: &[DVec3]) -> f64 {
-    at[a as usize].distance(at[b as usize])
-}
-
-fn unit([a, b]: [u32; 2], at: &[DVec3]) -> DVec3 {
-    (at[b as usize] - at[a as usize]).normalize_or_zero()
-}
-
-/// The sparse system of a step.
-struct Step {
-    pattern: BlockPattern,
-    symbolic: Symbolic,
-    storage: Vec<f64>,
-}
-
-impl Step {
-    fn new(net: &Net, fixed: &[bool]) -> Result<Self, LinearError> {
-        let counts: Vec<u8> = fixed.iter().map(|fixed| if *fixed { 0 } else { 6 }).collect();
-        let pattern = BlockPattern::new(&counts, |couple| net.edges.iter().for_each(|edge| couple(&edge.ends)));
-        let symbolic = Symbolic::analyse(&pattern.matrix(), None)?;
-        Ok(Self { pattern, symbolic, storage: Vec::new() })
-    }
-
-    /// The change of each logarithm.
-    fn take(&mut self, loss: &Loss, densities: &[f64], at: &[DVec3], damping: f64) -> Result<Vec<f64>, LinearError> {
-        let mut matrix = self.pattern.matrix();
-        let mut right = vec![0.0; self.pattern.order()];
-        let sums: Vec<Sums> = densities.iter().enumerate().map(|(e, &q)| loss.sums(e, q, at)).collect();
-        // The multipliers are scaled so that their block has the size of the positions'.
-        let (mut positions, mut multipliers) = (0.0, 0.0);
-        let (mut squared_lengths, mut squared_forces) = (0.0, 0.0);
-        for (e, sums) in sums.iter().enumerate() {
-            let own = sums.h_ss + damping;
-            let length = length(loss.net.edges[e].ends, at);
-            let c = loss.slope(e, densities[e]) * length;
-            squared_lengths += length * length;
-            squared_forces += (densities[e] * length).powi(2);
-            positions += sums.h_ll - sums.h_sl * sums.h_sl / own;
-            multipliers += c * c / own;
-        }
-        // The ratio of the two has the unit 1 / (length force)².
-        let edges = sums.len() as f64;
-        let least = REGULARISATION * edges * edges / (squared_lengths * squared_forces);
-        let scale = (positions / multipliers).max(least).sqrt();
-        for (e, edge) in loss.net.edges.iter().enumerate() {
-            let (q, sums, u) = (densities[e], &sums[e], unit(edge.ends, at));
-            let own = sums.h_ss + damping;
-            let c = scale * loss.slope(e, q) * length(edge.ends, at);
-            let along = outer(u, u);
-            let xx = along * (sums.h_ll - sums.h_sl * sums.h_sl / own);
-            let ll = along * (-c * c / own);
-            let xl = along * (c * sums.h_sl / own) - DMat3::IDENTITY * (scale * q);
-            let by_x = (sums.g_l - sums.g_s * sums.h_sl / own) * u;
-            let by_l = c * sums.g_s / own * u;
-            for (v, sign) in [(edge.ends[0], -1.0), (edge.ends[1], 1.0)] {
-                let unknowns = self.pattern.unknowns(v);
-                if unknowns.is_empty() {
-                    continue;
-                }
-                for i in 0..3 {
-                    right[unknowns.start + i] -= sign * by_x[i];
-                    right[unknowns.start + 3 + i] -= sign * by_l[i];
-                }
-                for (w, other) in [(edge.ends[0], -1.0), (edge.ends[1], 1.0)] {
-                    let Some(position) = self.pattern.position(v, w) else { continue };
-                    for j in 0..3 {
-                        for i in 0..3 {
-                            let factor = sign * other;
-                            matrix.values[position.at(i, j)] += factor * xx.col(j)[i];
-                            matrix.values[position.at(3 + i, 3 + j)] += factor * ll.col(j)[i];
-                            matrix.values[position.at(i, 3 + j)] += factor * xl.col(j)[i];
-                            matrix.values[position.at(3 + i, j)] += factor * xl.col(j)[i];
-                        }
-                    }
-                }
-            }
-        }
-        let count = self.pattern.order().max(1) as f64;
-        let mean = scale * scale * multipliers / count;
-        for row in 0..self.pattern.order() {
-            let sign = if row % 6 < 3 { 1.0 } else { -1.0 };
-            matrix.values[matrix.row_start[row] as usize] += sign * REGULARISATION * mean;
-        }
-        let factor = self.symbolic.factorise_into(&matrix, std::mem::take(&mut self.storage))?;
-        factor.solve_unchecked(&mut right);
-        self.storage = factor.into_storage();
-        let part = |v: u32, from: usize| {
-            let unknowns = self.pattern.unknowns(v);
-            if unknowns.is_empty() { DVec3::ZERO } else { DVec3::from_slice(&right[unknowns.start + from..]) }
-        };
-        let change = |(e, sums): (usize, &Sums)| {
-            let [a, b] = loss.net.edges[e].ends;
-            let u = unit([a, b], at);
-            let c = scale * loss.slope(e, densities[e]) * length([a, b], at);
-            let (x, l) = (u.dot(part(b, 0) - part(a, 0)), u.dot(part(b, 3) - part(a, 3)));
-            (c * l - sums.g_s - sums.h_sl * x) / (sums.h_ss + damping)
-        };
-        let steps: Vec<f64> = sums.iter().enumerate().map(change).collect();
-        if steps.iter().all(|step| step.is_finite()) { Ok(steps) } else { Err(LinearError::NotFinite) }
-    }
-}
-
-/// The densities with which fitting begins: given ones, then those of the target forces at the present lengths, then
-/// the mean of these; 1 if there are none.
-pub(super) fn start(net: &Net, options: &Options) -> Vec<f64> {
-    let given = |edge: &super::options::Edge| {
-        let length = length(edge.ends, &net.vertices).max(f64::MIN_POSITIVE);
-        edge.density.or_else(|| edge.force.map(|force| force / edge.length.unwrap_or(length)))
-    };
-    let known: Vec<f64> = net.edges.iter().filter_map(given).filter(|q| q.is_finite()).collect();
-    let mean = if known.is_empty() { 1.0 } else { known.iter().sum::<f64>() / known.len() as f64 };
-    let found = |edge: &super::options::Edge| given(edge).filter(|q| q.is_finite()).unwrap_or(mean);
-    net.edges.iter().map(|edge| if edge.held { found(edge) } else { found(edge).max(options.least_density) }).collect()
-}
 
 /// For each edge whether the targets leave it no force.
 pub(super) fn slack_edges(net: &Net, options: &Options, forces: &[f64], densities: &[f64]) -> Vec<bool> {
-    let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+    let mean = forces.iter().map(|force| force.abs()).sum::<f64>() / forces.len() as f64;
     let lowest = options.least_density * (1.0 + SLACK);
-    let slack = |k: usize| !net.edges[k].held && (forces[k] <= SLACK * mean || densities[k] <= lowest);
+    let slack = |k: usize| !net.edges[k].held && (forces[k].abs() <= SLACK * mean || densities[k].abs() <= lowest);
     (0..forces.len()).map(slack).collect()
-}
-
-fn refused(error: LinearError) -> Error {
-    Error::no_result("no_equilibrium", format!("the net's equations have no trustworthy solution: {error:?}"))
 }
 
 /// The densities that a fit has reached.
@@ -417,6 +142,95 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
     Ok(best)
 }
 
+/// A step of a descent and its second-order correction.
+struct Direction {
+    change: Change,
+    /// Half the acceleration, or zero where it is not trusted.
+    correction: Vec<f64>,
+    /// |J v|² and 2 μ |v|², which give the predicted fall of the loss.
+    linear: f64,
+    damped: f64,
+}
+
+impl Direction {
+    /// The fall of the loss that the linearised residuals promise for a part of the step.
+    fn predicted(&self, part: f64) -> f64 {
+        part * (2.0 * self.linear + self.damped) - part * part * self.linear
+    }
+
+    /// The net after a part of the step, if it has an equilibrium.
+    fn moved(&self, part: f64, fit: &Fit, loss: &Loss, shape: &Shape) -> Option<Fit> {
+        let change = |e: usize| part * self.change.logarithms[e] + part * part * self.correction[e];
+        moved(fit, loss, shape, |e| change(e).clamp(-LARGEST_STEP, LARGEST_STEP))
+    }
+}
+
+/// The net after a change of each logarithm.
+fn moved(fit: &Fit, loss: &Loss, shape: &Shape, change: impl Fn(usize) -> f64) -> Option<Fit> {
+    let densities: Vec<f64> = fit.densities.iter().enumerate().map(|(e, &q)| loss.moved(e, q, change(e))).collect();
+    let at = shape.positions(loss.net, &densities).ok()?;
+    let value = loss.value(&densities, &at);
+    Some(Fit { densities, at, value })
+}
+
+/// The step from the present net with this damping.
+fn direction(
+    fit: &Fit,
+    members: &[Member],
+    damping: f64,
+    loss: &Loss,
+    shape: &Shape,
+    step: &mut Step,
+) -> Option<Direction> {
+    let system = step.system(members, Damping::of_densities(damping));
+    let factor = step.factorise(&system).ok()?;
+    let found = factor.change(members, &gradients(members), None).ok().map(|change| {
+        let along = |e: usize| -> [f64; 3] {
+            let ends = loss.net.edges[e].ends;
+            loss.residuals(e, fit.densities[e], &fit.at).map(|residual| change.of_residual(e, ends, &fit.at, &residual))
+        };
+        let linear: Vec<[f64; 3]> = (0..members.len()).map(along).collect();
+        let correction = acceleration(fit, members, &change, &linear, &factor, loss, shape);
+        let squares = linear.iter().flatten().map(|by| by * by).sum();
+        let damped = 2.0 * damping * change.logarithms.iter().map(|by| by * by).sum::<f64>();
+        let correction = correction.unwrap_or_else(|| vec![0.0; members.len()]);
+        Direction { change, correction, linear: squares, damped }
+    });
+    let storage = factor.into_storage();
+    step.reuse(storage);
+    found
+}
+
+/// Half the acceleration along a step, if it is small enough to be trusted. `linear` has the changes of the residuals
+/// to first order.
+fn acceleration(
+    fit: &Fit,
+    members: &[Member],
+    change: &Change,
+    linear: &[[f64; 3]],
+    factor: &Factor<'_>,
+    loss: &Loss,
+    shape: &Shape,
+) -> Option<Vec<f64>> {
+    let probe = moved(fit, loss, shape, |e| PROBE * change.logarithms[e])?;
+    let second = |(e, linear): (usize, &[f64; 3])| {
+        let here = loss.residuals(e, fit.densities[e], &fit.at);
+        let there = loss.residuals(e, probe.densities[e], &probe.at);
+        let mut gradient = [0.0; 2];
+        for k in 0..3 {
+            let second = 2.0 / PROBE * ((there[k].value - here[k].value) / PROBE - linear[k]);
+            gradient[0] += second * here[k].by_s;
+            gradient[1] += second * here[k].by_length;
+        }
+        gradient
+    };
+    let second: Vec<[f64; 2]> = linear.iter().enumerate().map(second).collect();
+    let acceleration = factor.change(members, &second, None).ok()?.logarithms;
+    let size = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let trusted = 2.0 * size(&acceleration) <= LARGEST_ACCELERATION * size(&change.logarithms);
+    trusted.then(|| acceleration.iter().map(|a| 0.5 * a).collect())
+}
+
 /// Lowers the loss by Levenberg and Marquardt's method until `iterations` has come to `limit`.
 ///
 /// # Errors
@@ -434,42 +248,44 @@ fn descend(
     let mut quiet = 0;
     while *iterations < limit {
         loss.hold(&fit.densities, &fit.at, shape).map_err(refused)?;
+        let members = members(loss, &fit.densities, &fit.at);
         loop {
             match exec.look(200 * net.edges.len() as u64) {
                 // The shape of the last step is a net in equilibrium.
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
                 other => other?,
             }
-            let moved = step.take(loss, &fit.densities, &fit.at, damping).ok().and_then(|changes| {
-                let next =
-                    |q: f64, change: f64| (q * libm::exp(change.clamp(-LARGEST_STEP, LARGEST_STEP))).max(loss.least);
-                let of_edge = |((edge, q), change): ((&super::options::Edge, &f64), f64)| {
-                    if edge.held { *q } else { next(*q, change) }
-                };
-                let densities: Vec<f64> = net.edges.iter().zip(&fit.densities).zip(changes).map(of_edge).collect();
-                let at = shape.positions(net, &densities).ok()?;
-                let value = loss.value(&densities, &at);
-                (value < fit.value).then_some(Fit { densities, at, value })
+            let lower = direction(fit, &members, damping, loss, shape, step).and_then(|direction| {
+                let parts = (0..=HALVINGS).map(|k| 0.5f64.powi(k as i32));
+                let mut tried = parts.map(|part| (part, direction.moved(part, fit, loss, shape)));
+                tried.find_map(|(part, moved)| {
+                    let moved = moved.filter(|moved| moved.value < fit.value)?;
+                    let ratio = (fit.value - moved.value) / direction.predicted(part);
+                    // A halved step says nothing of the damping.
+                    Some((if part < 1.0 { 0.5 } else { ratio }, moved))
+                })
             });
-            if let Some(moved) = moved {
-                quiet = if fit.value - moved.value <= tolerance * fit.value { quiet + 1 } else { 0 };
-                *fit = moved;
-                damping = (RELAXED * damping).max(LEAST_DAMPING);
-                break;
-            }
-            damping *= TIGHTENED;
-            if damping > LARGEST_DAMPING {
-                return Ok(StopReason::Stalled);
-            }
+            let Some((ratio, moved)) = lower else {
+                damping *= TIGHTENED;
+                if damping > LARGEST_DAMPING {
+                    return Ok(StopReason::Stalled);
+                }
+                continue;
+            };
+            quiet = if fit.value - moved.value <= tolerance * fit.value { quiet + 1 } else { 0 };
+            *fit = moved;
+            damping *= if ratio > GOOD {
+                RELAXED
+            } else if ratio > POOR {
+                1.0
+            } else {
+                TIGHTENED
+            };
+            damping = damping.clamp(LEAST_DAMPING, LARGEST_DAMPING);
+            break;
         }
         *iterations += 1;
-        exec.report(Progress {
-            fraction: f64::from(*iterations) / f64::from(total),
-            phase: "fit",
-            iteration: u64::from(*iterations),
-            objective_value: Some(fit.value),
-            residual: None,
-        });
+        report(exec, *iterations, total, fit.value);
         if quiet >= QUIET_STEPS || fit.value == 0.0 {
             return Ok(StopReason::Change);
         }
@@ -542,7 +358,7 @@ mod tests {
             let mut join = |other: u32| {
                 let force = (net.edges.len() % 3 == 0).then_some(2.0);
                 let length = (net.edges.len() % 2 == 0).then_some(1.1);
-                net.edges.push(Edge { held: false, ends: [k, other], density: None, force, length });
+                net.edges.push(Edge { ends: [k, other], force, length, ..Edge::default() });
             };
             if k % 4 < 3 {
                 join(k + 1);
@@ -586,7 +402,11 @@ mod tests {
         let at = shape.positions(&net, &densities).unwrap();
         let loss = Loss::new(&net, &options, &densities, &at);
         let damping = 1e-3;
-        let step = Step::new(&net, shape.fixed()).unwrap().take(&loss, &densities, &at, damping).unwrap();
+        let mut step = Step::new(&net, shape.fixed()).unwrap();
+        let members = members(&loss, &densities, &at);
+        let system = step.system(&members, Damping::of_densities(damping));
+        let factor = step.factorise(&system).unwrap();
+        let step = factor.change(&members, &gradients(&members), None).unwrap().logarithms;
         // The residuals after s, in order: forces, then lengths.
         let residuals = |densities: &[f64]| {
             let at = shape.positions(&net, densities).unwrap();

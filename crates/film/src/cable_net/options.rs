@@ -17,18 +17,20 @@ pub struct Net {
     pub loads: Vec<DVec3>,
 }
 
-/// A cable between two vertices, and what is wanted of it.
+/// A cable or a strut between two vertices, and what is wanted of it. The densities and forces of struts are negative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Edge {
     /// The two vertices.
     pub ends: [u32; 2],
+    /// Whether the edge is a strut, which pushes. Cables pull.
+    pub strut: bool,
     /// The force density q = force / length, from which fitting begins. Without targets it is the result's.
     pub density: Option<f64>,
     /// Whether fitting leaves the given density as it is.
     pub held: bool,
-    /// The force that the cable is to have.
+    /// The force that the edge is to have.
     pub force: Option<f64>,
-    /// The length that the cable is to have.
+    /// The length that the edge is to have.
     pub length: Option<f64>,
 }
 
@@ -41,7 +43,7 @@ pub struct Options {
     pub length_weight: f64,
     /// Weight of the load path Σ F L, as a fraction of what it is at the start. Zero leaves it out.
     pub load_path_weight: f64,
-    /// No force density becomes smaller than this, so that no cable goes slack.
+    /// No force density becomes smaller than this in magnitude, so that no cable goes slack.
     pub least_density: f64,
     /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
     pub tolerance: f64,
@@ -102,18 +104,19 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
             require(&mut errors, (end as usize) < count, place().then("ends").at(i), detail);
         }
         require(&mut errors, edge.ends[0] != edge.ends[1], place().then("ends"), "must be two different vertices");
-        for (name, value) in [("density", edge.density), ("force", edge.force), ("length", edge.length)] {
-            let sound = value.is_none_or(positive);
-            require(
-                &mut errors,
-                sound,
-                place().then(name),
-                "must be a finite number above 0, because a cable only pulls",
-            );
+        let (sign, detail) = match edge.strut {
+            false => (1.0, "must be a finite number above 0, because a cable only pulls"),
+            true => (-1.0, "must be a finite number below 0, because a strut only pushes"),
+        };
+        for (name, value) in [("density", edge.density), ("force", edge.force)] {
+            require(&mut errors, value.is_none_or(|value| positive(sign * value)), place().then(name), detail);
         }
+        let sound = edge.length.is_none_or(positive);
+        require(&mut errors, sound, place().then("length"), "must be a finite number above 0");
         if let Some(density) = edge.density {
-            let detail = format!("must be above least_density ({})", options.least_density);
-            require(&mut errors, edge.held || density > options.least_density, place().then("density"), detail);
+            let detail = format!("must be above least_density ({}) in magnitude", options.least_density);
+            let above = edge.held || density.abs() > options.least_density;
+            require(&mut errors, above, place().then("density"), detail);
         }
         let held = !edge.held || edge.density.is_some();
         require(&mut errors, held, place().then("density"), "is needed to be held");

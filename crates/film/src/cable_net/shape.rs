@@ -33,6 +33,11 @@ impl Shape {
         Ok(Self { edges: net.edges.iter().map(|edge| edge.ends).collect(), fixed, pattern, symbolic })
     }
 
+    /// Number of entries of the factor of D.
+    pub fn factor_entries(&self) -> usize {
+        self.symbolic.factor_entries()
+    }
+
     pub fn fixed(&self) -> &[bool] {
         &self.fixed
     }

@@ -60,6 +60,10 @@ const MAX_RETURNS: u32 = 3;
 const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
 const BALANCED: f64 = 1e-12;
+/// Largest number of times that the weights are renewed on the balanced mesh, and their largest change with which they
+/// stay, relative to the largest. Two renewals are enough for the examples.
+const RENEWED_LOADS: u32 = 4;
+const SAME_LOADS: f64 = 1e-11;
 
 /// How a search without a result ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -576,10 +580,7 @@ impl Run<'_> {
         let reference = body.vertices.clone();
         let triangles = self.model.triangles();
         let stresses = self.reference_stresses(&reference);
-        let mut loads = self.model.film_loads(structure, &reference);
-        if let Some(forces) = self.model.ring_forces(structure) {
-            loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
-        }
+        let mut loads = self.loads(&reference);
         let mut densities = Vec::with_capacity(self.model.cables.len());
         for (number, (cable, multiplier)) in self.model.cables.iter().zip(&found.length_forces).enumerate() {
             let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
@@ -587,8 +588,6 @@ impl Run<'_> {
                 let length = energy::length::length(segment, &reference);
                 let further = self.model.further_forces[number].get(k).copied().unwrap_or(0.0);
                 own.densities.push((cable.force(k, &reference) + multiplier + further) / length);
-                let half = structure.up * (0.5 * cable.weight * length);
-                segment.into_iter().for_each(|v| loads[v as usize] -= half);
             }
             densities.push(own);
         }
@@ -610,6 +609,7 @@ impl Run<'_> {
             None => Prestress::isotropic(&triangles, |t| stresses[t].along, &reference),
             Some(_) => Prestress::plane(&triangles, |t| stresses[t], &reference),
         }));
+        let place = body.terms.len();
         body.terms.push(Box::new(Load { forces: loads.clone() }));
         densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
         self.model.contacts.iter().for_each(|contact| body.terms.push(Box::new(contact.clone())));
@@ -626,7 +626,20 @@ impl Run<'_> {
             };
         }
         let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
-        let (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
+        let (mut outcome, mut state) = self.solve(&mut body, &settings, "balance", 0.2)?;
+        // The balance moves vertices along the film, so the weights are renewed until they are those of the mesh that
+        // leaves.
+        for _ in 0..RENEWED_LOADS {
+            let renewed = self.loads(&body.vertices);
+            let change = renewed.iter().zip(&loads).map(|(new, old)| new.distance(*old)).fold(0.0, f64::max);
+            let largest = loads.iter().map(|load| load.length()).fold(0.0, f64::max);
+            if matches!(outcome, Outcome::Refused(_)) || change <= SAME_LOADS * largest {
+                break;
+            }
+            loads = renewed;
+            body.terms[place] = Box::new(Load { forces: loads.clone() });
+            (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
+        }
         if matches!(outcome, Outcome::Refused(_)) {
             return Ok(());
         }
@@ -667,6 +680,22 @@ impl Run<'_> {
         self.model.set_vertices(&body.vertices);
         found.balance = Some(Balance { forces, contacts, loads, cable_forces, reference, stresses });
         Ok(())
+    }
+
+    /// The weights of films and cables and the forces on rings, as a force on each vertex.
+    fn loads(&self, at: &[DVec3]) -> Vec<DVec3> {
+        let structure = self.structure;
+        let mut loads = self.model.film_loads(structure, at);
+        if let Some(forces) = self.model.ring_forces(structure) {
+            loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
+        }
+        for cable in &self.model.cables {
+            for &segment in &cable.segments {
+                let half = structure.up * (0.5 * cable.weight * energy::length::length(segment, at));
+                segment.into_iter().for_each(|v| loads[v as usize] -= half);
+            }
+        }
+        loads
     }
 
     /// Per triangle, one layer after the other, the stress that is required at the found shape.

@@ -2,11 +2,13 @@
 
 use super::form_finding::{Ending, Found};
 use super::model::{Model, MovingRing, forces};
-use super::options::{CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord};
+use super::options::{
+    CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord, layer_place,
+};
 use super::ponding::{self, Ponding, Roof};
 use super::reactions::{Hold, contact_angles, holds, reactions, sums};
 use super::shape::{CableResult, ChamberResult, LayerResult, Stability, Statistics, TensileStructure};
-use super::stress::{of_all, stress};
+use super::stress::{of_all, of_triangles, stress};
 use super::warnings::warn;
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::InputError;
@@ -86,6 +88,19 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
     Some(Error::NoResult { reason: "slack_cable", detail, places: vec![place] })
 }
 
+/// A film of one tension whose weight takes more tension from its lowest point than it has. A film cannot push.
+fn pushing_film(structure: &Structure, layers: &[LayerResult]) -> Option<Error> {
+    let least = |layer: &LayerResult| layer.stress.map_or(f64::INFINITY, |stress| stress.min);
+    let k = layers.iter().position(|layer| least(layer) < 0.0)?;
+    let detail = format!(
+        "the film would be in compression: its tension falls to {:.6} at its lowest point, because it grows with the \
+         height by the weight per area; give it more tension",
+        least(&layers[k])
+    );
+    let place = InputError::new(layer_place(structure, k), "is too heavy for its tension at this height");
+    Some(Error::NoResult { reason: "no_equilibrium", detail, places: vec![place] })
+}
+
 /// Measures the shape and moves it back to the position of the input.
 pub(super) fn finish(
     model: Model,
@@ -103,6 +118,9 @@ pub(super) fn finish(
     let film = model.mesh();
     let triangles = film.triangles.clone();
     let (layers, edge_lengths) = measure_layers(&model, &found, structure, &at)?;
+    if let Some(error) = pushing_film(structure, &layers) {
+        return Err(error);
+    }
     let cables = cables(&model, &found, structure, &at);
     let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
     let (minimum_slope, flattest_place) = flattest(&triangles, &at, structure.up);
@@ -116,6 +134,8 @@ pub(super) fn finish(
     let holds = holds(&model);
     let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
     let (reactions, edge_reactions) = reactions(&model, &found, &holds);
+    let of_all_triangles = |balance| of_triangles(balance, &triangles, &at);
+    let stresses = found.balance.as_ref().map(of_all_triangles).unwrap_or_default();
     let statistics = Statistics {
         energy: found.energy,
         vertices: at.len(),
@@ -165,6 +185,7 @@ pub(super) fn finish(
         mesh: Mesh::new(vertices, triangles),
         boundaries: model.boundaries().to_vec(),
         input_vertices: model.input_vertices,
+        stresses,
         cables,
         reactions,
         edge_reactions,
@@ -223,7 +244,13 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
             force = segment_forces.iter().enumerate().map(moment).sum::<f64>() / length;
         }
         let largest = segment_forces.iter().copied().fold(0.0, f64::max);
+        let range = term.segments.iter().zip(&segment_forces).map(|(&[a, b], force)| {
+            let half = 0.5 * cable.weight * (at[b as usize] - at[a as usize]).dot(structure.up).abs();
+            (force - half, force + half)
+        });
+        let widen = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
         CableResult {
+            force_range: range.fold((f64::INFINITY, f64::NEG_INFINITY), widen),
             vertices: model.chains[k].clone(),
             force,
             length,

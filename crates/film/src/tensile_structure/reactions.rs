@@ -6,6 +6,7 @@ use super::options::BoundaryPoint;
 use super::shape::{EdgeReaction, ForceBalance, Reaction};
 use crate::equilibrium::{Freedom, Support};
 use plateau_mesh::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The support of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,6 +113,14 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Re
     for v in ends.chain(points) {
         single[v as usize] = held(v) && !matches!(holds[v as usize], Hold::Guided(_));
     }
+    let at = model.vertices();
+    let ends = clamped_ends(model, balance, holds, &at);
+    // At a clamped edge the support of a cable's end bears the cable, and that of the edge the film.
+    let of_point = |v: u32| ends.get(&v).copied().unwrap_or(balance.forces[v as usize]);
+    let of_edge = |v: u32| {
+        let all = balance.forces[v as usize];
+        if single[v as usize] { ends.get(&v).map_or(DVec3::ZERO, |cables| all - *cables) } else { all }
+    };
     let point_of = |vertex: u32| {
         let of = |(boundary, numbers): (usize, &Vec<u32>)| {
             let point = numbers.iter().position(|&v| v == vertex)?;
@@ -121,7 +130,7 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Re
     };
     let reactions = (0..holds.len() as u32)
         .filter(|&v| single[v as usize])
-        .map(|vertex| Reaction { vertex, point: point_of(vertex), force: balance.forces[vertex as usize] })
+        .map(|vertex| Reaction { vertex, point: point_of(vertex), force: of_point(vertex) })
         .collect();
     let edges = model.boundaries().iter().enumerate().filter_map(|(boundary, rim)| {
         if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
@@ -129,9 +138,41 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Re
             let force = model.rings[number].vertices.iter().map(|&v| balance.forces[v as usize]).sum();
             return Some(EdgeReaction { boundary, force });
         }
-        let borne = || rim.iter().filter(|&&v| held(v) && !single[v as usize]);
-        let force = borne().map(|&v| balance.forces[v as usize]).sum();
+        let borne = || rim.iter().filter(|&&v| held(v) && (!single[v as usize] || ends.contains_key(&v)));
+        let force = borne().map(|&v| of_edge(v)).sum();
         borne().next().map(|_| EdgeReaction { boundary, force })
     });
     (reactions, edges.collect())
+}
+
+/// For each end of cables on a clamped edge the force of the support on these cables alone.
+fn clamped_ends(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> BTreeMap<u32, DVec3> {
+    let along: BTreeSet<[u32; 2]> = model
+        .chains
+        .iter()
+        .flat_map(|chain| chain.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]))
+        .collect();
+    let mut clamped = vec![false; holds.len()];
+    for rim in model.boundaries() {
+        for (k, &v) in rim.iter().enumerate() {
+            let w = rim[(k + 1) % rim.len()];
+            let both = holds[v as usize] == Hold::Fixed && holds[w as usize] == Hold::Fixed;
+            if both && !along.contains(&[v.min(w), v.max(w)]) {
+                (clamped[v as usize], clamped[w as usize]) = (true, true);
+            }
+        }
+    }
+    let mut forces = BTreeMap::new();
+    for ((chain, cable), segments) in model.chains.iter().zip(&model.cables).zip(&balance.cable_forces) {
+        let [Some(&first), Some(&last)] = [segments.first(), segments.last()] else { continue };
+        let count = chain.len();
+        for (end, next, force) in [(chain[0], chain[1], first), (chain[count - 1], chain[count - 2], last)] {
+            if clamped[end as usize] {
+                let segment = at[next as usize] - at[end as usize];
+                let weight = cable.up * (0.5 * cable.weight * segment.length());
+                *forces.entry(end).or_insert(DVec3::ZERO) += weight - force * segment.normalize_or_zero();
+            }
+        }
+    }
+    forces
 }

@@ -40,6 +40,9 @@ pub struct CableResult {
     pub segment_forces: Vec<f64>,
     /// The mean force, weighted by length.
     pub force: f64,
+    /// The least and the largest force, at ends of segments. The force of a heavy cable grows with the height by its
+    /// weight per length, and that of a segment is the one in its middle.
+    pub force_range: (f64, f64),
     /// Length.
     pub length: f64,
     /// L0 = L / (1 + F / EA), if the axial stiffness is known.
@@ -64,6 +67,16 @@ pub struct Stress {
     pub deviation: f64,
     /// Stresses along warp and weft; nothing for an isotropic tension.
     pub weave: Option<WeaveStress>,
+}
+
+/// The stress of a triangle of the film, with which the forces balance at every vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct TriangleStress {
+    /// The least and the largest principal stress, a force per length.
+    pub principal: (f64, f64),
+    /// Unit vector in the triangle's plane along the largest principal stress.
+    pub direction: DVec3,
 }
 
 /// Stresses along warp and weft.
@@ -217,6 +230,8 @@ pub struct TensileStructure {
     pub boundaries: Vec<Vec<u32>>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
+    /// The stress of each triangle. Empty if the forces could not be balanced.
+    pub stresses: Vec<TriangleStress>,
     /// The cables in the order of the input.
     pub cables: Vec<CableResult>,
     /// Supports at single vertices.

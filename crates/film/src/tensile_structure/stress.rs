@@ -3,7 +3,7 @@
 use super::form_finding::Balance;
 use super::model::Model;
 use super::options::{FilmStress, Weave};
-use super::shape::{LayerResult, Stress, StressRange, WeaveStress};
+use super::shape::{LayerResult, Stress, StressRange, TriangleStress, WeaveStress};
 use crate::energy::PlaneStress;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
@@ -44,6 +44,31 @@ impl Deformed {
         let root = (half * half - along * across).max(0.0).sqrt();
         (half - root, half + root)
     }
+}
+
+impl Deformed {
+    /// The unit vector along the largest principal stress.
+    fn direction(&self) -> DVec3 {
+        let PlaneStress { along, across, .. } = self.reference;
+        let [w, f] = self.images;
+        let first = w.normalize_or_zero();
+        let second = (f - first * first.dot(f)).normalize_or_zero();
+        let (x, y) = (f.dot(first), f.dot(second));
+        let shear = across * x * y;
+        let difference = along * w.length_squared() + across * (x * x - y * y);
+        let (sine, cosine) = libm::sincos(0.5 * libm::atan2(2.0 * shear, difference));
+        cosine * first + sine * second
+    }
+}
+
+/// The stress of each triangle of the balanced shape, one layer after the other.
+pub(super) fn of_triangles(balance: &Balance, triangles: &[[u32; 3]], at: &[DVec3]) -> Vec<TriangleStress> {
+    let of = |(triangle, own): (&[u32; 3], &PlaneStress)| {
+        let [reference, now] = [&balance.reference[..], at].map(|at| triangle.map(|v| at[v as usize]));
+        let found = Deformed::of(*own, reference, now);
+        TriangleStress { principal: found.principal(), direction: found.direction() }
+    };
+    triangles.iter().zip(&balance.stresses).map(of).collect()
 }
 
 /// The stresses of all layers together.

@@ -50,8 +50,8 @@ impl SolverInput {
                     on.sum += pull;
                     on.tolerance += RELATIVE * force.abs() + error * force.abs() / length;
                 }
-                load_path.add(force * length, force.abs() * error);
-                largest = largest.max(force);
+                load_path.add(force.abs() * length, force.abs() * error);
+                largest = largest.max(force.abs());
             }
             self.compare_cable(audit, k, group, forces, &own);
             lengths.extend(own);
@@ -112,7 +112,7 @@ impl SolverInput {
         one("force_min", least.measured());
         one("force_max", most.measured());
         one("length", total);
-        if group.axial_stiffness.is_some() {
+        if group.axial_stiffness.is_some_and(|stiffness| forces.iter().all(|force| 1.0 + force / stiffness > 0.0)) {
             one("unstressed_length", unstressed.measured());
         }
         one("edge_lengths/min", shortest.measured());

@@ -7,7 +7,7 @@ mod statistics;
 pub use statistics::{CableNetStatistics, CableResult, Group, NetReaction, ValueRange};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{Fraction, List, NonNegative, Positive, Text, Whole, is_default, unwritten};
+use crate::bounds::{Fraction, List, NonNegative, Positive, Signed, Text, Whole, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -69,15 +69,13 @@ static ENTRY: Entry = Entry {
     types: Types::of::<CableNetRequest>(),
 };
 
-/// Largest number of cables, and of loads, of a request.
-const MAX_CABLES: usize = 1000;
 /// Name of the cable to which the edges that no cable lists belong.
 const OTHER_EDGES: &str = "other";
 
 /// A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
 ///
-/// The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
-/// Cables are groups of edges with common targets.
+/// The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
+/// or a strut in compression. Cables are groups of edges with common targets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CableNetRequest {
@@ -99,20 +97,21 @@ pub struct CableNetRequest {
     pub supports: List<u32, 1>,
     /// Loads on vertices. Loads of one vertex are added.
     #[serde(default, skip_serializing_if = "List::is_empty")]
-    pub loads: List<NetLoad, 0, MAX_CABLES>,
+    pub loads: List<NetLoad, 0>,
     /// Groups of edges with their targets. Edges that no cable lists have no target.
     #[serde(default, skip_serializing_if = "List::is_empty")]
-    pub cables: List<NetCable, 0, MAX_CABLES>,
+    pub cables: List<NetCable, 0>,
     #[serde(default, skip_serializing_if = "is_default")]
     pub weights: TargetWeights,
-    /// Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
-    /// tension. Otherwise a job fails if its targets leave a cable slack.
+    /// Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
+    /// cable stays in tension. Otherwise a job fails if its targets leave a cable slack.
     #[serde(default)]
     pub least_force_density: NonNegative,
     /// The shape counts as found when three steps in a row each lower the loss by less than this fraction of it.
     #[serde(default = "default_tolerance")]
     pub tolerance: Fraction,
-    /// Maximum number of steps. Null means 200, and 200 more if fitting begins a second time.
+    /// Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
+    /// struts.
     #[serde(default)]
     pub max_iterations: Option<Whole<1, 1_000_000_000>>,
 }
@@ -150,15 +149,19 @@ pub struct NetCable {
     #[serde(default)]
     #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
     pub edges: Option<List<u32, 1>>,
-    /// Force that each edge is to have.
+    /// Force that each edge is to have: positive in a cable, negative in a strut.
     #[serde(default)]
-    pub force: Option<Positive>,
+    pub force: Option<Signed>,
     /// Length that each edge is to have in the found shape.
     #[serde(default)]
     pub length: Option<Positive>,
-    /// Force over length of each edge, which is held. Not together with `force` or `length`.
+    /// Force over length of each edge, which is held: positive in a cable, negative in a strut. Not together with
+    /// `force` or `length`.
     #[serde(default)]
-    pub force_density: Option<Positive>,
+    pub force_density: Option<Signed>,
+    /// Whether the edges are struts, which push. A negative `force` or `force_density` says it too.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub strut: bool,
     /// EA, a force. It gives the unstressed length.
     #[serde(default)]
     pub axial_stiffness: Option<Positive>,
@@ -189,6 +192,13 @@ impl Default for TargetWeights {
     }
 }
 
+impl NetCable {
+    fn is_strut(&self) -> bool {
+        let pushes = |value: Option<Signed>| value.is_some_and(|value| value.get() < 0.0);
+        self.strut || pushes(self.force) || pushes(self.force_density)
+    }
+}
+
 impl KindRequest for CableNetRequest {
     type Statistics = CableNetStatistics;
 
@@ -199,6 +209,8 @@ impl KindRequest for CableNetRequest {
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
         limits::check_count("/vertices", self.vertices.len(), limits.points, "points")?;
         limits::check_count("/edges", self.edges.len(), limits.triangles, "edges")?;
+        limits::check_count("/cables", self.cables.len(), limits.triangles, "cables")?;
+        limits::check_count("/loads", self.loads.len(), limits.points, "loads")?;
         limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
         let mut errors = Vec::new();
         let of_edge = self.check_cables(&mut errors);
@@ -235,6 +247,15 @@ impl CableNetRequest {
             if cable.force_density.is_some() && (cable.force.is_some() || cable.length.is_some()) {
                 let detail = "is not allowed with a force or a length: it is held, and they follow from it";
                 refuse("/force_density".into(), detail.into());
+            }
+            for (name, value) in [("force", cable.force), ("force_density", cable.force_density)] {
+                match value.map(Signed::get) {
+                    Some(0.0) => refuse(format!("/{name}"), "must not be 0".into()),
+                    Some(value) if value > 0.0 && cable.is_strut() => {
+                        refuse(format!("/{name}"), "must be negative, because the cable is a strut".into());
+                    }
+                    _ => {}
+                }
             }
             if cable.name.as_deref() == Some(OTHER_EDGES) {
                 refuse("/name".into(), format!("is the name of the edges that no cable lists: {OTHER_EDGES}"));
@@ -313,12 +334,13 @@ impl CableNetRequest {
     fn to_geometry(&self, of_edge: &[Option<usize>], loads: Vec<DVec3>) -> (geometry::Net, geometry::Options) {
         let edge = |(&ends, cable): (&[u32; 2], &Option<usize>)| {
             let cable = cable.map(|k| &self.cables[k]);
-            let density = cable.and_then(|cable| cable.force_density).map(Positive::get);
+            let density = cable.and_then(|cable| cable.force_density).map(Signed::get);
             geometry::Edge {
                 ends,
+                strut: cable.is_some_and(NetCable::is_strut),
                 density,
                 held: density.is_some(),
-                force: cable.and_then(|cable| cable.force).map(Positive::get),
+                force: cable.and_then(|cable| cable.force).map(Signed::get),
                 length: cable.and_then(|cable| cable.length).map(Positive::get),
             }
         };

@@ -68,16 +68,19 @@ fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
         );
         warnings.push(Warning::new("not_converged", detail));
     }
-    let slack: Vec<usize> = (0..found.slack.len()).filter(|&k| found.slack[k]).collect();
-    if !slack.is_empty() {
-        let names: Vec<String> = slack.iter().take(NAMED_EDGES).map(|k| format!("/edges/{k}")).collect();
-        let more = slack.len() - names.len();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let detail = format!(
-            "the targets leave these edges no force; least_force_density keeps them in tension: {}{more}",
-            names.join(", ")
-        );
-        warnings.push(Warning::new("slack_cable", detail).with_count("count", slack.len()));
-    }
+    let missed = edges_where(&found.missed, "these edges miss a target by more than half");
+    warnings.extend(missed.map(|(detail, count)| Warning::new("targets_missed", detail).with_count("count", count)));
+    let slack = "the targets leave these edges no force; least_force_density keeps a force in them";
+    let slack = edges_where(&found.slack, slack);
+    warnings.extend(slack.map(|(detail, count)| Warning::new("slack_cable", detail).with_count("count", count)));
     warnings
+}
+
+/// Names the edges that are marked, and returns their number, if there are any.
+fn edges_where(marked: &[bool], detail: &str) -> Option<(String, usize)> {
+    let edges: Vec<usize> = (0..marked.len()).filter(|&k| marked[k]).collect();
+    let names: Vec<String> = edges.iter().take(NAMED_EDGES).map(|k| format!("/edges/{k}")).collect();
+    let more = edges.len() - names.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    (!edges.is_empty()).then(|| (format!("{detail}: {}{more}", names.join(", ")), edges.len()))
 }

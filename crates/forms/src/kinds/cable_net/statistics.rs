@@ -38,13 +38,14 @@ pub struct CableResult {
     pub name: String,
     /// Number of its edges.
     pub edges: usize,
-    /// Mean force, weighted by length.
+    /// Mean force, weighted by length. Forces of struts are negative.
     pub force: f64,
     pub force_min: f64,
     pub force_max: f64,
     /// Sum of the edges' lengths.
     pub length: f64,
-    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
+    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial
+    /// stiffness, or if a strut's force exceeds it.
     pub unstressed_length: Option<f64>,
     pub edge_lengths: ValueRange,
     pub force_densities: ValueRange,
@@ -83,9 +84,9 @@ pub struct CableNetStatistics {
     /// Supports in the order of the request.
     pub reactions: Vec<NetReaction>,
     pub balance: ForceBalance,
-    /// Σ force · length.
+    /// Σ |force| · length.
     pub load_path: f64,
-    /// Largest force on a free vertex that is not balanced, over the largest force of a cable.
+    /// Largest force on a free vertex that is not balanced, over the largest force of an edge.
     pub residual: f64,
     /// Largest derivative of the loss by the logarithm of a force density.
     pub gradient: f64,
@@ -105,7 +106,7 @@ impl CableNetStatistics {
         origin: Point,
     ) -> Self {
         let reaction = |(vertex, force): (&u32, &DVec3)| NetReaction { vertex: *vertex, force: force.to_array() };
-        let largest = found.forces.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let largest = found.forces.iter().fold(f64::MIN_POSITIVE, |largest, force| largest.max(force.abs()));
         Self {
             origin,
             objective: "nearest_to_targets",
@@ -151,9 +152,10 @@ impl CableResult {
             force_min: forces.min,
             force_max: forces.max,
             length,
-            unstressed_length: group
-                .axial_stiffness
-                .map(|stiffness| edges().map(|k| found.lengths[k] / (1.0 + found.forces[k] / stiffness)).sum()),
+            unstressed_length: group.axial_stiffness.and_then(|stiffness| {
+                let stretch = |k: usize| 1.0 + found.forces[k] / stiffness;
+                edges().all(|k| stretch(k) > 0.0).then(|| edges().map(|k| found.lengths[k] / stretch(k)).sum())
+            }),
             edge_lengths: ValueRange::of(edges().map(|k| found.lengths[k])),
             force_densities: ValueRange::of(edges().map(|k| found.densities[k])),
             force_deviation: deviation(&found.forces, |edge| edge.force),

@@ -16,8 +16,9 @@ use plateau_mesh::DVec3;
 /// the smooth shape by up to 5e-4 in the examples, and less on finer meshes.
 const MEAN_FORCE: f64 = 0.01;
 /// Relative error of the energy. It is stated for the shape before the balance within the film, which moves vertices
-/// along the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples.
-const ENERGY: f64 = 1e-6;
+/// along the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples, and by
+/// 1.7e-6 on a coarse mesh (a film of 1,000 triangles between two rings of 32 points).
+const ENERGY: f64 = 1e-5;
 
 impl SolverInput {
     pub(super) fn compare(&self, audit: &mut Audit) {
@@ -92,7 +93,7 @@ impl SolverInput {
             let forces = set.attributes.iter().find(|attribute| attribute.name == "force");
             let forces: &[f64] = forces.map_or(&[], |attribute| &attribute.values);
             let is_mast = cable.course.is_mast();
-            let (list, k, sign) = if is_mast { ("masts", &mut masts, -1.0) } else { ("cables", &mut cables, 1.0) };
+            let (list, k) = if is_mast { ("masts", &mut masts) } else { ("cables", &mut cables) };
             let pointer = format!("/{list}/{k}");
             *k += 1;
             let (mut moment, mut sum) = (Sum::default(), Sum::default());
@@ -101,8 +102,12 @@ impl SolverInput {
                 let own = length(vertices, pair);
                 moment.add(force * own, force.abs() * 2.0 * audit.step);
                 sum.add(own, 2.0 * audit.step);
-                least.add(force, RELATIVE * force.abs());
-                most.add(force, RELATIVE * force.abs());
+                // The force of a heavy cable grows with the height, and that of a segment is the one in its middle.
+                let rise = (vertices[pair[1] as usize] - vertices[pair[0] as usize]).dot(self.structure.up).abs();
+                let half = 0.5 * cable.weight * rise;
+                let tolerance = RELATIVE * (force.abs() + half) + cable.weight * audit.step;
+                least.add(force - half, tolerance);
+                most.add(force + half, tolerance);
             }
             if let CableMode::Force(force) = cable.mode {
                 total.add(force * sum.value, 0.0);
@@ -112,7 +117,7 @@ impl SolverInput {
             audit.require(joined, || format!("the segments of {pointer} follow each other"), || "they do not".into());
             let mean = moment.value / sum.value;
             let scale = least.measured().value.abs().max(most.measured().value.abs());
-            audit.figure(&format!("{pointer}/force"), Measured::within(sign * mean, MEAN_FORCE * scale));
+            audit.figure(&format!("{pointer}/force"), Measured::within(mean, MEAN_FORCE * scale));
             if is_mast {
                 continue;
             }

@@ -6,7 +6,7 @@ use crate::solved::{
     self, Draft, Frame, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
 };
 use plateau_archive::archive::{CABLES, Contents};
-use plateau_archive::units::ForceUnit;
+use plateau_archive::units::{ForceUnit, Unit};
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::minimal_surface::StopReason;
 use plateau_film::tensile_structure;
@@ -19,6 +19,24 @@ pub(super) struct SolverInput {
     pub force: ForceUnit,
 }
 
+/// Returns the principal stresses of the triangles, and the direction of the largest one.
+fn stresses(of_triangles: &[tensile_structure::TriangleStress], force: ForceUnit, length: Unit) -> Vec<Attribute> {
+    if of_triangles.is_empty() {
+        return Vec::new();
+    }
+    let unit = format!("{}/{}", force.symbol(), length.symbol());
+    let attribute = |name: &str, unit: &str, value: &dyn Fn(&tensile_structure::TriangleStress) -> f64| {
+        Attribute::new(name, unit, of_triangles.iter().map(value).collect())
+    };
+    vec![
+        attribute("stress_min", &unit, &|stress| stress.principal.0),
+        attribute("stress_max", &unit, &|stress| stress.principal.1),
+        attribute("stress_max_x", "", &|stress| stress.direction.x),
+        attribute("stress_max_y", "", &|stress| stress.direction.y),
+        attribute("stress_max_z", "", &|stress| stress.direction.z),
+    ]
+}
+
 impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { structure, options, force } = self;
@@ -29,8 +47,9 @@ impl solved::SolverInput for SolverInput {
         let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
         for (cable, result) in structure.cables.iter().zip(&found.cables) {
             let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            let name = if cable.course.is_mast() { "masts" } else { CABLES };
-            let attributes = vec![forces(result.segment_forces.clone())];
+            // The force of a mast is positive if it pushes, as in the statistics.
+            let (name, sign) = if cable.course.is_mast() { ("masts", -1.0) } else { (CABLES, 1.0) };
+            let attributes = vec![forces(result.segment_forces.iter().map(|force| sign * force).collect())];
             let (group, lines) = (cable.name.clone(), Lines::Segments(pairs));
             line_sets.push(LineSet { name: name.into(), group, lines, attributes });
         }
@@ -44,6 +63,7 @@ impl solved::SolverInput for SolverInput {
             up: frame.up,
             input_vertices: found.input_vertices,
             mesh: found.mesh,
+            triangle_attributes: stresses(&found.stresses, force, frame.unit),
             line_sets,
             statistics: statistics.clone(),
             ..Contents::default()

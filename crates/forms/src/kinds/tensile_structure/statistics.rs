@@ -15,7 +15,9 @@ pub struct CableForce {
     pub mode: &'static str,
     /// Mean force, weighted by length.
     pub force: f64,
+    /// Least force, at the lower end of a segment if the cable is heavy.
     pub force_min: f64,
+    /// Largest force, at the upper end of a segment if the cable is heavy.
     pub force_max: f64,
     pub length: f64,
     /// Length / (1 + force / axial stiffness); null without an axial stiffness.
@@ -168,8 +170,8 @@ impl TensileStatistics {
             name: cable.name.clone(),
             mode: cable.mode.name(),
             force: found.force,
-            force_min: found.segment_forces.iter().copied().fold(f64::INFINITY, f64::min),
-            force_max: found.segment_forces.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            force_min: found.force_range.0,
+            force_max: found.force_range.1,
             length: found.length,
             unstressed_length: found.unstressed_length,
             sag: found.sag,

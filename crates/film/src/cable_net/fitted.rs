@@ -1,0 +1,72 @@
+//! The end of a fit, and the numbers that the methods of fitting share.
+
+use plateau_mesh::sparse::LinearError;
+use plateau_mesh::{DVec3, Error, Execution, Progress};
+
+/// Damping at the start, as a multiple of the loss, and its range. A smaller start takes steps that are refused.
+pub const DAMPING: f64 = 1e-2;
+pub const LEAST_DAMPING: f64 = 1e-12;
+pub const LARGEST_DAMPING: f64 = 1e12;
+/// Factor of the damping after a poor step.
+pub const TIGHTENED: f64 = 3.0;
+/// Largest change of a logarithm of a density in one step: a factor of e².
+pub const LARGEST_STEP: f64 = 2.0;
+/// Steps in a row that must lower the loss by less than the tolerance.
+pub const QUIET_STEPS: u32 = 3;
+
+/// Why fitting ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// The net has no targets: the shape follows from the densities.
+    NoTargets,
+    /// The loss no longer falls.
+    Change,
+    /// No step lowers the loss.
+    Stalled,
+    /// The allowed steps are used up.
+    MaxIterations,
+    /// The caller's time is used up.
+    Deadline,
+}
+
+impl StopReason {
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoTargets => "no_targets",
+            Self::Change => "change",
+            Self::Stalled => "stalled",
+            Self::MaxIterations => "max_iterations",
+            Self::Deadline => "deadline",
+        }
+    }
+}
+
+/// The densities that were found.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub densities: Vec<f64>,
+    pub vertices: Vec<DVec3>,
+    pub loss: f64,
+    /// The largest derivative of the loss by a logarithm of a density.
+    pub gradient: f64,
+    pub iterations: u32,
+    pub stop_reason: StopReason,
+}
+
+/// The failure of a net whose equations cannot be solved.
+pub(super) fn refused(error: LinearError) -> Error {
+    Error::no_result("no_equilibrium", format!("the net's equations have no trustworthy solution: {error:?}"))
+}
+
+/// Reports a step.
+pub(super) fn report(exec: &Execution, iterations: u32, total: u32, loss: f64) {
+    exec.report(Progress {
+        fraction: (f64::from(iterations) / f64::from(total)).min(1.0),
+        phase: "fit",
+        iteration: u64::from(iterations),
+        objective_value: Some(loss),
+        residual: None,
+    });
+}

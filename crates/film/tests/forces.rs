@@ -1,0 +1,130 @@
+//! The forces that are stated of tensile structures: at the ends of cables, at clamped edges, and in every triangle.
+
+use plateau_film::minimal_surface::Resolution;
+use plateau_film::tensile_structure::{
+    Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, TensileStructure, solve,
+};
+use plateau_mesh::{DVec3, Error, Execution};
+
+fn film(corners: &[(f64, f64, f64)], weight: f64) -> Structure {
+    Structure {
+        boundaries: vec![corners.iter().map(|&(x, y, z)| DVec3::new(x, y, z)).collect()],
+        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight }],
+        cables: Vec::new(),
+        free_points: Vec::new(),
+        sliding: Vec::new(),
+        rings: Vec::new(),
+        joints: Vec::new(),
+        chambers: Vec::new(),
+        up: DVec3::Z,
+    }
+}
+
+fn cable(course: Course, mode: CableMode, weight: f64) -> Cable {
+    Cable { name: "cable".into(), course, mode, axial_stiffness: None, weight }
+}
+
+fn found(structure: &Structure, triangles: usize) -> TensileStructure {
+    solve(structure, &Options::new(Resolution::Triangles(triangles)), &Execution::default()).unwrap()
+}
+
+#[test]
+fn the_largest_force_of_a_heavy_cable_is_that_at_its_upper_end() {
+    let ends = [DVec3::new(0.0, 3.0, 6.0), DVec3::new(10.0, 3.0, 9.0)];
+    let hanging = cable(Course::Air(ends), CableMode::Sag(1.5), 0.8);
+    let plain = film(&[(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)], 0.0);
+    for triangles in [200, 800] {
+        let result = found(&Structure { cables: vec![hanging.clone()], ..plain.clone() }, triangles);
+        let (least, largest) = result.cables[0].force_range;
+        let at_the_top = result.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
+        println!("{largest} {at_the_top} {:?}", result.cables[0].segment_forces.last());
+        assert!((largest / at_the_top - 1.0).abs() < 1e-4, "{largest} {at_the_top}");
+        assert!(
+            largest > *result.cables[0].segment_forces.last().unwrap() && least < result.cables[0].segment_forces[0]
+        );
+        // The force grows with the height by the weight per length.
+        let lowest =
+            result.mesh.vertices.iter().skip(4).map(|p| p.z).filter(|z| *z > 1.0).fold(f64::INFINITY, f64::min);
+        assert!((largest - least - 0.8 * (9.0 - lowest)).abs() < 2e-2, "{largest} {least} {lowest}");
+    }
+}
+
+#[test]
+fn the_end_of_a_cable_at_a_clamped_edge_bears_the_cable_alone() {
+    let outline =
+        [(0.0, 0.0, 0.0), (10.0, 0.0, 0.0), (10.0, 5.0, 0.0), (10.0, 10.0, 0.0), (0.0, 10.0, 0.0), (0.0, 5.0, 0.0)];
+    let course = Course::Across(vec![DVec3::new(0.0, 5.0, 0.0), DVec3::new(10.0, 5.0, 0.0)]);
+    for triangles in [100, 1600] {
+        let plain = film(&outline, 0.0);
+        let cables = vec![cable(course.clone(), CableMode::Force(5.0), 0.0)];
+        let result = found(&Structure { cables, ..plain }, triangles);
+        let force = |x: f64| {
+            let at = |vertex: u32| result.mesh.vertices[vertex as usize];
+            let reaction = result.reactions.iter().find(|reaction| at(reaction.vertex) == DVec3::new(x, 5.0, 0.0));
+            reaction.expect("a reaction at each end").force
+        };
+        assert!(force(0.0).distance(DVec3::new(-5.0, 0.0, 0.0)) < 1e-9, "{}", force(0.0));
+        assert!(force(10.0).distance(DVec3::new(5.0, 0.0, 0.0)) < 1e-9, "{}", force(10.0));
+        // The edge bears the film's pull, which adds up to nothing around a plane square.
+        let [edge] = &result.edge_reactions[..] else { panic!("{:?}", result.edge_reactions) };
+        assert!(edge.force.length() < 1e-9, "{}", edge.force);
+    }
+}
+
+#[test]
+fn stresses_cables_and_weights_balance_at_every_free_vertex() {
+    let weight = 0.05;
+    let mut sail = film(&[(0.0, 0.0, 0.0), (8.0, 0.0, 3.0), (8.0, 8.0, 0.0), (0.0, 8.0, 3.0)], weight);
+    sail.cables = (0..4)
+        .map(|k| {
+            let course = Course::Boundary { boundary: 0, from: k, to: (k + 1) % 4 };
+            cable(course, CableMode::Force(9.0), 0.1)
+        })
+        .collect();
+    let result = found(&sail, 600);
+    let at = &result.mesh.vertices;
+    let mut forces = vec![DVec3::ZERO; at.len()];
+    for (triangle, stress) in result.mesh.triangles.iter().zip(&result.stresses) {
+        let corners = triangle.map(|v| at[v as usize]);
+        let double = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let normal = double.normalize();
+        let across = normal.cross(stress.direction);
+        for k in 0..3 {
+            let edge = 0.5 * normal.cross(corners[(k + 2) % 3] - corners[(k + 1) % 3]);
+            let pull = stress.principal.1 * stress.direction.dot(edge) * stress.direction
+                + stress.principal.0 * across.dot(edge) * across;
+            forces[triangle[k] as usize] -= pull + DVec3::Z * (weight * double.length() / 6.0);
+        }
+    }
+    let mut is_free = vec![true; at.len()];
+    for cable in &result.cables {
+        for (pair, force) in cable.vertices.windows(2).zip(&cable.segment_forces) {
+            let [a, b] = [pair[0] as usize, pair[1] as usize];
+            let segment = at[b] - at[a];
+            forces[a] += *force * segment.normalize() - DVec3::Z * (0.05 * segment.length());
+            forces[b] -= *force * segment.normalize() + DVec3::Z * (0.05 * segment.length());
+        }
+        is_free[cable.vertices[0] as usize] = false;
+    }
+    assert_eq!(result.stresses.len(), result.mesh.triangles.len());
+    let worst = forces.iter().zip(&is_free).filter(|(_, free)| **free).map(|(force, _)| force.length());
+    let worst = worst.fold(0.0, f64::max);
+    println!("{worst}");
+    assert!(worst < 1e-9, "{worst}");
+}
+
+#[test]
+fn a_film_whose_weight_takes_its_tension_fails_and_names_it() {
+    // Upright and 20 high: the tension at the bottom is 1 - 0.2 × 10 = -1.
+    let corners = [(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (4.0, 0.0, 20.0), (0.0, 0.0, 20.0)];
+    let solved =
+        |weight: f64| solve(&film(&corners, weight), &Options::new(Resolution::Triangles(800)), &Execution::default());
+    match solved(0.2) {
+        Err(Error::NoResult { reason, places, detail }) => {
+            assert_eq!((reason, places[0].place.to_string()), ("no_equilibrium", "/film".to_owned()), "{detail}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let least = solved(0.09).unwrap().statistics.stress.unwrap().min;
+    assert!(least > 0.1 && least < 0.2, "{least}");
+}
