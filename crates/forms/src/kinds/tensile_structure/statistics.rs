@@ -1,9 +1,9 @@
 //! Statistics of a tensile structure.
 
+use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, ForceBalance, Point, Spread};
 use plateau_archive::units::ForceUnit;
 use plateau_film::tensile_structure as geometry;
-use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -248,6 +248,7 @@ impl TensileStatistics {
         result: &geometry::TensileStructure,
         structure: &geometry::Structure,
         force: ForceUnit,
+        crossings: Crossings,
         origin: Point,
     ) -> Self {
         let statistics = &result.statistics;
@@ -337,8 +338,8 @@ impl TensileStatistics {
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
         }
     }
 }

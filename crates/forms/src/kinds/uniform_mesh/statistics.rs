@@ -1,7 +1,7 @@
 //! Statistics of a lattice.
 
+use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, Point, Spread};
-use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -159,7 +159,7 @@ pub struct UniformStatistics {
 
 impl UniformStatistics {
     #[must_use]
-    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, origin: Point) -> Self {
+    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, crossings: Crossings, origin: Point) -> Self {
         let statistics = &mesh.statistics;
         let mut reasons = BTreeMap::new();
         for edge in &mesh.out_of_range {
@@ -195,8 +195,8 @@ impl UniformStatistics {
             out_of_range_edges: statistics.out_of_range_edges,
             out_of_range_reasons: reasons,
             out_of_range: listed.collect(),
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
             converged: mesh.converged,
             surface: statistics.surface.map(Into::into),
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
