@@ -225,6 +225,19 @@ fn uniform_meshes_of_strongly_curved_surfaces_keep_their_area_or_say_that_they_d
     }
 }
 
+/// In a tilted plane rounding leaves forces on the vertices.
+#[test]
+fn the_residual_is_that_of_the_mesh_down_to_rounding() {
+    let corner = |x: f64, y: f64| [x, 0.8 * y + 0.1 * x, 0.3 * x - 0.7 * y];
+    let square = [corner(0.1, 0.0), corner(1.3, 0.2), corner(1.1, 1.4), corner(-0.2, 0.9)];
+    let request = serde_json::json!({
+        "kind": "minimal_surface", "boundaries": [square], "resolution": {"triangles": 300}
+    });
+    let (statistics, _) = solved_body("a tilted square", request.to_string().as_bytes());
+    let residual = statistics["residual"].as_f64().unwrap();
+    assert!(residual > 0.0 && residual < 1e-9, "{residual}");
+}
+
 /// Largest amount of work between two looks at the signal, in elementary operations: the benchmark of the audit times so
 /// many.
 const MOST_WORK: u64 = 6_000_000;

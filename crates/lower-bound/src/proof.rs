@@ -19,7 +19,7 @@ pub(super) fn prove(mesh: &BisectionMesh, oriented: &Oriented, hull: &Hull, axes
         return None;
     }
     let margin = 0.5 * hull.margin;
-    let area_lower_bound = rigorous::least_area(&space, mesh, &field, (loops, free), axes, margin)?.max(0.0);
+    let area_lower_bound = rigorous::least_area(&space, mesh, &field, (&loops[..], &free[..]), axes, margin)?.max(0.0);
     let (edge_values, faces) = field.split_at(space.edges.len());
     let (half_spaces, unconstrained) = hull.beyond(&space.corners);
     Some(Field {

@@ -223,7 +223,7 @@ fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
     }
     let mut field = level.best.field.clone();
     assert!(scale_to_one(&space, &mut field));
-    let proven = rigorous::least_area(&space, &mesh, &field, (&loops, &[]), None, 1e-7).unwrap();
+    let proven = rigorous::least_area(&space, &mesh, &field, (&loops[..], &[]), None, 1e-7).unwrap();
     // Two discs of the plane are below, and two ellipses with another ellipse's sides are above.
     let ellipses = vector_area(&loops).length();
     assert!(proven > ellipses && proven < 1.05 * ellipses, "{proven} and {ellipses}");
