@@ -66,6 +66,7 @@ use graph::lanes::Widest;
 use graph::rails::Rails;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::{Execution, Progress};
+use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::{DVec3, Estimate};
 use stack::assemble::assemble;
 use stack::direction::choose_directions;

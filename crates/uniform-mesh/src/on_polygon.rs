@@ -12,7 +12,7 @@ use super::surface::auxiliary::Surface;
 use super::surface::move_nodes::OnSurface;
 use plateau_mesh::error::{Error, InputError, Place};
 use plateau_mesh::execution::Execution;
-use plateau_mesh::plane::triangulation::{Tangle, side};
+use plateau_mesh::plane::triangulation::Tangle;
 use plateau_mesh::{DVec3, Mesh};
 
 /// A planar polygon, meshed and measured.

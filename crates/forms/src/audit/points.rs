@@ -96,7 +96,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
         let next = |i: usize| rim[(i + 1) % rim.len()];
         let border =
             |i: usize| twins.edge(contents, edges, rim[i], next(i)).filter(|edge| edge.triangles() == triangles);
-        borders.extend((0..rim.len()).filter_map(|i| border(i)).map(|edge| edge.ends));
+        borders.extend((0..rim.len()).filter_map(&border).map(|edge| edge.ends));
         let off = (0..rim.len()).find(|&i| border(i).is_none());
         audit.require(
             off.is_none(),

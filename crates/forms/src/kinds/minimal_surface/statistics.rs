@@ -232,7 +232,7 @@ pub struct MinimalStatistics {
 
 impl MinimalStatistics {
     #[must_use]
-    pub fn of(statistics: &geometry::Statistics, crossings: Crossings, origin: Point) -> Self {
+    pub(crate) fn of(statistics: &geometry::Statistics, crossings: Crossings, origin: Point) -> Self {
         let row = |row: &geometry::HistoryRow| HistoryRow {
             phase: row.phase,
             iteration: row.iteration,

@@ -110,7 +110,7 @@ impl From<&geometry::Statistics> for StripStatistics {
 
 impl RuledStatistics {
     #[must_use]
-    pub fn of(
+    pub(crate) fn of(
         surface: &geometry::RuledSurface,
         options: &geometry::Options,
         crossings: Crossings,

@@ -244,7 +244,7 @@ pub struct TensileStatistics {
 
 impl TensileStatistics {
     #[must_use]
-    pub fn of(
+    pub(crate) fn of(
         result: &geometry::TensileStructure,
         structure: &geometry::Structure,
         force: ForceUnit,

@@ -159,7 +159,12 @@ pub struct UniformStatistics {
 
 impl UniformStatistics {
     #[must_use]
-    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, crossings: Crossings, origin: Point) -> Self {
+    pub(crate) fn of(
+        mesh: &geometry::UniformMesh,
+        options: &geometry::Options,
+        crossings: Crossings,
+        origin: Point,
+    ) -> Self {
         let statistics = &mesh.statistics;
         let mut reasons = BTreeMap::new();
         for edge in &mesh.out_of_range {
