@@ -240,7 +240,7 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
 
 /// Largest amount of work between two looks at the signal, in elementary operations: the benchmark of the audit times so
 /// many.
-const MOST_WORK: u64 = 6_000_000;
+const MOST_WORK: u64 = 2_000_000;
 
 /// Hard cases of every kind, besides the files.
 fn hard_cases() -> Vec<(String, Value)> {

@@ -233,7 +233,7 @@ class Judge:
         self.equal("/vertices", len(self.vertices))
         bridges = self.lines("bridges")
         self.equal("/bridges", len(bridges))
-        if not self.request.get("sampling"):
+        if not self.request.get("sampling") and self.flat:
             self.points(self.request["directrices"])
         self.equal("/triangles", len(self.triangles))
         total, slack = self.surface()

@@ -259,7 +259,6 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
         Err(Error::Input(errors)) => return format!("refused: {}", errors[0].place),
         Err(error) => return format!("error: {error}"),
     };
-    let has = |code: &str| surface.warnings.iter().any(|warning| warning.code == code);
     let statistics = &surface.statistics;
     let crossed = is_crossed(&surface.mesh);
     compared.crossed += u32::from(crossed);

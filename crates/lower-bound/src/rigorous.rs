@@ -85,8 +85,8 @@ struct Link {
 }
 
 /// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1,
-/// where the magnitude of that around `free` loops is subtracted. `None` if the rounded polygon is farther than `margin`
-/// from the given one. The field may have axes of its own.
+/// where the magnitude of that around `free` loops is subtracted. `None` if the rounded polygon is farther than
+/// `margin` from the given one. The field may have axes of its own.
 pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,

@@ -12,9 +12,9 @@
 //! node's own normal and longest edge (S. Gottschalk, M. C. Lin, D. Manocha, *OBBTree*, SIGGRAPH 1996), which keep long
 //! thin triangles apart. The triangles around one vertex meet there, and are most of the pairs whose boxes meet. They
 //! are settled together: if all of them face one direction and wind round the vertex at most once, their projection
-//! along that direction is one-to-one, and no two of them intersect. The triangles of a large fan that is not settled so
-//! are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes all meet at
-//! that vertex, and their arcs do not.
+//! along that direction is one-to-one, and no two of them intersect. The triangles of a large fan that is not settled
+//! so are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes all meet
+//! at that vertex, and their arcs do not.
 //!
 //! O(n log n) time for meshes whose triangles do not pile up, O(n) memory, deterministic.
 

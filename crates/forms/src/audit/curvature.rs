@@ -4,7 +4,6 @@ use super::comparison::Audit;
 use super::figure::{Largest, Measured};
 use super::surface::Surface;
 use plateau_archive::archive::MEAN_CURVATURE;
-use plateau_mesh::DVec3;
 
 /// Relative error that a stated curvature or residual may have.
 const RELATIVE: f64 = 0.1;

@@ -60,8 +60,8 @@ impl Fans {
         most.filter(|&v| self.sizes[v as usize] > 0).unwrap_or(NONE)
     }
 
-    /// Visits the pairs of triangles of each fan whose arcs may meet. False if more work than `most_work` was needed for
-    /// a fan.
+    /// Visits the pairs of triangles of each fan whose arcs may meet. False if more work than `most_work` was needed
+    /// for a fan.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -86,8 +86,8 @@ impl Fans {
     }
 }
 
-/// A triangle that holds the arc which a triangle cuts out of the unit sphere around one of its corners: the ends of the
-/// arc, and the point where the tangents at the ends meet.
+/// A triangle that holds the arc which a triangle cuts out of the unit sphere around one of its corners: the ends of
+/// the arc, and the point where the tangents at the ends meet.
 fn hull_of_arc(soup: &Soup, triangle: [u32; 3], centre: u32) -> [DVec3; 3] {
     let from = soup.points[centre as usize];
     let k = triangle.iter().position(|&v| v == centre).unwrap_or(0);

@@ -81,7 +81,8 @@ const ROUNDED: f64 = 1e-6;
 /// How far an area is above a bound; `None` for a bound of 0.
 ///
 /// # Errors
-/// [`Error::NoResult`] if the area is below the bound. Either the bound or the area is wrong then, and neither may leave.
+/// [`Error::NoResult`] if the area is below the bound. Either the bound or the area is wrong then, and neither may
+/// leave.
 fn gap(area: f64, bound: f64) -> Result<Option<f64>, Error> {
     match area / bound - 1.0 {
         _ if bound <= 0.0 => Ok(None),

@@ -55,8 +55,8 @@ pub struct RuledStatistics {
     pub objective: &'static str,
     /// Number of vertices of the mesh.
     pub vertices: usize,
-    /// Statistics of the whole surface. `triangles` and `area` are those of the mesh, caps included. All other figures are
-    /// those of the strips together.
+    /// Statistics of the whole surface. `triangles` and `area` are those of the mesh, caps included. All other figures
+    /// are those of the strips together.
     #[serde(flatten)]
     pub total: StripStatistics,
     /// Statistics of each strip, in order. Caps belong to none.
