@@ -271,7 +271,8 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
         Ok(solved) => solved,
         Err(Unsolved::Cancelled) => return fail(1, "cancelled"),
         Err(Unsolved::Failed(error)) => {
-            return fail(1, &lines(&format!("{}: {}", error.title, error.detail), &error.errors));
+            let message = format!("{}: {}", error.title, error.detail);
+            return fail(1, &format!("{}\ntype: {}", lines(&message, &error.errors), error.kind));
         }
     };
     for warning in &solved.warnings {

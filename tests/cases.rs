@@ -4,7 +4,7 @@
 
 use plateau::config::LimitsConfig;
 use plateau::wire::incoming::Incoming;
-use plateau_forms::solved::Signal;
+use plateau_forms::solved::{Signal, Unsolved};
 use serde_json::Value;
 
 fn body(name: &str) -> Vec<u8> {
@@ -133,6 +133,38 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
     assert!(area - error <= 4.108_672 && area + error >= 4.108_0, "{area} {error}");
 }
 
+/// The outline lies in a plane to 1.3e-15. Seen from above its sides 1 and 31 cross, in exact arithmetic, at heights that
+/// differ by 4e-16.
+#[test]
+fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
+    let incoming = Incoming::read_with_kind(&body("film_canopy"), &LimitsConfig::default()).unwrap();
+    let refused = incoming.request.solve(&|| Signal::Continue, &|_| {}).unwrap_err();
+    let Unsolved::Failed(error) = refused else { panic!("{refused:?}") };
+    assert_eq!(error.kind, "/problems/self-intersecting-boundary");
+    let pointers: Vec<&str> = error.errors.iter().map(|error| &error.pointer[..]).collect();
+    assert_eq!(pointers, ["/boundaries/0/1", "/boundaries/0/31"]);
+}
+
+/// A column of 69 points on either side with flat caps.
+#[test]
+fn area_and_triangles_of_a_stack_are_those_of_its_mesh_caps_included() {
+    let incoming = Incoming::read_with_kind(&body("ruled_caps"), &LimitsConfig::default()).unwrap();
+    let solved = incoming.request.solve(&|| Signal::Continue, &|_| {}).unwrap();
+    let statistics: Value = serde_json::from_str(&solved.statistics).unwrap();
+    let mesh = &solved.archive.contents().mesh;
+    let of = |&t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| mesh.vertices[v as usize]);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    let area: f64 = mesh.triangles.iter().map(of).sum();
+    assert_eq!(statistics["triangles"], 272);
+    assert_eq!(statistics["strips"][0]["triangles"], 138);
+    assert!((statistics["area"].as_f64().unwrap() / area - 1.0).abs() < 1e-12, "{} and {area}", statistics["area"]);
+    let strip = statistics["strips"][0]["area"].as_f64().unwrap();
+    assert_eq!(statistics["objective_value"].as_f64(), Some(strip));
+    assert!(strip < area);
+}
+
 #[test]
 fn a_film_with_one_side_is_refused_in_words() {
     let refused = Incoming::read_with_kind(&body("moebius_own"), &LimitsConfig::default()).unwrap_err();
@@ -191,4 +223,99 @@ fn uniform_meshes_of_strongly_curved_surfaces_keep_their_area_or_say_that_they_d
         is_faithful("uni_rings", objective, Some(487.9));
         is_faithful("uni_dome_bezier_tall", objective, None);
     }
+}
+
+/// In a tilted plane rounding leaves forces on the vertices.
+#[test]
+fn the_residual_is_that_of_the_mesh_down_to_rounding() {
+    let corner = |x: f64, y: f64| [x, 0.8 * y + 0.1 * x, 0.3 * x - 0.7 * y];
+    let square = [corner(0.1, 0.0), corner(1.3, 0.2), corner(1.1, 1.4), corner(-0.2, 0.9)];
+    let request = serde_json::json!({
+        "kind": "minimal_surface", "boundaries": [square], "resolution": {"triangles": 300}
+    });
+    let (statistics, _) = solved_body("a tilted square", request.to_string().as_bytes());
+    let residual = statistics["residual"].as_f64().unwrap();
+    assert!(residual > 0.0 && residual < 1e-9, "{residual}");
+}
+
+/// Largest amount of work between two looks at the signal, in elementary operations: the benchmark of the audit times so
+/// many.
+const MOST_WORK: u64 = 2_000_000;
+
+/// Hard cases of every kind, besides the files.
+fn hard_cases() -> Vec<(String, Value)> {
+    let ring = |n: usize, x: f64, z: f64, radius: f64| -> Vec<[f64; 3]> {
+        let angles = (0..n).map(|k| std::f64::consts::TAU * k as f64 / n as f64);
+        angles.map(|angle| [x + radius * angle.cos(), radius * angle.sin(), z]).collect()
+    };
+    let film =
+        |boundaries: Vec<Vec<[f64; 3]>>| serde_json::json!({"kind": "minimal_surface", "boundaries": boundaries});
+    let mut best = film((0..4).map(|k| ring(24, 0.9 * f64::from(k % 2), 0.4 * f64::from(k / 2), 1.0)).collect());
+    best["topology"] = "best".into();
+    let mut pairs = film((0..8).map(|k| ring(12, 3.0 * f64::from(k / 2), 0.2 * f64::from(k % 2), 1.0)).collect());
+    pairs["topology"] = "free".into();
+    pairs["certify"] = serde_json::json!({"gap": 0, "seconds": 0.3});
+    let fan = serde_json::json!({
+        "kind": "ruled_surface", "closed": true,
+        "directrices": [ring(3, 0.0, 0.0, 1e-3), ring(7_500, 0.3, 1.0, 1.0)],
+    });
+    let lattice = serde_json::json!({
+        "kind": "uniform_mesh", "objective": "most_equal_edges", "edge_length": 0.02,
+        "domain": {"polygon": ring(64, 0.0, 0.0, 1.0), "holes": [ring(24, 0.5, 0.0, 0.2), ring(24, -0.5, 0.0, 0.2)]},
+    });
+    let grid = 40;
+    let vertices: Vec<[f64; 3]> = (0..grid * grid).map(|v| [f64::from(v % grid), f64::from(v / grid), 0.0]).collect();
+    let edges: Vec<[i32; 2]> = (0..grid * grid)
+        .flat_map(|v| {
+            let right = (v % grid + 1 < grid).then_some([v, v + 1]);
+            right.into_iter().chain((v / grid + 1 < grid).then_some([v, v + grid]))
+        })
+        .collect();
+    let net = serde_json::json!({
+        "kind": "cable_net", "vertices": vertices, "supports": [0, grid - 1, grid * grid - grid, grid * grid - 1],
+        "cables": [{"name": "all", "edges": (0..edges.len()).collect::<Vec<_>>(), "force_density": 1.0}],
+        "loads": [{"vertices": (0..grid * grid).collect::<Vec<_>>(), "force": [0, 0, -0.1]}], "edges": edges,
+    });
+    let sail = serde_json::json!({
+        "kind": "tensile_structure", "boundaries": [[[0, 0, 0], [10, 0, 4], [10, 10, 0], [0, 10, 4]]],
+        "film": {"tension": 2}, "resolution": {"triangles": 20_000},
+        "cables": (0..4).map(|k| serde_json::json!({
+            "name": format!("edge {k}"), "along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": 30
+        })).collect::<Vec<_>>(),
+    });
+    [("best", best), ("pairs", pairs), ("fan", fan), ("lattice", lattice), ("net", net), ("sail", sail)]
+        .map(|(name, value)| (name.to_owned(), value))
+        .into()
+}
+
+/// A solver that works for long without a look cannot be cancelled.
+#[test]
+fn no_solver_works_for_long_without_a_look_at_the_signal() {
+    let folder = std::fs::read_dir(format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"))).expect("the cases");
+    let mut cases: Vec<(String, Value)> = folder
+        .map(|entry| entry.expect("a case").path())
+        .map(|path| {
+            let value = serde_json::from_slice(&std::fs::read(&path).expect("a case")).expect("JSON");
+            (path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), value)
+        })
+        .collect();
+    cases.sort_by(|a, b| a.0.cmp(&b.0));
+    cases.extend(hard_cases());
+    let mut kinds = std::collections::BTreeSet::new();
+    for (name, value) in cases {
+        let body = value.to_string();
+        let Ok(incoming) = Incoming::read_with_kind(body.as_bytes(), &LimitsConfig::default()) else { continue };
+        let last = std::cell::Cell::new(std::time::Instant::now());
+        let longest = std::cell::Cell::new(0.0f64);
+        let signal = || {
+            let now = std::time::Instant::now();
+            longest.set(longest.get().max(now.duration_since(last.replace(now)).as_secs_f64()));
+            Signal::Continue
+        };
+        let (_, work) = incoming.request.solve_and_count(&signal, &|_| {});
+        println!("{name}: {work} between two looks, {:.0} ms at most", 1e3 * longest.get());
+        assert!(work <= MOST_WORK, "{name}: {work}");
+        kinds.insert(value["kind"].to_string());
+    }
+    assert_eq!(kinds.len(), 5, "{kinds:?}");
 }

@@ -29,16 +29,8 @@ from relations import RELATIONS, agree  # noqa: E402
 # Families of faults that are known and not mended yet, with the reason. Their wrong cases are listed and do not fail the
 # run. A family leaves this table with the change that mends its fault.
 KNOWN = {
-    "fault_best_of_near_rings": "best finds two discs where the annulus between them has much less area, or a coarse annulus",
     "fault_two_near_rings": "a narrow annulus of few triangles has up to five times the area of the strip between the rings, or is not found",
-    "fault_best_with_a_tiny_ring": "best gives each piece its share of the triangles by the length of its boundary",
-    "fault_best_of_small_pieces": "best judges small pieces by the energy and radius of the whole",
     "fault_rings_beyond_the_limit": "a thin neck of few edges counts as converged where no film exists",
-    "fault_unstable_catenoid_descends": "descend tries one direction of the unstable mode",
-    "fault_plane_holes_that_touch": "holes that touch are not meshed in the plane",
-    "fault_plane_hole_that_touches_the_outline": "holes that touch the outline are not meshed in the plane",
-    "fault_plane_holes_that_cross": "crossing holes are refused for one boundary only",
-    "fault_fixed_point_outside": "the error does not name the point",
 }
 
 

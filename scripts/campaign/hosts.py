@@ -91,8 +91,9 @@ class Program:
                 return Outcome(self.patience).fail({"type": "no-answer", "detail": f"no answer in {self.patience} s"})
             outcome = Outcome(time.monotonic() - started)
             if run.returncode != 0:
-                kind = "audit-failed" if "figures of the result are not" in run.stderr else "failed"
-                kind = "solver-panicked" if "panicked" in run.stderr else kind
+                # A request that is refused before it is solved has no type.
+                kinds = [line.removeprefix("type: ") for line in run.stderr.splitlines() if line.startswith("type: ")]
+                kind = "solver-panicked" if "panicked" in run.stderr else (kinds or ["invalid-request"])[-1]
                 pointers = [line.split(":")[0].strip() for line in run.stderr.splitlines() if line.startswith("  /")]
                 return outcome.fail({"type": kind, "detail": run.stderr.strip(), "errors": [{"pointer": p} for p in pointers]})
             outcome.succeeded, outcome.statistics = True, json.loads(run.stdout)

@@ -830,35 +830,26 @@ export interface components {
         /** @enum {string} */
         Caps: "none" | "flat";
         /**
-         * @description A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
-         *     only the surfaces that run along them in the directions of the film.
+         * @description A proven lower bound of the area of all oriented surfaces with this boundary, in whichever direction they run along
+         *     each polygon of it.
          */
         Certificate: {
             /**
              * Format: double
-             * @description No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
-             *     directions that `every_orientation` and `reversed_loops` name.
+             * @description No oriented surface of any topology with this boundary has a smaller area.
              */
             area_lower_bound: number;
-            /**
-             * @description Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
-             *     directions of the film only, and surfaces in other directions may have less area.
-             */
-            every_orientation: boolean;
             /**
              * Format: double
              * @description The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
              */
             gap: number | null;
             iterations: number;
-            /** @description Number of orientations of the loops for which a field was found. */
-            orientations: number;
             /**
-             * @description If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
-             *     request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
-             *     reversed together. Null otherwise.
+             * @description Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
+             *     directions of the boundaries that it leaves free.
              */
-            reversed_loops: number[] | null;
+            orientations: number;
             /** @description The surfaces for which the bound holds. */
             scope: string;
             /**
@@ -1640,8 +1631,7 @@ export interface components {
             cancel_on_disconnect?: boolean;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-             *     covers only the surfaces that run along them in the directions of the film.
+             *     bound is to be and how long the search may take. Only for `minimal_area`.
              */
             certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
@@ -1732,8 +1722,7 @@ export interface components {
             cancel_on_disconnect?: boolean;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-             *     covers only the surfaces that run along them in the directions of the film.
+             *     bound is to be and how long the search may take. Only for `minimal_area`.
              */
             certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
@@ -2124,7 +2113,7 @@ export interface components {
             self_intersections_skipped: string | null;
             /** Format: double */
             shortest_bridge: number;
-            /** @description Statistics of each strip, in order. */
+            /** @description Statistics of each strip, in order. Caps belong to none. */
             strips: components["schemas"]["StripStatistics"][];
             /**
              * Format: double
@@ -2418,7 +2407,7 @@ export interface components {
             /**
              * Format: double
              * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-             *     Null if nothing is proven, and with more than six boundaries.
+             *     Null if nothing is proven.
              */
             gap: number | null;
             stability: components["schemas"]["Stability"] | null;

@@ -105,7 +105,7 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     {
         let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
         surface.warnings.extend(input.warnings());
-        return Ok(surface.checked(exec)?);
+        return Ok(surface);
     }
     let given = options;
     let options = &options.centred(input.centre);
@@ -139,7 +139,7 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     if matches!(given.method, Method::Newton(Newton { topology: TopologyRule::Fixed, .. })) {
         refuse_lost_film(&surface.statistics)?;
     }
-    Ok(surface.checked(exec)?)
+    Ok(surface)
 }
 
 /// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is

@@ -1,5 +1,5 @@
-//! The cost of the audit beside that of the solve. Each row is a line of JSON with milliseconds: the fastest of several
-//! runs.
+//! The cost of the audit beside that of the solve, and the longest work between two looks at the signal with its time.
+//! Each row is a line of JSON with milliseconds: the fastest of several runs.
 //!
 //! ```text
 //! cargo bench --package plateau-forms --bench audit
@@ -10,6 +10,7 @@ use plateau_forms::request::Request;
 use plateau_forms::solved::Signal;
 use plateau_forms::source::no_jobs;
 use serde_json::{Value, json};
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 const LIMITS: Limits =
@@ -48,6 +49,18 @@ fn fastest(mut run: impl FnMut()) -> Duration {
     best
 }
 
+/// Returns the largest amount of work between two looks at the signal, and the longest time.
+fn between_looks(request: &Request) -> (u64, Duration) {
+    let (last, longest) = (Cell::new(Instant::now()), Cell::new(Duration::ZERO));
+    let signal = || {
+        let now = Instant::now();
+        longest.set(longest.get().max(now - last.replace(now)));
+        Signal::Continue
+    };
+    let (_, work) = request.solve_and_count(&signal, &|_| {});
+    (work, longest.get())
+}
+
 fn main() {
     let cases = [
         ("film 2,000 triangles", tent(2_000)),
@@ -65,11 +78,14 @@ fn main() {
         let audit = fastest(|| assert_eq!(request.audit(&solved), 0));
         let milliseconds = |time: Duration| (time.as_secs_f64() * 1e6).round() / 1e3;
         let percent = 100.0 * audit.as_secs_f64() / (whole - audit).as_secs_f64();
+        let (work, gap) = between_looks(&request);
         let row = json!({
             "case": name,
             "solve_and_audit_ms": milliseconds(whole),
             "audit_ms": milliseconds(audit),
-            "percent_of_solve": (percent * 100.0).round() / 100.0
+            "percent_of_solve": (percent * 100.0).round() / 100.0,
+            "work_between_looks": work,
+            "between_looks_ms": milliseconds(gap)
         });
         println!("{row}");
     }

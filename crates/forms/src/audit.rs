@@ -5,6 +5,7 @@
 //! [`Solved`](crate::solved::Solved) only if all of them agree. docs/audit.md has the tolerances.
 
 pub(crate) mod comparison;
+pub(crate) mod crossings;
 pub(crate) mod curvature;
 pub(crate) mod edges;
 pub(crate) mod figure;

@@ -143,15 +143,30 @@ impl Request {
     /// # Errors
     /// Returns the error of the solver.
     pub fn solve(&self, signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Result<Solved, Unsolved> {
+        self.solve_and_count(signal, report).0
+    }
+
+    /// Solves the request, and returns the largest amount of work between two looks at the signal too. A test holds it
+    /// below a bound.
+    #[doc(hidden)]
+    pub fn solve_and_count(
+        &self,
+        signal: &dyn Fn() -> Signal,
+        report: &dyn Fn(Progress),
+    ) -> (Result<Solved, Unsolved>, u64) {
         let signal = || match signal() {
             Signal::Continue => plateau_mesh::Signal::Continue,
             Signal::Cancel => plateau_mesh::Signal::Cancel,
             Signal::Deadline => plateau_mesh::Signal::Deadline,
         };
         let report = |progress| report(solved::on_the_wire(progress));
-        let mut draft = self.input.solve(self.frame, &Execution::new(&signal, &report))?;
-        draft.warnings.extend(solved::far_from_zero(&draft.archive));
-        draft.audited(&*self.input)
+        let exec = Execution::new(&signal, &report);
+        let solve = || {
+            let mut draft = self.input.solve(self.frame, &exec)?;
+            draft.warnings.extend(solved::far_from_zero(&draft.archive));
+            draft.audited(&*self.input, &exec)
+        };
+        (solve(), exec.largest_work_between_looks())
     }
 
     /// Audits a result once more and returns the number of its faults, which is 0. The benchmark of the audit's cost
@@ -159,7 +174,9 @@ impl Request {
     #[doc(hidden)]
     #[must_use]
     pub fn audit(&self, solved: &Solved) -> usize {
-        solved::faults(&solved.statistics, &solved.warnings, &solved.archive, &*self.input).len()
+        let Solved { statistics, warnings, archive, .. } = solved;
+        solved::faults(statistics, warnings, archive, &*self.input, &Execution::default())
+            .map_or(1, |faults| faults.len())
     }
 
     /// Returns the solver's result before its audit, with the input that audits it.

@@ -46,8 +46,9 @@ impl Draft {
     ///
     /// # Errors
     /// Fails with `audit-failed` if a figure is not equal.
-    pub fn audited(self, input: &dyn SolverInput) -> Result<Solved, Unsolved> {
-        let faults = faults(&self.statistics, &self.warnings, &self.archive, input);
+    /// Fails with the cancel that ended it.
+    pub fn audited(self, input: &dyn SolverInput, exec: &Execution) -> Result<Solved, Unsolved> {
+        let faults = faults(&self.statistics, &self.warnings, &self.archive, input, exec).map_err(Error::from)?;
         let Self { statistics, warnings, archive, reproducible } = self;
         if faults.is_empty() {
             return Ok(Solved { statistics, warnings, archive, reproducible, _audited: Audited });
@@ -67,10 +68,19 @@ impl Draft {
 }
 
 /// Returns the stated figures that are not equal to those of the archive's arrays.
-pub(crate) fn faults(statistics: &str, warnings: &[Warning], archive: &Archive, input: &dyn SolverInput) -> Vec<Fault> {
+///
+/// # Errors
+/// The cancel that ended the audit.
+pub(crate) fn faults(
+    statistics: &str,
+    warnings: &[Warning],
+    archive: &Archive,
+    input: &dyn SolverInput,
+    exec: &Execution,
+) -> Result<Vec<Fault>, Interruption> {
     let statistics: Value = serde_json::from_str(statistics).unwrap_or_default();
     let codes = warnings.iter().map(|warning| warning.code.as_str()).collect();
-    let mut audit = Audit::new(archive.contents(), &statistics, codes);
+    let mut audit = Audit::new(archive.contents(), &statistics, codes, exec);
     input.audit(&mut audit);
     audit.faults()
 }

@@ -3,12 +3,15 @@
 use super::symmetry::{Axes, Mirror};
 use plateau_mesh::DVec3;
 
-/// The field that proves a bound for one orientation of the boundary.
+/// The field that proves a bound for one orientation of the boundary, or for several.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Field {
     /// The boundary, oriented.
     pub loops: Vec<Vec<DVec3>>,
+    /// Numbers of the loops of which the direction does not matter: the magnitude of the circulation around them is
+    /// subtracted.
+    pub free_loops: Vec<usize>,
     /// Every oriented surface with this oriented boundary has at least this area.
     pub area_lower_bound: f64,
     /// The axes of the following coordinates, if they differ from those of the loops.
@@ -41,17 +44,12 @@ pub struct Field {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LowerBound {
-    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the loops in one of
-    /// the orientations of `fields`.
+    /// No oriented surface of any topology with this boundary has a smaller area, in whichever direction it runs along
+    /// each loop.
     pub area: f64,
-    /// A field for each orientation of the loops; reversing all loops gives the same orientation. The bound is the
-    /// least of their bounds.
+    /// Each orientation of the loops belongs to one of the fields; reversing all loops gives the same orientation. The
+    /// bound is the least of their bounds.
     pub fields: Vec<Field>,
-    /// Whether `fields` has all of these orientations. With more than [`MOST_LOOPS`](crate::MOST_LOOPS) loops it has
-    /// only that of the film.
-    pub every_orientation: bool,
-    /// The loops that the film runs along against their direction, if it runs along loop 0 in its direction.
-    pub reversed_loops: Vec<usize>,
     /// Number of steps of Newton's method of all searches together.
     pub iterations: u32,
     /// Nominal seconds to which the work amounts.

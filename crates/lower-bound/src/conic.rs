@@ -15,6 +15,9 @@
 //! a bound, g·a / max |v|, and the best is kept. Once the dual constraint holds, the circulation is Σ (t + u·v) below
 //! the optimum of the mesh at most.
 //!
+//! Where the directions of loops are free, the field must have no circulation around them: linear constraints, which
+//! every solution with the factorised matrix takes into account (`Factor::hold`).
+//!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it three or four times: for the predictor,
 //! the corrector, and corrections of its centrality (Gondzio, *Multiple centrality corrections in a primal-dual method
 //! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central
@@ -24,7 +27,7 @@
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
-use super::system::{Factor, Stop, System};
+use super::system::{Factor, Stop, System, dot};
 use glam::{DMat3, DVec4};
 use plateau_mesh::{DVec3, Execution};
 
@@ -253,6 +256,8 @@ pub(super) struct Level<'a> {
     space: &'a Space,
     /// g.
     form: &'a [f64],
+    /// Forms on which the field keeps the value zero: the circulations around free loops.
+    held: Vec<Vec<f64>>,
     field: Vec<f64>,
     /// v.
     curl: Vec<[DVec3; 4]>,
@@ -270,10 +275,6 @@ pub(super) struct Level<'a> {
     central: Option<(Vec<f64>, Vec<[ConeVector; 4]>)>,
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 fn largest(curl: &[[DVec3; 4]]) -> f64 {
     curl.iter().flatten().fold(0.0, |max: f64, v| max.max(v.length_squared())).sqrt()
 }
@@ -286,7 +287,14 @@ fn complementarity(curl: &[[DVec3; 4]], dual: &[[ConeVector; 4]]) -> f64 {
 impl<'a> Level<'a> {
     /// Starts from the best field that the mesh carries, or from its central field and that field's dual vectors if
     /// `warm`. `film_area` is an upper bound of the optimum.
-    pub fn new(space: &'a Space, mesh: &BisectionMesh, form: &'a [f64], film_area: f64, warm: bool) -> Self {
+    pub fn new(
+        space: &'a Space,
+        mesh: &BisectionMesh,
+        form: &'a [f64],
+        held: Vec<Vec<f64>>,
+        film_area: f64,
+        warm: bool,
+    ) -> Self {
         let mut field = space.field(mesh, BEST);
         let mut curl = space.curl(&field);
         let scale = largest(&curl);
@@ -314,7 +322,12 @@ impl<'a> Level<'a> {
         };
         let complementarity = complementarity(&curl, &dual);
         let (stalled, central) = (false, None);
-        Self { space, form, field, curl, dual, complementarity, infeasibility, film_area, stalled, best, central }
+        Self { space, form, held, field, curl, dual, complementarity, infeasibility, film_area, stalled, best, central }
+    }
+
+    /// Whether the field has to keep circulations around free loops.
+    pub fn has_free_loops(&self) -> bool {
+        !self.held.is_empty()
     }
 
     /// The field and the dual vectors (u, t) from which the next mesh starts.
@@ -347,7 +360,8 @@ impl<'a> Level<'a> {
             let w = rest * (2.0 * all);
             DMat3::from_diagonal(DVec3::splat(all)) + DMat3::from_cols(w * rest.x, w * rest.y, w * rest.z)
         };
-        let factor = system.factorise(space, block, storage, exec)?;
+        let mut factor = system.factorise(space, block, storage, exec)?;
+        factor.hold(&self.held, exec)?;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let points = (4 * curl.len()) as f64;
         // The target of the predictor is the boundary.

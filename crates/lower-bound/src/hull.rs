@@ -12,8 +12,11 @@ use std::f64::consts::PI;
 /// Number of directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
 const DIRECTIONS: usize = 600;
 /// Distance by which a tetrahedron has to lie beyond a half-space, as a fraction of the boundary's size. It is far
-/// above the rounding errors (differences of coordinates are rounded once), and far below the size of tetrahedra.
+/// above the rounding errors of differences (they are rounded once), and far below the size of tetrahedra.
 const MARGIN: f64 = 1e-6;
+/// The rounding of points and of their mirror images in units of the largest coordinate's last place. It is added to
+/// the distance, and outweighs it where the boundary is small and far from the origin.
+const ROUNDED: f64 = 8.0;
 
 /// Number of products of a direction with a point between two looks at the caller's signal: about a millisecond of
 /// work.
@@ -39,7 +42,8 @@ impl Hull {
     pub fn around(loops: &[Vec<DVec3>], normals: &[DVec3], exec: &Execution) -> Result<Self, Interruption> {
         let origin = loops[0][0];
         let size = loops.iter().flatten().fold(0.0, |size: f64, &p| size.max((p - origin).length()));
-        let margin = MARGIN * size;
+        let reach = loops.iter().flatten().fold(0.0, |reach: f64, &p| reach.max(p.abs().max_element()));
+        let margin = MARGIN * size + ROUNDED * f64::EPSILON * reach;
         let both = |normal: &DVec3| [normal.normalize_or_zero(), -normal.normalize_or_zero()];
         let flat = [DVec3::X, DVec3::Y, DVec3::Z];
         let flat = flat.iter().chain(normals).flat_map(both).filter(|&normal| normal != DVec3::ZERO);

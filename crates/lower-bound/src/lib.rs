@@ -70,12 +70,13 @@ mod system;
 mod tests;
 
 pub use bound::{Field, LowerBound};
-pub use options::{MOST_LOOPS, MOST_SECONDS, Options, check, memory_bytes};
+pub use options::{MOST_SECONDS, Options, check, memory_bytes};
 pub use symmetry::{Axes, Mirror};
 
 use bisection::BisectionMesh;
 use budget::Budget;
 use hull::Hull;
+use options::{MOST_DIRECTED, MOST_SEARCHES};
 use orientation::{Oriented, own_orientation, vector_area};
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
@@ -84,9 +85,9 @@ use search::{Samples, Search, refine_first_mesh};
 /// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
 /// bound, and shows where the bound has to be sharp.
 ///
-/// With several loops the bound is the least over all their orientations; beyond [`MOST_LOOPS`] it covers the film's
-/// own orientation alone. `None` if the coordinates are so large for the loops' size that f64 has no digits left for
-/// the mesh, or if the film has no area.
+/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for
+/// the loops' size that f64 has no digits left for the mesh, if the film has no area, or if its border does not run
+/// along the loops.
 ///
 /// # Errors
 /// The [`Error::Input`] of [`check`]; [`Error::Interrupted`] on a cancel. A deadline ends the search with the bound
@@ -109,12 +110,12 @@ pub fn certify(
     if !(film_area.is_finite() && film_area > 0.0) {
         return Ok(None);
     }
-    let every_orientation = loops.len() <= MOST_LOOPS;
-    let patterns = if every_orientation { 1u32 << (loops.len() - 1) } else { 1 };
-    let own = own_orientation(loops, film);
+    let Some(own) = own_orientation(loops, film) else { return Ok(None) };
     let middle = place(symmetry::middle(loops));
-    let orientations: Vec<Oriented> =
-        (0..patterns).map(|pattern| Oriented::of(loops, &own, pattern, &place, middle)).collect();
+    let orientations = match loops.len() {
+        ..=MOST_DIRECTED => Oriented::all(loops, &own, &place, middle),
+        _ => vec![Oriented::open(loops, &own, &place, middle)],
+    };
     let Some((mut meshes, mesh_of)) = boxes(&orientations) else { return Ok(None) };
     let images: Vec<Vec<DVec3>> = meshes.iter().flat_map(|mesh| mesh.images(&orientations[0].placed)).collect();
     let normals: Vec<DVec3> = images.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
@@ -126,7 +127,7 @@ pub fn certify(
         orientations.into_iter().zip(mesh_of).map(|(oriented, k)| Search::new(oriented, meshes[k].clone())).collect();
     let mut budget = Budget::new(options, film_area);
     let interrupted = raise_the_least_bound(&mut searches, &hull, &mut budget, exec)?;
-    let prove = |search: &Search| proof::prove(&search.mesh, &search.loops, &hull, axes.as_ref());
+    let prove = |search: &Search| proof::prove(&search.mesh, &search.oriented, &hull, axes.as_ref());
     let Some(fields) = searches.iter().map(prove).collect::<Option<Vec<Field>>>() else { return Ok(None) };
     let (weakest, area) = fields
         .iter()
@@ -136,8 +137,6 @@ pub fn certify(
     Ok(Some(LowerBound {
         area,
         fields,
-        every_orientation,
-        reversed_loops: (0..loops.len()).filter(|&k| own[k] != own[0]).collect(),
         iterations: budget.iterations,
         seconds: budget.spent,
         interrupted,
@@ -166,19 +165,29 @@ fn boxes(orientations: &[Oriented]) -> Option<(Vec<BisectionMesh>, Vec<usize>)> 
 }
 
 /// Continues the search with the least bound, because the least bound decides, until the budget is spent or the gap is
-/// reached. Returns whether a deadline ended it.
+/// reached. Where loops are free, it is split by the direction of the next one. Returns whether a deadline ended it.
 fn raise_the_least_bound(
-    searches: &mut [Search],
+    searches: &mut Vec<Search>,
     hull: &Hull,
     budget: &mut Budget,
     exec: &Execution,
 ) -> Result<bool, Error> {
     let mut storage = Vec::new();
-    while let Some(weakest) = searches.iter_mut().min_by(|a, b| a.bound.total_cmp(&b.bound)) {
-        if weakest.is_finished || budget.is_reached_by(weakest.bound) {
+    while let Some(number) = (0..searches.len()).min_by(|&a, &b| searches[a].bound.total_cmp(&searches[b].bound)) {
+        if budget.is_reached_by(searches[number].bound) {
             break;
         }
-        match weakest.run_level(hull, budget, &mut storage, exec) {
+        if searches.len() < MOST_SEARCHES
+            && let Some([own, other]) = searches[number].split(budget)
+        {
+            searches[number] = own;
+            searches.push(other);
+            continue;
+        }
+        if searches[number].is_finished {
+            break;
+        }
+        match searches[number].run_level(hull, budget, &mut storage, exec) {
             Ok(()) => {}
             Err(Error::Interrupted(Interruption::DeadlinePassed)) => return Ok(true),
             Err(error) => return Err(error),

@@ -42,8 +42,12 @@ impl Options {
     }
 }
 
-/// Largest number of loops of which every orientation is searched: 32 orientations for six loops.
-pub const MOST_LOOPS: usize = 6;
+/// Largest number of loops of which every orientation has a search of its own from the start: 32 for six loops. With
+/// more loops the search begins with a bound for all orientations together, and directs one loop after the other where
+/// the bound is least.
+pub(super) const MOST_DIRECTED: usize = 6;
+/// Largest number of searches at a time. It bounds the memory and the size of the proof.
+pub(super) const MOST_SEARCHES: usize = 64;
 /// Largest budget that is used, in nominal seconds.
 pub const MOST_SECONDS: f64 = 600.0;
 
@@ -94,7 +98,7 @@ fn not_finite(point: DVec3) -> String {
 /// Upper bound of the memory that [`certify`](crate::certify) takes, in bytes.
 #[must_use]
 pub fn memory_bytes(loops: usize, options: &Options) -> u64 {
-    let orientations = if loops <= MOST_LOOPS { 1u64 << loops.saturating_sub(1) } else { 1 };
+    let orientations = if loops <= MOST_DIRECTED { 1 << loops.saturating_sub(1) } else { MOST_SEARCHES as u64 };
     // A mesh of the first size takes 8 MB; the largest 1.2 GB, most of it the factor.
     let largest = (options.seconds.clamp(0.0, MOST_SECONDS) * 60e6).min(1.2e9) as u64;
     orientations * 8_000_000 + 50_000_000 + largest

@@ -1,36 +1,58 @@
 //! Orientations of the boundary: the directions in which a surface can run along its loops.
 
-use super::bisection::VertexMap;
 use super::symmetry::Mirrors;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 
-/// The loops in one orientation.
-#[derive(Debug)]
+/// The loops in one orientation, or in all orientations that differ in the directions of some loops.
+#[derive(Clone, Debug)]
 pub(super) struct Oriented {
     pub loops: Vec<Vec<DVec3>>,
     /// The loops along the axes of the mesh.
     pub placed: Vec<Vec<DVec3>>,
     pub mirrors: Mirrors,
+    /// Numbers of the loops of which either direction is meant. The field has no circulation around them, so that it
+    /// bounds the area whatever their directions are.
+    pub free: Vec<usize>,
 }
 
 impl Oriented {
-    /// Orients loops: those of which a bit of `pattern` differs from the film's own direction are reversed.
-    pub fn of(
-        loops: &[Vec<DVec3>],
-        own: &[bool],
-        pattern: u32,
-        place: &impl Fn(DVec3) -> DVec3,
-        middle: DVec3,
-    ) -> Self {
-        // The pattern 0 is the film's own orientation.
+    /// Every orientation that begins with loop 0 in the film's own direction. The first of them is the film's own.
+    pub fn all(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Vec<Self> {
+        let of = |pattern: u32| {
+            let reversed = |k: usize| own[k] == (pattern >> k & 1 == 1);
+            let mut oriented = Self::with(loops, reversed, place);
+            oriented.mirrors = Mirrors::of(&oriented.placed, middle);
+            oriented
+        };
+        (0..1 << (loops.len() - 1)).map(of).collect()
+    }
+
+    /// All orientations together: loop 0 in the film's own direction, and the others free.
+    pub fn open(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Self {
+        let mut oriented = Self::with(loops, |k| !own[k], place);
+        oriented.mirrors = Mirrors::in_every_orientation(&oriented.placed, middle);
+        // The next loop to be directed stands last.
+        oriented.free = near_first(loops).into_iter().skip(1).rev().collect();
+        oriented
+    }
+
+    fn with(loops: &[Vec<DVec3>], reversed: impl Fn(usize) -> bool, place: &impl Fn(DVec3) -> DVec3) -> Self {
         let oriented = |(k, points): (usize, &Vec<DVec3>)| -> Vec<DVec3> {
-            if own[k] == (pattern >> k & 1 == 1) { points.iter().rev().copied().collect() } else { points.clone() }
+            if reversed(k) { points.iter().rev().copied().collect() } else { points.clone() }
         };
         let loops: Vec<Vec<DVec3>> = loops.iter().enumerate().map(oriented).collect();
         let placed: Vec<Vec<DVec3>> = loops.iter().map(|points| points.iter().map(|&p| place(p)).collect()).collect();
-        let mirrors = Mirrors::of(&placed, middle);
-        Self { loops, placed, mirrors }
+        Self { loops, placed, mirrors: Mirrors::default(), free: Vec::new() }
+    }
+
+    /// Directs the next free loop, in its own direction and in the other one. `None` if no loop is free.
+    pub fn split(mut self) -> Option<[Self; 2]> {
+        let number = self.free.pop()?;
+        let mut other = self.clone();
+        other.loops[number].reverse();
+        other.placed[number].reverse();
+        Some([self, other])
     }
 }
 
@@ -44,43 +66,99 @@ pub(super) fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
     0.5 * loops.iter().map(double_area).sum::<DVec3>()
 }
 
-/// For each loop whether the film's triangles run along it in the loop's direction.
-pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Vec<bool> {
-    let mut triangles_at: VertexMap<u32, Vec<u32>> = VertexMap::default();
-    for (t, triangle) in film.triangles.iter().enumerate() {
-        for &v in triangle {
-            triangles_at.entry(v).or_default().push(t as u32);
-        }
+/// For each loop whether the film's border runs along it in the loop's direction. `None` if the border does not run
+/// along a loop in either direction, so that bounds of the loops say nothing about the film.
+pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Option<Vec<bool>> {
+    let border = Border::of(film);
+    let direction = |points: &Vec<DVec3>| [true, false].into_iter().find(|&forward| border.runs_along(points, forward));
+    loops.iter().map(direction).collect()
+}
+
+/// Cosine of the largest angle between an edge of the border and the segment that it is a part of. Edges that begin at
+/// the same vertex and belong to other segments make larger angles, or the nearest one is taken.
+const ALONG: f64 = 0.5;
+
+/// The boundary chain of a film: the sides of triangles that no other triangle has in the other direction.
+struct Border<'a> {
+    vertices: &'a [DVec3],
+    /// The vertices by the keys of their places.
+    places: Vec<([u64; 3], u32)>,
+    /// The sides in order.
+    sides: Vec<[u32; 2]>,
+    /// The same sides, with the ends exchanged.
+    backwards: Vec<[u32; 2]>,
+}
+
+impl<'a> Border<'a> {
+    fn of(film: &'a Mesh) -> Self {
+        let of = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+        let mut all: Vec<[u32; 2]> = film.triangles.iter().flat_map(of).collect();
+        all.sort_unstable();
+        let sides: Vec<[u32; 2]> = all.iter().copied().filter(|&[a, b]| all.binary_search(&[b, a]).is_err()).collect();
+        let mut backwards: Vec<[u32; 2]> = sides.iter().map(|&[a, b]| [b, a]).collect();
+        backwards.sort_unstable();
+        let at = |(v, &p): (usize, &DVec3)| (position_key(p), v as u32);
+        let mut places: Vec<_> = film.vertices.iter().enumerate().map(at).collect();
+        places.sort_unstable();
+        Self { vertices: &film.vertices, places, sides, backwards }
     }
-    let mut places: Vec<([u64; 3], u32)> =
-        film.vertices.iter().enumerate().map(|(v, &p)| (position_key(p), v as u32)).collect();
-    places.sort_unstable();
-    loops
-        .iter()
-        .map(|points| {
-            // A triangle at the loop's first vertex has an edge that leaves it along the first segment, or arrives
-            // along that segment.
-            let vertex =
-                places.get(places.partition_point(|place| place.0 < position_key(points[0]))).map(|place| place.1);
-            let along = (points[1] - points[0]).normalize_or_zero();
-            let mut best = (0.0, true);
-            for &t in vertex.and_then(|v| triangles_at.get(&v)).into_iter().flatten() {
-                let triangle = film.triangles[t as usize];
-                for k in 0..3 {
-                    let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
-                    let forward = Some(a) == vertex;
-                    if !forward && Some(b) != vertex {
-                        continue;
-                    }
-                    let other = film.vertices[if forward { b } else { a } as usize];
-                    let cosine = (other - points[0]).normalize_or_zero().dot(along);
-                    // The boundary edge is the edge along the segment; an interior edge runs both ways.
-                    if cosine > best.0 + 1e-9 {
-                        best = (cosine, forward);
+
+    /// Whether the sides lead from each point of a closed polygon to the next one. Points that are no vertices are left
+    /// out.
+    fn runs_along(&self, points: &[DVec3], forward: bool) -> bool {
+        let sides = if forward { &self.sides } else { &self.backwards };
+        let is_vertex = |p: &DVec3| self.at(*p).next().is_some();
+        let points: Vec<DVec3> = points.iter().copied().filter(is_vertex).collect();
+        let Some(&start) = points.first() else { return false };
+        let leads_round = |first: u32| {
+            let (mut here, mut left) = (first, sides.len());
+            (1..=points.len()).all(|k| {
+                let target = points[k % points.len()];
+                loop {
+                    let Some(next) = self.towards(sides, here, target) else { return false };
+                    here = next;
+                    // Every side is taken once at most.
+                    let Some(fewer) = left.checked_sub(1) else { return false };
+                    left = fewer;
+                    if position_key(self.vertices[here as usize]) == position_key(target) {
+                        return true;
                     }
                 }
-            }
-            best.1
-        })
-        .collect()
+            })
+        };
+        self.at(start).any(leads_round)
+    }
+
+    /// The vertices at a place.
+    fn at(&self, point: DVec3) -> impl Iterator<Item = u32> {
+        let key = position_key(point);
+        let first = self.places.partition_point(|place| place.0 < key);
+        self.places[first..].iter().take_while(move |place| place.0 == key).map(|place| place.1)
+    }
+
+    /// The end of the side that leads most directly from a vertex to a point.
+    fn towards(&self, sides: &[[u32; 2]], from: u32, target: DVec3) -> Option<u32> {
+        let here = self.vertices[from as usize];
+        let way = (target - here).normalize_or_zero();
+        let first = sides.partition_point(|side| side[0] < from);
+        let ends = sides[first..].iter().take_while(|side| side[0] == from).map(|side| side[1]);
+        let cosine = |end: u32| (self.vertices[end as usize] - here).normalize_or_zero().dot(way);
+        ends.map(|end| (cosine(end), end)).filter(|of| of.0 > ALONG).max_by(|a, b| a.0.total_cmp(&b.0)).map(|of| of.1)
+    }
+}
+
+/// The numbers of the loops in an order in which each one lies near those before it, because a surface that joins a few
+/// loops joins near ones.
+pub(super) fn near_first(loops: &[Vec<DVec3>]) -> Vec<usize> {
+    let centre = |points: &Vec<DVec3>| points.iter().sum::<DVec3>() / points.len() as f64;
+    let centres: Vec<DVec3> = loops.iter().map(centre).collect();
+    let mut order = vec![0];
+    let mut distance: Vec<f64> = centres.iter().map(|c| c.distance(centres[0])).collect();
+    while order.len() < loops.len() {
+        let left = (0..loops.len()).filter(|number| !order.contains(number));
+        let Some(next) = left.min_by(|&a, &b| distance[a].total_cmp(&distance[b])) else { break };
+        order.push(next);
+        distance.iter_mut().zip(&centres).for_each(|(d, c)| *d = d.min(c.distance(centres[next])));
+    }
+    order
 }

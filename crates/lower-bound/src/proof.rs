@@ -3,6 +3,7 @@
 use super::bisection::{BEST, BisectionMesh};
 use super::bound::Field;
 use super::hull::Hull;
+use super::orientation::Oriented;
 use super::rigorous;
 use super::space::Space;
 use super::symmetry::{self, Axes};
@@ -10,18 +11,20 @@ use plateau_mesh::{DVec3, Mesh};
 
 /// Proves the bound of the best field on a mesh: scales it to |curl A| <= 1, and computes its circulation, both with
 /// outward rounding. `None` if rounding leaves no proof.
-pub(super) fn prove(mesh: &BisectionMesh, loops: &[Vec<DVec3>], hull: &Hull, axes: Option<&Axes>) -> Option<Field> {
+pub(super) fn prove(mesh: &BisectionMesh, oriented: &Oriented, hull: &Hull, axes: Option<&Axes>) -> Option<Field> {
+    let Oriented { loops, free, .. } = oriented;
     let space = Space::within(mesh, hull);
     let mut field = space.field(mesh, BEST);
     if !scale_to_one(&space, &mut field) {
         return None;
     }
     let margin = 0.5 * hull.margin;
-    let area_lower_bound = rigorous::least_area(&space, mesh, &field, loops, axes, margin)?.max(0.0);
+    let area_lower_bound = rigorous::least_area(&space, mesh, &field, (&loops[..], &free[..]), axes, margin)?.max(0.0);
     let (edge_values, faces) = field.split_at(space.edges.len());
     let (half_spaces, unconstrained) = hull.beyond(&space.corners);
     Some(Field {
-        loops: loops.to_vec(),
+        loops: loops.clone(),
+        free_loops: free.clone(),
         area_lower_bound,
         axes: axes.copied(),
         corners: mesh.corners(),

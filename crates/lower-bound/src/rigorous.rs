@@ -84,20 +84,22 @@ struct Link {
     segment: [IntervalVector; 2],
 }
 
-/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1;
-/// `None` if the rounded polygon is farther than `margin` from the given one. The field may have axes of its own.
+/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1,
+/// where the magnitude of that around `free` loops is subtracted. `None` if the rounded polygon is farther than
+/// `margin` from the given one. The field may have axes of its own.
 pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,
     field: &[f64],
-    loops: &[Vec<DVec3>],
+    (loops, free): (&[Vec<DVec3>], &[usize]),
     axes: Option<&Axes>,
     margin: f64,
 ) -> Option<f64> {
     let rounded = |point| symmetry::place(axes, point);
     let exact = |point| axes.map_or_else(|| IntervalVector::exactly(point), |axes| axes.place_rigorously(point));
     let mut sum = Interval::ZERO;
-    for points in loops {
+    for (number, points) in loops.iter().enumerate() {
+        let mut around = Interval::ZERO;
         let mut links: Vec<Link> = Vec::new();
         for (k, &from) in points.iter().enumerate() {
             let to = points[(k + 1) % points.len()];
@@ -110,10 +112,15 @@ pub(super) fn least_area(
             let Piece { leaf, from, to, flips, .. } = link.piece;
             let leaf = leaf as usize;
             let along = integral(&local(space, field, leaf), from, to, &space.orientations[leaf]);
-            sum = sum + along.times(mesh.mirrors().sign(flips));
+            around = around + along.times(mesh.mirrors().sign(flips));
             let strip = strip_area(&space.corners[leaf].map(|corner| mesh.reflect(corner, flips)), link, margin)?;
-            sum = sum + Interval { low: -strip, high: strip };
+            around = around + Interval { low: -strip, high: strip };
         }
+        if free.contains(&number) {
+            let most = around.low.abs().max(around.high.abs());
+            around = Interval { low: -most, high: most };
+        }
+        sum = sum + around;
     }
     let area = axes.map_or(sum, |axes| Interval::exactly(sum.low.max(0.0)) / axes.enlargement());
     area.low.is_finite().then_some(area.low)

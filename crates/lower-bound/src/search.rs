@@ -1,4 +1,5 @@
-//! The search for the best field of one orientation, on meshes that are refined from level to level.
+//! The search for the best field of one orientation, on meshes that are refined from level to level, and its branches
+//! where the directions of loops are still free.
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::budget::{Budget, FILL_POWERS, MOST_ENTRIES, Size};
@@ -19,6 +20,9 @@ const MOST_STEPS: u32 = 40;
 const CONVERGED: f64 = 1.0;
 /// The same fraction where the budget allows no finer mesh, so that the rest of it can be used for steps only.
 const CONVERGED_AT_LAST: f64 = 0.03;
+/// Where directions are free, a mesh is left once its own optimum is reached to this fraction. The bounds of both
+/// directions begin with this one.
+const CONVERGED_WHILE_FREE: f64 = 0.1;
 /// Part of the sum of all bends that the leaves marked in one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
 
@@ -54,12 +58,10 @@ pub(super) fn refine_first_mesh(mesh: &mut BisectionMesh, film: &Samples, exec: 
     Ok(())
 }
 
-/// The search for one orientation.
-#[derive(Debug)]
+/// The search for one orientation, or for a bound of several ones.
+#[derive(Clone, Debug)]
 pub(super) struct Search {
-    pub loops: Vec<Vec<DVec3>>,
-    /// The loops along the axes of the mesh.
-    placed: Vec<Vec<DVec3>>,
+    pub oriented: Oriented,
     pub mesh: BisectionMesh,
     /// Circulation of the best field so far; at first that of a constant curl.
     pub bound: f64,
@@ -72,13 +74,24 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// Starts from a constant curl.
+    /// Starts from a constant curl, or from no field where loops are free: a constant curl has a circulation around
+    /// them.
     pub fn new(oriented: Oriented, mut mesh: BisectionMesh) -> Self {
-        let Oriented { loops, placed, .. } = oriented;
-        let vector_area = vector_area(&placed);
-        mesh.set_constant_curl(vector_area.normalize_or_zero());
-        let bound = vector_area.length();
-        Self { loops, placed, mesh, bound, size: None, is_warm: false, is_finished: false }
+        let mut bound = 0.0;
+        if oriented.free.is_empty() {
+            let vector_area = vector_area(&oriented.placed);
+            mesh.set_constant_curl(vector_area.normalize_or_zero());
+            bound = vector_area.length();
+        }
+        Self { oriented, mesh, bound, size: None, is_warm: false, is_finished: false }
+    }
+
+    /// The searches for both directions of the next free loop, which begin with the field of this one. `None` if no
+    /// loop is free, this search has not run yet, or the budget is too small for both.
+    pub fn split(&self, budget: &Budget) -> Option<[Self; 2]> {
+        let affords_both = 2.0 * self.size?.price(1) <= budget.left();
+        let orientations = self.oriented.clone().split().filter(|_| affords_both)?;
+        Some(orientations.map(|oriented| Self { oriented, size: None, is_warm: false, ..self.clone() }))
     }
 
     /// Refines the mesh if the budget allows for it, and iterates on the mesh. `storage` is the memory of the factor.
@@ -109,7 +122,10 @@ impl Search {
             }
             space = Space::of(&self.mesh);
         }
-        let form = space.circulation(&self.mesh, &self.placed);
+        let Oriented { placed, free, .. } = &self.oriented;
+        let directed = placed.iter().enumerate().filter(|(number, _)| !free.contains(number)).map(|(_, points)| points);
+        let form = space.circulation(&self.mesh, directed);
+        let held = free.iter().map(|&number| space.circulation(&self.mesh, [&placed[number]])).collect();
         exec.look(self.mesh.leaf_count() as u64)?;
         let mut system = System::of(&space, exec)?;
         let size = Size {
@@ -124,7 +140,7 @@ impl Search {
         }
         budget.spent += size.price(0);
         self.size = Some(size);
-        let mut level = Level::new(&space, &self.mesh, &form, budget.film_area, self.is_warm);
+        let mut level = Level::new(&space, &self.mesh, &form, held, budget.film_area, self.is_warm);
         let ended = iterate(&mut level, &mut system, size, budget, storage, exec);
         self.is_finished = budget.next_leaves(size, level.best.bound).is_none();
         self.bound = level.best.bound;
@@ -149,7 +165,9 @@ fn iterate(
         let missing = budget.missing(level.best.bound);
         let is_last_mesh = budget.next_leaves(size, level.best.bound).is_none();
         let enough = if is_last_mesh { CONVERGED_AT_LAST } else { CONVERGED };
-        let has_converged = level.stalled || level.gap() <= enough * missing;
+        let missing_here =
+            if level.has_free_loops() { CONVERGED_WHILE_FREE * level.best.bound } else { enough * missing };
+        let has_converged = level.stalled || level.gap() <= missing_here;
         let is_reached = budget.options.gap * level.best.bound >= missing;
         if has_converged || is_reached || budget.left() < size.step_price() {
             break;

@@ -222,7 +222,7 @@ impl Space {
     }
 
     /// The circulation of each basis function around closed polygons.
-    pub fn circulation(&self, mesh: &BisectionMesh, loops: &[Vec<DVec3>]) -> Vec<f64> {
+    pub fn circulation<'a>(&self, mesh: &BisectionMesh, loops: impl IntoIterator<Item = &'a Vec<DVec3>>) -> Vec<f64> {
         let mut form = vec![0.0; self.count()];
         for points in loops {
             for (k, &from) in points.iter().enumerate() {

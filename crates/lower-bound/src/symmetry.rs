@@ -54,10 +54,22 @@ pub(super) struct Mirrors {
 impl Mirrors {
     /// The symmetries of oriented closed polygons whose mean of all vertices is `middle`.
     pub fn of(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
+        Self::that(loops, middle, |_, _| true)
+    }
+
+    /// The symmetries that closed polygons have in whichever direction each of them is traversed: every polygon is its
+    /// own image.
+    pub fn in_every_orientation(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
+        Self::that(loops, middle, |number, image| image.on == number)
+    }
+
+    /// The symmetries whose images of the numbered polygons all are as asked for.
+    fn that(loops: &[Vec<DVec3>], middle: DVec3, is_good: impl Fn(usize, &Image) -> bool) -> Self {
         let tolerance = tolerance(loops);
         let sign = |axis: usize| {
             let images = Plane { normal: DVec3::AXES[axis], middle }.images(loops, tolerance)?;
-            images.iter().all(|image| image.sign == images[0].sign).then_some(images[0].sign)
+            let same = |(number, image): (usize, &Image)| image.sign == images[0].sign && is_good(number, image);
+            images.iter().enumerate().all(same).then_some(images[0].sign)
         };
         Self { middle, signs: std::array::from_fn(|axis| sign(axis).unwrap_or(0)) }
     }

@@ -29,6 +29,14 @@ const LEAVES_A_LOOK: usize = 1_000;
 /// Number of rows whose pattern is built between two looks: a few milliseconds of work.
 const ROWS_A_LOOK: u32 = 5_000;
 
+/// A form depends on others if this part of its square or less is left, in the product of the inverse matrix.
+const INDEPENDENT: f64 = 1e-12;
+
+/// The scalar product.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// The reason why there is no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
@@ -178,7 +186,7 @@ impl System {
             }
         }
         let factor = self.symbolic.factorise_into(&self.matrix, std::mem::take(storage))?;
-        Ok(Factor { row: &self.row, factor, rows: self.rows })
+        Ok(Factor { row: &self.row, factor, rows: self.rows, held: Vec::new() })
     }
 }
 
@@ -188,12 +196,43 @@ pub(super) struct Factor<'a> {
     row: &'a [u32],
     factor: plateau_mesh::sparse::Factorisation<'a>,
     rows: usize,
+    /// Solutions for the forms that keep their values, orthonormal in the product of the matrix.
+    held: Vec<Vec<f64>>,
 }
 
 impl Factor<'_> {
+    /// From here on solutions are those on which linear forms vanish: the minimum of the quadratic function under these
+    /// constraints. Forms that depend on earlier ones change nothing.
+    pub fn hold(&mut self, forms: &[Vec<f64>], exec: &Execution) -> Result<(), Interruption> {
+        for form in forms {
+            exec.look(self.rows as u64)?;
+            let free = self.solve_freely(form);
+            let mut solution = self.project(free.clone(), form);
+            let square = dot(form, &solution);
+            if square > INDEPENDENT * dot(form, &free) {
+                solution.iter_mut().for_each(|value| *value /= square.sqrt());
+                self.held.push(solution);
+            }
+        }
+        Ok(())
+    }
+
     /// Solves for all unknowns; those that the gauge fixes are zero. An inaccurate solution is still a direction of
     /// Newton's method, whose step the line search decides.
     pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
+        self.project(self.solve_freely(right_hand_side), right_hand_side)
+    }
+
+    /// The part of a solution on which the held forms vanish.
+    fn project(&self, mut solution: Vec<f64>, right_hand_side: &[f64]) -> Vec<f64> {
+        for held in &self.held {
+            let share = dot(held, right_hand_side);
+            solution.iter_mut().zip(held).for_each(|(value, by)| *value -= share * by);
+        }
+        solution
+    }
+
+    fn solve_freely(&self, right_hand_side: &[f64]) -> Vec<f64> {
         let mut reduced = vec![0.0; self.rows];
         for (&row, &value) in self.row.iter().zip(right_hand_side) {
             if row != NONE {

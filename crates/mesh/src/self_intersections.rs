@@ -12,7 +12,9 @@
 //! node's own normal and longest edge (S. Gottschalk, M. C. Lin, D. Manocha, *OBBTree*, SIGGRAPH 1996), which keep long
 //! thin triangles apart. The triangles around one vertex meet there, and are most of the pairs whose boxes meet. They
 //! are settled together: if all of them face one direction and wind round the vertex at most once, their projection
-//! along that direction is one-to-one, and no two of them intersect.
+//! along that direction is one-to-one, and no two of them intersect. The triangles of a large fan that is not settled
+//! so are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes all meet
+//! at that vertex, and their arcs do not.
 //!
 //! O(n log n) time for meshes whose triangles do not pile up, O(n) memory, deterministic.
 
@@ -20,6 +22,7 @@
 
 mod boxes;
 mod charts;
+mod fans;
 mod patches;
 mod predicates;
 mod soup;
@@ -167,12 +170,17 @@ fn intersections_among(
         return Ok(found);
     }
     let stars = soup.embedded_stars(&list, exec)?;
+    let fans = fans::large(soup, &list, &stars);
     let leaves = Leaves { triangles: list, order, size: LEAF, margin: 0.0, visits: Visits::Pairs };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
-    let labels = tree.labels(|t| largest_star(&soup.triangles[t as usize], &stars));
+    // Pairs with the same label are settled by their star, or compared as a fan.
+    let labels = tree.labels(|t| match fans.of(&soup.triangles[t as usize]) {
+        NONE => largest_star(&soup.triangles[t as usize], &stars),
+        centre => centre,
+    });
     let same_star = |a: usize, b: usize| labels[a] != NONE && labels[a] == labels[b];
     let mut first = [NONE; 2];
-    let visit = |a: u32, b: u32| {
+    let mut visit = |a: u32, b: u32| {
         // In the order of their numbers, so that the place depends on the pair alone.
         let pair = [a.min(b), a.max(b)];
         let [one, other] = pair.map(|t| soup.triangles[t as usize]);
@@ -185,7 +193,17 @@ fn intersections_among(
         }
         ControlFlow::Continue(())
     };
-    found.complete = tree.visit_pairs(most_work, same_star, visit, exec)?;
+    let complete = tree.visit_pairs(
+        most_work,
+        same_star,
+        |a, b| {
+            // A leaf may hold triangles of a fan and others.
+            let [one, other] = [a, b].map(|t| fans.of(&soup.triangles[t as usize]));
+            if one != NONE && one == other { ControlFlow::Continue(()) } else { visit(a, b) }
+        },
+        exec,
+    )?;
+    found.complete = complete && fans.visit_pairs(soup, order, most_work, visit, exec)?;
     found.place = found.place.map(|place| place * soup.unit);
     Ok(found)
 }

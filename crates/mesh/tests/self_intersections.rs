@@ -216,6 +216,41 @@ fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
     assert!(without.iter().chain(&with).all(|&count| count > 15), "{without:?} {with:?}");
 }
 
+/// A fan whose rim wanders around its vertex, or stays on one side of it.
+fn fan(random: &mut SplitMix64) -> Whole {
+    let (count, reach) = (66 + random.below(40), [40, 400][random.below(2)]);
+    let (noise, shift, turns) =
+        (random.below(reach / 8) as i64, random.below(reach) as i64, 0.3 + random.between(0.0, 2.0));
+    let rise = random.between(-1.0, 1.0);
+    let mut vertices = vec![[1, -2, 3]];
+    for k in 0..=count {
+        let angle = turns * std::f64::consts::TAU * k as f64 / count as f64;
+        let at = [angle.cos(), angle.sin(), rise * angle / 6.0].map(|x| (reach as f64 * x) as i64);
+        vertices.push([
+            at[0] + whole(random, noise),
+            at[1] + whole(random, noise),
+            at[2] + shift + whole(random, noise),
+        ]);
+    }
+    Whole { vertices, triangles: (1..=count as u32).map(|k| [0, k, k + 1]).collect() }
+}
+
+#[test]
+fn the_arcs_of_a_large_fan_find_the_pairs_of_the_brute_force() {
+    let mut random = SplitMix64::new(45);
+    let (mut without, mut with) = (0, 0);
+    for case in 0..60 {
+        let mesh = fan(&mut random);
+        let expected = mesh.brute_force();
+        for order in [Order::AsGiven, Order::Spatial] {
+            let found = found(&mesh.points(), &mesh.triangles, order);
+            assert_eq!(found.pairs, expected, "case {case} {order:?}: {:?}", mesh.vertices);
+        }
+        if expected == 0 { without += 1 } else { with += 1 }
+    }
+    assert!(without > 5 && with > 20, "{without} {with}");
+}
+
 /// A flat sheet, and a wavy one at a distance above it. The wavy one is moved sideways too, so that no edge of it lies
 /// above an edge of the flat one.
 fn two_planes(distance: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
@@ -279,6 +314,15 @@ fn a_large_fan_and_a_long_strip_take_little_more_than_linear_work() {
         work(&vertices, &triangles)
     };
     assert!(cone(20_000) < 2.0 * cone(1_000) + 10.0, "{} {}", cone(1_000), cone(20_000));
+    // A ramp around its vertex, which faces no direction.
+    let spiral = |count: u32| {
+        let angle = |k: u32| 9.0 * f64::from(k) / f64::from(count);
+        let rim = (0..=count).map(|k| DVec3::new(angle(k).cos(), angle(k).sin(), 0.2 * angle(k)));
+        let vertices: Vec<DVec3> = std::iter::once(DVec3::ZERO).chain(rim).collect();
+        let triangles: Vec<[u32; 3]> = (1..=count).map(|k| [0, k, k + 1]).collect();
+        work(&vertices, &triangles)
+    };
+    assert!(spiral(20_000) < 2.0 * spiral(1_000) + 10.0, "{} {}", spiral(1_000), spiral(20_000));
     // A ramp that winds twice, its bridges slanted: a thousand times as long as wide.
     let ramp = |count: u32| {
         let rail = |radius: f64, turn: f64| -> Vec<DVec3> {

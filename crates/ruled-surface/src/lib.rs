@@ -66,7 +66,7 @@ use graph::lanes::Widest;
 use graph::rails::Rails;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::{Execution, Progress};
-use plateau_mesh::self_intersections::{self, Order};
+use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::{DVec3, Estimate};
 use stack::assemble::assemble;
 use stack::direction::choose_directions;
@@ -74,11 +74,6 @@ use stack::prepare::prepare;
 use stack::{caps, meetings, sampling, warnings};
 use strip::objective::Goal;
 use strip::search::{SolvedStrips, solve_all};
-
-/// Meshes of up to so many triangles are checked for self-intersections. A larger limit costs time: the search for a
-/// strip of least area visits a thousandth of its grid, and is quicker than the check from some ten thousand triangles
-/// on.
-const MOST_CHECKED_TRIANGLES: usize = 200_000;
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
@@ -147,15 +142,16 @@ fn solve_with(
         }
     }
     counter.phase("checks");
-    let (check, warning) = self_intersections::check(&surface.mesh, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
-    surface.self_intersections = check;
-    prepared.warnings.extend(warning);
     for (k, strip) in strips.iter().enumerate() {
         let asked = (goal, options.direction == Direction::AsGiven);
         let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut counter)?;
         prepared.warnings.extend(found);
     }
     surface.statistics = Statistics::total(&strip_statistics);
+    let cap = &surface.mesh.triangles[surface.statistics.triangles..];
+    surface.statistics.triangles += cap.len();
+    surface.statistics.area +=
+        cap.iter().map(|&triangle| 0.5 * double_area_vector(surface.mesh.corners(triangle)).length()).sum::<f64>();
     surface.strips = strip_statistics;
     surface.comparison = comparison;
     surface.warnings = prepared.warnings;

@@ -91,3 +91,19 @@ fn a_closed_directrix_sampled_with_its_end_point_is_merged_there() {
     assert_eq!(surface.input_vertices[1][40], surface.input_vertices[1][0]);
     assert!(surface.statistics.shortest_bridge > 1.0);
 }
+
+/// A tiny triangle at the origin and a large one beside it, whichever comes first.
+#[test]
+fn a_tiny_directrix_keeps_the_digits_of_its_sides() {
+    let triangle = |at: DVec3, size: f64| -> Vec<DVec3> {
+        let corners = [[1.0, 0.1, 0.0], [-0.4, 0.9, 0.2], [-0.6, -0.8, -0.1]];
+        corners.iter().map(|&corner| at + size * DVec3::from_array(corner)).collect()
+    };
+    let large = triangle(DVec3::new(0.3, 0.2, 1.0), 1.0);
+    let tiny = triangle(DVec3::ZERO, 1e-12);
+    let options = Options { closed: true, objective: Objective::MinimalTwist, ..Options::default() };
+    let twist =
+        |directrices: [&Vec<DVec3>; 2]| solved(&directrices.map(Vec::clone), &options).statistics.total_normal_twist;
+    let (first, last) = (twist([&tiny, &large]), twist([&large, &tiny]));
+    assert!((first / last - 1.0).abs() < 1e-12, "{first} and {last}");
+}

@@ -9,7 +9,6 @@ use plateau_mesh::Mesh;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::{Execution, Progress};
 use plateau_mesh::measure::{Spread, angle_range};
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 
 /// Excess over [ℓ, 2ℓ] that counts as rounding, in ℓ: twice the slack of the insertion.
 const RANGE_TOLERANCE: f64 = 2.0 * SLACK;
@@ -96,8 +95,6 @@ pub(super) fn assemble(
         length_histogram: LengthHistogram::of(&lengths, target),
         valence_histogram: statistics::valences(&members, mesh.vertices.len()),
         node_lower_bound: None,
-        // The solve counts them at its end.
-        self_intersections: SelfIntersectionCheck::default(),
         surface: None,
     };
     let mut warnings = Vec::new();

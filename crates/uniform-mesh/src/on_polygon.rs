@@ -12,7 +12,7 @@ use super::surface::auxiliary::Surface;
 use super::surface::move_nodes::OnSurface;
 use plateau_mesh::error::{Error, InputError, Place};
 use plateau_mesh::execution::Execution;
-use plateau_mesh::plane::triangulation::{Tangle, side};
+use plateau_mesh::plane::triangulation::Tangle;
 use plateau_mesh::{DVec3, Mesh};
 
 /// A planar polygon, meshed and measured.
@@ -57,7 +57,6 @@ pub(super) fn on_polygon(
         (shared, interrupted) = share(&mut nodes, most, &mut table, (0.5, 0.99), execution)?;
         points = nodes.positions;
     }
-    let is_embedded = is_embedded(&points, &flat.triangles);
     let mut vertices = polygon.positions.clone();
     vertices.extend(points[fixed..].iter().map(|&p| polygon.point(p.truncate())));
     let why = |member: usize| {
@@ -75,21 +74,7 @@ pub(super) fn on_polygon(
     result.shared_lengths = shared;
     result.statistics.node_lower_bound = Some(polygon.node_lower_bound());
     result.input_vertices = polygon.input_vertices;
-    if is_embedded {
-        result.statistics.self_intersections.pairs = Some(0);
-    }
     finish(result, interrupted, None, polygon.warnings, options, execution)
-}
-
-/// Whether the triangles are proven not to intersect: every triangle is counter-clockwise, exactly. The outline is
-/// simple, because it was triangulated, and its nodes do not move. Every point inside is then covered once, because the
-/// number of triangles that cover a point changes at no edge but the outline's. O(triangles), where the search for
-/// intersecting pairs takes longer than the meshing.
-fn is_embedded(points: &[DVec3], triangles: &[[u32; 3]]) -> bool {
-    triangles.iter().all(|triangle| {
-        let [a, b, c] = triangle.map(|v| points[v as usize].truncate());
-        side(a, b, c) > 0.0
-    })
 }
 
 fn planar_error(failure: Failure, polygon: &Polygon) -> Error {

@@ -4,7 +4,6 @@ use super::statistics::{LengthHistogram, Stage};
 use plateau_mesh::Mesh;
 use plateau_mesh::error::Warning;
 use plateau_mesh::measure::Spread;
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 
 /// Why an edge is outside [ℓ, 2ℓ].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -119,8 +118,6 @@ pub struct Statistics {
     pub valence_histogram: Vec<usize>,
     /// No mesh of this domain with every edge at most 2ℓ has fewer nodes. `None` for curved domains.
     pub node_lower_bound: Option<usize>,
-    /// Number of pairs of triangles that meet in more than the vertices and edges that they share.
-    pub self_intersections: SelfIntersectionCheck,
     /// The mesh beside its surface. `None` for polygons.
     pub surface: Option<SurfaceFit>,
 }

@@ -10,7 +10,6 @@ use super::surface::nurbs::Nurbs;
 use plateau_mesh::error::{Error, InputError, Place};
 use plateau_mesh::execution::Execution;
 use plateau_mesh::polyline::LARGEST_COORDINATE;
-use plateau_mesh::self_intersections::{self, Order};
 use plateau_mesh::{DVec2, Estimate};
 
 /// Largest number of nodes that a solve may ask for; with more the indices no longer fit.
@@ -145,7 +144,7 @@ pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
 /// false.
 pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
     check(domain, options)?;
-    let mut solved = match domain {
+    match domain {
         Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
         Domain::Bezier { control_points } => {
             let place = Place::field("domain").then("bezier");
@@ -153,11 +152,5 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
         }
         Domain::Nurbs(patch) => on_patch(patch, &Place::field("domain").then("nurbs"), options, execution),
         Domain::Boundaries(boundaries) => on_film(boundaries, options, execution),
-    }?;
-    if solved.statistics.self_intersections.pairs.is_none() {
-        let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
-        solved.statistics.self_intersections = found;
-        solved.warnings.extend(warning);
     }
-    Ok(solved)
 }

@@ -26,9 +26,7 @@ const KEY: Record<string, [string, string, string][]> = {
 
 const at = (values: Values, path: string): unknown => path.split('.').reduce<unknown>((value, step) => (value as Values | null | undefined)?.[step], values);
 
-/** A gap for some directions of the loops only is left to the table, in which its statement names them. */
-const isShown = (values: Values, path: string): boolean =>
-  at(values, path) !== undefined && at(values, path) !== null && (path !== 'certificate.gap' || at(values, 'certificate.every_orientation') !== false);
+const isShown = (values: Values, path: string): boolean => at(values, path) !== undefined && at(values, path) !== null;
 
 export function keyFigures(job: JobInfo, unit: string): HTMLElement[] {
   const values = job.statistics as Values;

@@ -397,23 +397,16 @@ class Callbacks(TypedDict):
 
 
 class Certificate(TypedDict):
-    """A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
-    only the surfaces that run along them in the directions of the film."""
+    """A proven lower bound of the area of all oriented surfaces with this boundary, in whichever direction they run along
+    each polygon of it."""
     area_lower_bound: float
-    """No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
-    directions that `every_orientation` and `reversed_loops` name."""
-    every_orientation: bool
-    """Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
-    directions of the film only, and surfaces in other directions may have less area."""
+    """No oriented surface of any topology with this boundary has a smaller area."""
     gap: Optional[float]
     """The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0."""
     iterations: int
     orientations: int
-    """Number of orientations of the loops for which a field was found."""
-    reversed_loops: Optional[List[int]]
-    """If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
-    request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
-    reversed together. Null otherwise."""
+    """Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
+    directions of the boundaries that it leaves free."""
     scope: str
     """The surfaces for which the bound holds."""
     seconds: float
@@ -1002,8 +995,7 @@ class MinimalSurfaceRequest(TypedDict):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: NotRequired[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-    covers only the surfaces that run along them in the directions of the film."""
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1068,8 +1060,7 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: NotRequired[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-    covers only the surfaces that run along them in the directions of the film."""
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1343,7 +1334,7 @@ class RuledStatistics(TypedDict):
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shortest_bridge: float
     strips: List[StripStatistics]
-    """Statistics of each strip, in order."""
+    """Statistics of each strip, in order. Caps belong to none."""
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
     triangles: int
@@ -1545,7 +1536,7 @@ class SpanningTopology(TypedDict):
     comes after all others."""
     gap: Optional[float]
     """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    Null if nothing is proven, and with more than six boundaries."""
+    Null if nothing is proven."""
     stability: Optional[Stability]
 
 
@@ -2179,8 +2170,7 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: Certify
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-    covers only the surfaces that run along them in the directions of the film."""
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: Constraints
     degenerate_angle_deg: float
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller

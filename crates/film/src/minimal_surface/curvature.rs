@@ -14,6 +14,8 @@ pub struct Curvature {
     pub mean_curvature: Vec<f64>,
     /// See [`Statistics::residual`](super::statistics::Statistics::residual).
     pub residual: f64,
+    /// The residual by which solvers end: forces that are rounding count as zero.
+    pub(super) residual_felt: f64,
     /// See [`Statistics::residual_full`](super::statistics::Statistics::residual_full).
     pub residual_full: f64,
     /// The residual of those vertices at which it is more than rounding.
@@ -25,10 +27,10 @@ pub struct Curvature {
 const ROUNDING: f64 = 8.0;
 
 impl Curvature {
-    /// The residual is that of [`film_state`], which also ends Newton's iteration.
+    /// The residual that is felt is that of [`film_state`], which also ends Newton's iteration.
     pub(crate) fn of(film: &Film) -> Self {
         let (free, radius) = (FreeVertices::new(&film.fixed), film.radius());
-        let FilmState { mass, residual, gradient: forces, .. } =
+        let FilmState { mass, residual: residual_felt, gradient: forces, .. } =
             film_state(&free, &film.vertices, film.triangles(), radius);
         let mut gradient = vec![DVec3::ZERO; film.vertices.len()];
         area::add_gradient(film.triangles(), 1.0, &film.vertices, &mut gradient);
@@ -43,8 +45,9 @@ impl Curvature {
         let beyond =
             |((&v, &force), &mass): ((&u32, &f64), &f64)| (force.abs() > rounding[v as usize]).then_some((force, mass));
         let pairs = free.vertex.iter().zip(&forces).zip(&mass).filter_map(beyond);
-        let residual_beyond_rounding = equilibrium::residual::residual(pairs, radius).min(residual);
-        Self { mean_curvature, residual, residual_full: largest * radius, residual_beyond_rounding }
+        let residual_beyond_rounding = equilibrium::residual::residual(pairs, radius).min(residual_felt);
+        let residual = equilibrium::residual::residual(forces.iter().copied().zip(mass.iter().copied()), radius);
+        Self { mean_curvature, residual, residual_felt, residual_full: largest * radius, residual_beyond_rounding }
     }
 }
 

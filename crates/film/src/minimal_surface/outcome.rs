@@ -6,12 +6,11 @@ use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
-use super::touching_boundaries::JoinedLoops;
+use super::touching_boundaries::{JoinedLoops, own_boundaries};
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::polyline::position_key;
-use plateau_mesh::self_intersections::{self, Order};
-use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
+use plateau_mesh::{DVec3, Error, Mesh};
 
 /// Largest fraction by which a resolution may be missed without a warning.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
@@ -32,7 +31,9 @@ pub struct MinimalSurface {
     /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
     /// coordinates; then points added on the boundaries; then the interior.
     pub mesh: Mesh,
-    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included.
+    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included. Where boundaries
+    /// touch, the mesh has a vertex for each of them at the same place, and an edge of the loop may begin or end at
+    /// another one of these.
     pub boundaries: Vec<Vec<u32>>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
@@ -47,16 +48,6 @@ pub struct MinimalSurface {
     pub statistics: Statistics,
     /// Facts that the caller should know although the solve went through.
     pub warnings: Vec<Warning>,
-}
-
-impl MinimalSurface {
-    /// The surface with its self-intersections counted, and a warning if there are any.
-    pub(super) fn checked(mut self, exec: &Execution<'_>) -> Result<Self, Interruption> {
-        let (check, warning) = self_intersections::check(&self.mesh, Order::Spatial, usize::MAX, exec)?;
-        self.statistics.self_intersections = check;
-        self.warnings.extend(warning);
-        Ok(self)
-    }
 }
 
 /// A stable film counts as near its limit if its lowest eigenvalue is below this, in units of 1/R². Flat films have at
@@ -82,7 +73,7 @@ fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
 /// have other objectives than the area.
 fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) -> Option<Warning> {
     let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
-    let rule_met = stop_reason.meets_the_rule_of(solver, residual, tolerance);
+    let rule_met = stop_reason.meets_the_rule_of(solver, measured.residual_felt, tolerance);
     let is_missed = measured.residual_beyond_rounding > tolerance;
     (objective == Objective::MinimalArea && rule_met && is_missed).then(|| {
         let detail = format!(
@@ -203,7 +194,7 @@ pub(super) fn finish(
     warnings.extend(missed_edge_length(&statistics, options));
     warnings.extend(missed_triangles(&statistics, options));
     if !statistics.converged {
-        warnings.push(statistics.not_converged(options.tolerance));
+        warnings.push(statistics.not_converged(measured.residual_felt, options.tolerance));
     }
     warnings.extend(not_minimal(&statistics, &measured, options.tolerance));
     if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
@@ -214,7 +205,11 @@ pub(super) fn finish(
         warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics, film.radius()));
-    let boundaries = film.boundaries.clone();
+    // The loops of a film over joined boundaries run from one of them to another where they touch.
+    let boundaries = match joined {
+        Some(_) => own_boundaries(&film, &input.centred)?,
+        None => film.boundaries.clone(),
+    };
     let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();
     let centred = joined.map(|_| mesh.vertices.clone());

@@ -9,7 +9,6 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::{self, Spread};
 use plateau_mesh::remesh::thin_triangles::Pinch;
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 use plateau_mesh::topology::Topology;
 
 /// Mean curvature over the vertices that are free to move, in 1/unit.
@@ -91,8 +90,6 @@ pub struct Statistics {
     pub degenerate_triangles: usize,
     /// The changes of topology, in order.
     pub pinches: Vec<Pinch>,
-    /// Number of pairs of triangles that meet in more than the vertices and edges that they share.
-    pub self_intersections: SelfIntersectionCheck,
     /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
     pub spanning: Option<SpanningComparison>,
     /// The junctions of a film whose sheets meet three by three along curves.
@@ -100,10 +97,10 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// The warning that the surface does not count as converged, and why.
-    pub(super) fn not_converged(&self, tolerance: f64) -> Warning {
+    /// The warning that the surface does not count as converged, and why. The solver ended by `residual_felt`.
+    pub(super) fn not_converged(&self, residual_felt: f64, tolerance: f64) -> Warning {
         let mut reasons = Vec::new();
-        if !self.stop_reason.meets_the_rule_of(self.solver, self.residual, tolerance) {
+        if !self.stop_reason.meets_the_rule_of(self.solver, residual_felt, tolerance) {
             let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
             reasons.push(match self.solver {
                 Solver::Newton => residual(),
@@ -150,7 +147,7 @@ pub(super) fn collect(
     let flipped_triangles = measure::flipped_triangles(&mesh);
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
     let Origin { kind, initial_area, run } = origin;
-    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual, options.tolerance);
+    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual_felt, options.tolerance);
     let converged = rule_met && flipped_triangles == 0 && degenerate_triangles == 0;
     Statistics {
         objective: options.method.objective(),
@@ -189,7 +186,6 @@ pub(super) fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: run.pinches,
-        self_intersections: SelfIntersectionCheck::default(),
         spanning: run.spanning,
         junctions: None,
     }

@@ -5,6 +5,7 @@ use super::options::{InitialMesh, Options};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use plateau_mesh::error::InputError;
+use plateau_mesh::film::Film;
 use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
 use plateau_mesh::polyline::{self, SAME_POINT, position_key};
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Mesh, Place};
@@ -94,6 +95,67 @@ impl JoinedLoops {
             }
         }
     }
+}
+
+/// Each of the input's boundaries as a loop of vertices along border edges of a film over joined loops. Its points have
+/// the first numbers.
+///
+/// # Errors
+/// `invalid_mesh` if the border does not lead from each point to the next one.
+pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<Vec<Vec<u32>>, Error> {
+    let at = |v: u32| film.vertices[v as usize];
+    let key = |v: u32| position_key(at(v));
+    // The border's edges in both directions, and its vertices, by the place where they begin.
+    let mut edges: Vec<([u64; 3], u32)> = Vec::new();
+    let mut vertices: Vec<([u64; 3], u32)> = Vec::new();
+    for rim in &film.boundaries {
+        for (k, &v) in rim.iter().enumerate() {
+            let next = rim[(k + 1) % rim.len()];
+            edges.extend([(key(v), next), (key(next), v)]);
+            vertices.push((key(v), v));
+        }
+    }
+    edges.sort_unstable();
+    vertices.sort_unstable();
+    let from = |list: &[([u64; 3], u32)], place: [u64; 3]| -> Vec<u32> {
+        let start = list.partition_point(|entry| entry.0 < place);
+        list[start..].iter().take_while(|entry| entry.0 == place).map(|entry| entry.1).collect()
+    };
+    let points = boundaries.iter().map(Vec::len).sum::<usize>() as u32;
+    let mut is_taken = vec![false; film.vertices.len()];
+    let mut first = 0;
+    let mut own = Vec::with_capacity(boundaries.len());
+    for boundary in boundaries {
+        let count = boundary.len() as u32;
+        let mut rim = Vec::new();
+        for k in 0..count {
+            let (mut here, target) = (first + k, first + (k + 1) % count);
+            rim.push(here);
+            // No boundary has more edges than the border.
+            for _ in 0..edges.len() {
+                let way = (at(target) - at(here)).normalize_or_zero();
+                let cosine = |v: u32| (at(v) - at(here)).normalize_or_zero().dot(way);
+                let ends = from(&edges, key(here)).into_iter().map(|v| (cosine(v), v));
+                let Some((_, next)) = ends.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
+                if key(next) == key(target) {
+                    here = target;
+                    break;
+                }
+                // Of several vertices at a place the boundary's own one is none of the input's points.
+                let is_own = |v: &u32| *v >= points && !is_taken[*v as usize];
+                here = from(&vertices, key(next)).into_iter().find(is_own).unwrap_or(next);
+                is_taken[here as usize] = true;
+                rim.push(here);
+            }
+            if here != target {
+                let detail = format!("the film's border does not lead from point {k} of a boundary to the next one");
+                return Err(Error::no_result("invalid_mesh", detail));
+            }
+        }
+        first += count;
+        own.push(rim);
+    }
+    Ok(own)
 }
 
 fn crossing([first, second]: [PointOf; 2]) -> Error {

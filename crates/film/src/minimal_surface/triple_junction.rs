@@ -34,7 +34,6 @@ use plateau_mesh::error::{InputError, Warning};
 use plateau_mesh::measure::{self, Spread};
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::remesh::sheets::{even_out, flipped_triangles};
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
 use std::collections::BTreeMap;
 
@@ -90,7 +89,7 @@ pub(super) fn solve(
     let statistics = collect(&film, &balance, junctions, solver, stop_reason, initial_area, given.len(), options);
     let mut warnings = Vec::new();
     if !statistics.converged {
-        warnings.push(statistics.not_converged(options.tolerance));
+        warnings.push(statistics.not_converged(statistics.residual, options.tolerance));
     }
     if let Some(&(_, meeting)) = split.first() {
         let detail = format!(
@@ -620,7 +619,8 @@ fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: 
     let mut forces = Vec::new();
     for &start in around.iter().filter(|&&t| triangles[t].contains(&before)) {
         let (mut force, mut t, mut spoke) = (DVec3::ZERO, start, before);
-        loop {
+        // A fan has each triangle once at most.
+        for _ in around {
             let triangle = triangles[t];
             let k = triangle.iter().position(|&corner| corner == v)?;
             force -= Facet::of(&film.vertices, &triangle).gradient(k);
@@ -630,6 +630,9 @@ fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: 
             }
             // The next triangle of the fan is the other triangle at the spoke.
             t = *around.iter().find(|&&u| u != t && triangles[u].contains(&spoke))?;
+        }
+        if spoke != after {
+            return None;
         }
         forces.push(force);
     }
@@ -690,7 +693,6 @@ fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: Vec::new(),
-        self_intersections: SelfIntersectionCheck::default(),
         spanning: None,
         junctions: Some(junctions),
     }

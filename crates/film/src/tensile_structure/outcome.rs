@@ -13,7 +13,6 @@ use super::warnings::warn;
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{self, Spread, double_area_vector};
-use plateau_mesh::self_intersections::{self, Order};
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
 
 /// A cable counts as slack below this fraction of the film's tension times the cable's length. Rounding errors are far
@@ -130,7 +129,6 @@ pub(super) fn finish(
         |(chamber, &pressure): (&Chamber, &f64)| ChamberResult { pressure, volume: model.volume(chamber.below, &at) };
     let chambers = structure.chambers.iter().zip(&found.pressures).map(chamber).collect();
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
-    let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
     let holds = holds(&model);
     let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
     let (reactions, edge_reactions) = reactions(&model, &found, &holds);
@@ -162,11 +160,9 @@ pub(super) fn finish(
         angles: measure::angle_range(&film),
         flipped_triangles: flipped,
         degenerate_triangles: degenerate,
-        self_intersections,
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
-    warnings.extend(crossings);
     let mut vertices = mesh.vertices;
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
         // Backwards, so that of merged points the first gives the place.

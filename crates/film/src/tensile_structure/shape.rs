@@ -5,7 +5,6 @@ use super::ponding::Ponding;
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::Warning;
 use plateau_mesh::measure::Spread;
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 use plateau_mesh::{DVec3, Mesh};
 
 /// A support at one vertex: the end of a cable, or an anchor in the air.
@@ -215,8 +214,6 @@ pub struct Statistics {
     pub flipped_triangles: usize,
     /// Number of degenerate triangles.
     pub degenerate_triangles: usize,
-    /// Pairs of triangles of the film that intersect.
-    pub self_intersections: SelfIntersectionCheck,
 }
 
 /// A tensile structure in equilibrium.

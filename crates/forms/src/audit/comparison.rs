@@ -2,7 +2,7 @@
 
 use super::figure::{Measured, Spread};
 use plateau_archive::archive::Contents;
-use plateau_mesh::DVec3;
+use plateau_mesh::{DVec3, Execution, Interruption};
 use serde_json::Value;
 
 /// Rounding of coordinates, in units in the last place of the largest one, that a figure may carry.
@@ -29,18 +29,29 @@ pub(crate) struct Audit<'a> {
     /// Rounding of a coordinate: 8 units in the last place of the largest one, in the mesh's unit.
     pub step: f64,
     faults: Vec<Fault>,
+    exec: &'a Execution<'a>,
+    is_cancelled: bool,
 }
 
 impl<'a> Audit<'a> {
-    pub fn new(contents: &'a Contents, statistics: &'a Value, warnings: Vec<&'a str>) -> Self {
+    pub fn new(contents: &'a Contents, statistics: &'a Value, warnings: Vec<&'a str>, exec: &'a Execution<'a>) -> Self {
         let largest = contents.mesh.vertices.iter().fold(DVec3::ZERO, |largest, p| largest.max(p.abs())).max_element();
         let step = ROUNDING * (largest.next_up() - largest);
-        Self { contents, warnings, statistics, step, faults: Vec::new() }
+        Self { contents, warnings, statistics, step, faults: Vec::new(), exec, is_cancelled: false }
     }
 
+    /// # Errors
+    /// The cancel that ended the audit.
+    pub fn faults(self) -> Result<Vec<Fault>, Interruption> {
+        if self.is_cancelled { Err(Interruption::Cancelled) } else { Ok(self.faults) }
+    }
+
+    /// Looks at the signal after a pass over so many items. Returns whether the audit goes on: a deadline does not end
+    /// it, because no result leaves without it.
     #[must_use]
-    pub fn faults(self) -> Vec<Fault> {
-        self.faults
+    pub fn goes_on(&mut self, items: usize) -> bool {
+        self.is_cancelled |= self.exec.look(items as u64) == Err(Interruption::Cancelled);
+        !self.is_cancelled
     }
 
     #[must_use]

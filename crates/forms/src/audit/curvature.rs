@@ -2,9 +2,8 @@
 
 use super::comparison::Audit;
 use super::figure::{Largest, Measured};
-use super::surface::{DEGENERATE, Surface, corners};
+use super::surface::Surface;
 use plateau_archive::archive::MEAN_CURVATURE;
-use plateau_mesh::DVec3;
 
 /// Relative error that a stated curvature or residual may have.
 const RELATIVE: f64 = 0.1;
@@ -17,48 +16,18 @@ struct AtVertex {
     tolerance: f64,
 }
 
-/// Sums over the triangles around one vertex.
-#[derive(Clone, Copy, Default)]
-struct Ring {
-    gradient: DVec3,
-    double_area: f64,
-    altitude: f64,
-    is_degenerate: bool,
-}
-
-fn rings(vertices: &[DVec3], triangles: &[[u32; 3]], surface: &Surface) -> Vec<Ring> {
-    let mut rings = vec![Ring { altitude: f64::INFINITY, ..Ring::default() }; vertices.len()];
-    for (&triangle, sides) in triangles.iter().zip(&surface.sides) {
-        let at = corners(vertices, triangle);
-        let altitude = sides.altitude();
-        let is_degenerate = altitude.is_nan() || altitude <= DEGENERATE * sides.longest;
-        let unit = if sides.double_area > 0.0 { sides.double_area_vector / sides.double_area } else { DVec3::ZERO };
-        for k in 0..3 {
-            let opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
-            let ring = &mut rings[triangle[k] as usize];
-            // The area grows fastest away from the opposite side, by half its length.
-            ring.gradient += 0.5 * unit.cross(opposite);
-            ring.double_area += sides.double_area;
-            ring.altitude = ring.altitude.min(altitude);
-            ring.is_degenerate |= is_degenerate;
-        }
-    }
-    rings
-}
-
 /// Compares the residuals and curvatures of a film without junctions, whose vertices move apart from those that
 /// `is_fixed` marks.
 pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], radius: f64, tolerance: f64) {
-    let mesh = &audit.contents.mesh;
     let rounding = audit.step;
-    let found: Vec<AtVertex> = rings(&mesh.vertices, &mesh.triangles, surface)
+    let found: Vec<AtVertex> = surface
+        .rings
         .iter()
-        .zip(&surface.normals)
-        .map(|(ring, (normal, _))| {
+        .map(|ring| {
             // The mass is a third of the ring's area.
             let double_mass = ring.double_area / 3.0;
             let full = ring.gradient.length() / double_mass;
-            let normal = ring.gradient.dot(normal.normalize_or_zero()).abs() / double_mass;
+            let normal = ring.gradient.dot(ring.normal.normalize_or_zero()).abs() / double_mass;
             if ring.is_degenerate {
                 // Rounding decides about every figure at the corner of a triangle without area.
                 return AtVertex { full: 0.0, normal: 0.0, tolerance: f64::INFINITY };

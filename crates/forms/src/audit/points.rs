@@ -1,10 +1,12 @@
 //! The points of the request at their vertices, and its polylines along the mesh.
 
 use super::comparison::Audit;
-use super::edges::Edges;
+use super::edges::{Edge, Edges};
 use plateau_archive::Lines;
 use plateau_archive::archive::Contents;
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, polyline};
+use std::collections::BTreeMap;
 
 /// Largest distance of a merged point from the point that it was merged into, as a fraction of the polyline's radius: a
 /// margin over the distance at which neighbours are merged.
@@ -52,6 +54,33 @@ pub(crate) fn polylines<'c>(contents: &'c Contents, name: &str) -> Vec<&'c [u32]
     sets.flat_map(|set| of(&set.lines)).collect()
 }
 
+/// Vertices of boundaries at equal places: where boundaries touch, the mesh has one for each of them.
+struct Twins(BTreeMap<[u64; 3], Vec<u32>>);
+
+impl Twins {
+    fn of(contents: &Contents, loops: &[&[u32]]) -> Self {
+        let key = |v: u32| position_key(contents.mesh.vertices[v as usize]);
+        let mut places: Vec<([u64; 3], u32)> = loops.iter().flat_map(|rim| rim.iter()).map(|&v| (key(v), v)).collect();
+        places.sort_unstable();
+        places.dedup();
+        let shared = places.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 1);
+        Self(shared.map(|same| (same[0].0, same.iter().map(|place| place.1).collect())).collect())
+    }
+
+    fn has(&self, contents: &Contents, v: u32) -> bool {
+        !self.0.is_empty() && self.0.contains_key(&position_key(contents.mesh.vertices[v as usize]))
+    }
+
+    /// The edge between two vertices, or between others at their places.
+    fn edge<'e>(&self, contents: &Contents, edges: &'e Edges, a: u32, b: u32) -> Option<&'e Edge> {
+        edges.between(a, b).or_else(|| {
+            let at = |v: u32| self.0.get(&position_key(contents.mesh.vertices[v as usize])).map_or(vec![v], Vec::clone);
+            let (one, other) = (at(a), at(b));
+            one.iter().find_map(|&a| other.iter().find_map(|&b| edges.between(a, b)))
+        })
+    }
+}
+
 /// Requires that each closed boundary runs along edges of the mesh that have `triangles` triangles, that no other edge
 /// has so few, and that it passes the request's points in their order. With `straight` the points between two of them
 /// lie on the segment between them and in its order.
@@ -59,22 +88,21 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
     let contents = audit.contents;
     let at = |v: u32| contents.mesh.vertices[v as usize];
     let loops = polylines(contents, "boundaries");
+    let twins = Twins::of(contents, &loops);
+    let radius = polyline::radius(&loops.iter().flat_map(|rim| rim.iter()).map(|&v| at(v)).collect::<Vec<_>>());
     // Boundaries may share sides, such as the rims of sheets that meet.
     let mut borders = Vec::new();
     for (k, rim) in loops.iter().enumerate() {
         let next = |i: usize| rim[(i + 1) % rim.len()];
-        borders.extend((0..rim.len()).map(|i| [rim[i].min(next(i)), rim[i].max(next(i))]));
-        let is_border = |i: &usize| edges.between(rim[*i], next(*i)).is_some_and(|edge| edge.triangles() == triangles);
-        let off = (0..rim.len()).find(|i| !is_border(i));
+        let border =
+            |i: usize| twins.edge(contents, edges, rim[i], next(i)).filter(|edge| edge.triangles() == triangles);
+        borders.extend((0..rim.len()).filter_map(&border).map(|edge| edge.ends));
+        let off = (0..rim.len()).find(|&i| border(i).is_none());
         audit.require(
             off.is_none(),
             || format!("boundary {k} runs along border edges of the mesh"),
             || off.map_or_else(String::new, |i| format!("not from vertex {} to vertex {}", rim[i], next(i))),
         );
-        // Where boundaries share a point, each may go on along the other.
-        if audit.warns("shared_points") {
-            continue;
-        }
         let mut numbers = contents.input_vertices.get(k).cloned().unwrap_or_default();
         numbers.dedup();
         if numbers.len() > 1 && numbers.first() == numbers.last() {
@@ -88,6 +116,9 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             from = steps.map(|steps| start + steps);
             let Some(steps) = steps.filter(|_| straight) else { continue };
             let (a, b) = (at(rim[start % rim.len()]), at(vertex));
+            // A side on which another boundary has a point passes through that point.
+            let touches = (1..steps).any(|step| twins.has(contents, rim[(start + step) % rim.len()]));
+            let beside = if touches { MERGED * radius } else { BESIDE * audit.step };
             let along = (b - a).normalize_or_zero();
             let mut reached = 0.0;
             for step in 1..steps {
@@ -95,7 +126,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
                 let offset = at(v) - a;
                 let place = offset.dot(along);
                 let distance = (offset - place * along).length();
-                if !(distance <= BESIDE * audit.step && place >= reached) {
+                if !(distance <= beside && place >= reached) {
                     stray = stray.or(Some((i, v, distance)));
                 }
                 reached = place;

@@ -57,17 +57,75 @@ pub(crate) struct Figures {
 /// A vector and how far rounding moves it.
 type Rounded = (DVec3, f64);
 
+/// The chords at a point of a directrix.
+struct Chords {
+    /// To the point before and to the point after, where there is one.
+    to: [Option<DVec3>; 2],
+    /// Their lengths; infinite where there is none.
+    lengths: [f64; 2],
+    /// The directrix's direction.
+    tangent: DVec3,
+}
+
+/// Returns the derivative at the middle of the quadratic through three neighbours, whose parameter is the length of the
+/// chords (Wang-Tang, eq. 13 and 14), as a unit vector.
+fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2]) -> DVec3 {
+    let tangent = match (before.map(|chord| -chord), after) {
+        (Some(before), Some(after)) => {
+            let alpha = if a == 0.0 || b == 0.0 { 0.5 } else { a / (a + b) };
+            before * ((1.0 - alpha) / alpha) + after * (alpha / (1.0 - alpha))
+        }
+        (Some(chord), None) | (None, Some(chord)) => chord,
+        (None, None) => DVec3::ZERO,
+    };
+    tangent.normalize_or_zero()
+}
+
+/// Passes over folds that are certainly not the largest ones, because an arc tangent takes as long as the rest of a
+/// fold: one bound for all folds, one for those at bridges that are certainly not convex, and one for those at bridges
+/// that may not be.
+#[derive(Default)]
+struct FoldFilter([Option<[f64; 2]>; 3]);
+
+/// Margin of the filter in radians. Folds whose tolerance is larger are never passed over.
+const MARGIN: f64 = 1e-6;
+
+impl FoldFilter {
+    /// Returns whether a fold with this sine and cosine may be larger than those that were reached.
+    fn may_count(&self, counts: [bool; 3], [sine, cosine]: [f64; 2], tolerance: f64) -> bool {
+        // Whether the angle is less than the bound: both lie between 0 and π.
+        let is_below = |bound: &Option<[f64; 2]>| bound.is_some_and(|[s, c]| sine * c - cosine * s < 0.0);
+        let certain = tolerance < MARGIN && sine * sine + cosine * cosine > 0.5;
+        !certain || self.0.iter().zip(counts).any(|(bound, counts)| counts && !is_below(bound))
+    }
+
+    fn reached(&mut self, counts: [bool; 3], angle: f64) {
+        let bound = angle - 2.0 * MARGIN;
+        if bound <= 0.0 {
+            return;
+        }
+        let (sine, cosine) = libm::sincos(bound);
+        for (known, _) in self.0.iter_mut().zip(counts).filter(|(_, counts)| *counts) {
+            let is_larger = known.is_none_or(|[s, c]| sine * c - cosine * s > 0.0);
+            if is_larger {
+                *known = Some([sine, cosine]);
+            }
+        }
+    }
+}
+
 /// Returns the unit vector of a cross product, or zero if the product counts as zero. The third value says that
 /// rounding decides about it.
-fn unit_cross(a: DVec3, b: DVec3, step: f64) -> (DVec3, f64, bool) {
-    let (cross, product) = (a.cross(b), a.length() * b.length());
-    let sine = cross.length() / product;
+fn unit_cross((a, length): (DVec3, f64), b: DVec3, step: f64) -> (DVec3, f64, bool) {
+    let (cross, other) = (a.cross(b), b.length());
+    let across = cross.length();
+    let sine = across / (length * other);
     if sine.is_nan() || sine <= PARALLEL / UNDECIDED {
         return (DVec3::ZERO, 0.0, false);
     }
-    let shortest = a.length().min(b.length());
+    let shortest = length.min(other);
     let turn = 2.0 * step / (shortest * sine) + 4.0 * f64::EPSILON / sine;
-    (if sine > PARALLEL { cross / cross.length() } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
+    (if sine > PARALLEL { cross / across } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
 }
 
 fn is_thin(sides: &Sides) -> bool {
@@ -95,34 +153,18 @@ impl Strip<'_> {
         (next < count).then(|| self.point(side, next))
     }
 
-    /// Returns the direction of a directrix at one of its points: that which is given, or the derivative at the middle
-    /// of the quadratic through three neighbours, whose parameter is the length of the chords (Wang-Tang, eq. 13 and
-    /// 14).
-    fn tangent(&self, side: usize, index: usize) -> DVec3 {
-        if let Some(&given) = self.rails[side].tangents.get(index) {
-            return given;
-        }
-        let point = self.point(side, index);
-        let before = self.neighbour(side, index, false).map(|other| point - other);
-        let after = self.neighbour(side, index, true).map(|other| other - point);
-        let tangent = match (before, after) {
-            (Some(before), Some(after)) => {
-                let (a, b) = (before.length(), after.length());
-                let alpha = if a == 0.0 || b == 0.0 { 0.5 } else { a / (a + b) };
-                before * ((1.0 - alpha) / alpha) + after * (alpha / (1.0 - alpha))
-            }
-            (Some(chord), None) | (None, Some(chord)) => chord,
-            (None, None) => DVec3::ZERO,
+    /// Returns the chords at each point of a directrix, and its direction there.
+    fn chords(&self, side: usize) -> Vec<Chords> {
+        let of = |index: usize| {
+            let point = self.point(side, index);
+            let before = self.neighbour(side, index, false).map(|other| other - point);
+            let after = self.neighbour(side, index, true).map(|other| other - point);
+            let lengths = [before, after].map(|chord| chord.map_or(f64::INFINITY, DVec3::length));
+            let fitted = || fitted_tangent(before, after, lengths);
+            let tangent = self.rails[side].tangents.get(index).copied().unwrap_or_else(fitted);
+            Chords { to: [before, after], lengths, tangent }
         };
-        tangent.normalize_or_zero()
-    }
-
-    /// Returns the length of the shorter chord at a point, by which rounding turns its tangent.
-    fn chord(&self, side: usize, index: usize) -> f64 {
-        let point = self.point(side, index);
-        let chords =
-            [false, true].map(|forward| self.neighbour(side, index, forward).map(|other| other.distance(point)));
-        chords.into_iter().flatten().fold(f64::INFINITY, f64::min)
+        (0..self.count(side)).map(of).collect()
     }
 
     fn bridge(&self, [i, j]: [usize; 2]) -> DVec3 {
@@ -130,20 +172,18 @@ impl Strip<'_> {
     }
 
     /// Returns whether a bridge certainly is locally convex, and whether it is if rounding favours it: seen along the
-    /// bridge the directions to the neighbours of its ends fit into a half-plane.
-    fn convexity(&self, bridge: [usize; 2]) -> [bool; 2] {
-        let axis = self.bridge(bridge);
-        let length = axis.length();
+    /// bridge the directions to the neighbours of its ends fit into a half-plane. `tolerance` is the sine of the
+    /// tolerance.
+    fn convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> [bool; 2] {
         if length == 0.0 {
             return [false, true];
         }
         let axis = axis / length;
         let (mut directions, mut turns, mut count) = ([DVec3::ZERO; 4], [0.0f64; 4], 0);
         let mut undecided = false;
-        for (side, index) in bridge.into_iter().enumerate() {
-            for forward in [false, true] {
-                let Some(other) = self.neighbour(side, index, forward) else { continue };
-                let offset = other - self.point(side, index);
+        for end in ends {
+            for (offset, offset_length) in end.to.iter().zip(end.lengths) {
+                let Some(offset) = *offset else { continue };
                 let across = offset - offset.dot(axis) * axis;
                 let distance = across.length();
                 if distance <= self.step {
@@ -152,23 +192,26 @@ impl Strip<'_> {
                     continue;
                 }
                 directions[count] = across / distance;
-                turns[count] = (self.step + 16.0 * f64::EPSILON * (offset.length() + length)) / distance;
+                turns[count] = (self.step + 16.0 * f64::EPSILON * (offset_length + length)) / distance;
                 count += 1;
+            }
+        }
+        let mut sines = [[0.0f64; 4]; 4];
+        for k in 1..count {
+            for other in 0..k {
+                let sine = directions[k].cross(directions[other]).dot(axis);
+                (sines[k][other], sines[other][k]) = (sine, -sine);
             }
         }
         let fits = |slack: [f64; 4]| {
             (0..count).any(|k| {
                 // Whether all directions are to the left of direction k, or on its right by no more than the slack.
-                (0..count).all(|other| {
-                    let sine = directions[k].cross(directions[other]).dot(axis);
-                    sine >= -slack[k].max(slack[other]) || other == k
-                })
+                (0..count).all(|other| sines[k][other] >= -slack[k].max(slack[other]) || other == k)
             })
         };
         // The sine of a sum of two angles is at most the sine of the first plus the second.
-        let tolerance = libm::sin(self.convexity_tolerance);
         let possible = fits(turns.map(|turn| tolerance + CONVEXITY + 2.0 * turn));
-        let certain = !undecided && fits(turns.map(|turn| tolerance - CONVEXITY - turn));
+        let certain = possible && !undecided && fits(turns.map(|turn| tolerance - CONVEXITY - turn));
         [certain || count == 0, possible || count == 0]
     }
 
@@ -198,15 +241,20 @@ impl Strip<'_> {
         }
         let mut curvatures: Vec<Rounded> = Vec::with_capacity(count);
         let mut convexities = Vec::with_capacity(count);
+        let chords = [0, 1].map(|side| self.chords(side));
+        let tolerance_sine = libm::sin(self.convexity_tolerance);
+        let mut folds = FoldFilter::default();
         for (k, &bridge) in self.bridges.iter().enumerate() {
             let axis = self.bridge(bridge);
-            figures.shortest.add(axis.length(), RELATIVE * axis.length() + 2.0 * self.step);
-            figures.longest.add(axis.length(), RELATIVE * axis.length() + 2.0 * self.step);
-            let [certain, possible] = self.convexity(bridge);
+            let length = axis.length();
+            figures.shortest.add(length, RELATIVE * length + 2.0 * self.step);
+            figures.longest.add(length, RELATIVE * length + 2.0 * self.step);
+            let ends = [&chords[0][bridge[0]], &chords[1][bridge[1]]];
+            let [certain, possible] = self.convexity(axis, length, ends, tolerance_sine);
             convexities.push([certain, possible]);
             figures.convex[0] += usize::from(certain);
             figures.convex[1] += usize::from(possible);
-            self.add_twist(&mut figures, bridge, axis);
+            self.add_twist(&mut figures, bridge, (axis, length), ends);
             let left = if k > 0 { Some(k - 1) } else { self.closed.then(|| count - 1) };
             let right = Some(k).filter(|&k| k < steps);
             let Some((left, right)) = left.zip(right) else {
@@ -217,19 +265,24 @@ impl Strip<'_> {
             // Where a triangle has hardly any area, rounding decides whether the fold counts.
             let thin = is_thin(left) || is_thin(right);
             let (a, b) = (left.double_area_vector.normalize_or_zero(), right.double_area_vector.normalize_or_zero());
-            let angle = libm::atan2(a.cross(b).length(), a.dot(b));
+            let (sine, cosine) = (a.cross(b).length(), a.dot(b));
             let turn = RELATIVE + self.step / left.altitude() + self.step / right.altitude();
             let tolerance = if thin { f64::INFINITY } else { turn };
-            figures.fold.add(angle, tolerance);
-            if !possible {
-                figures.concave_fold[0].add(angle, tolerance);
+            let counts = [true, !possible, !certain];
+            if folds.may_count(counts, [sine, cosine], tolerance) {
+                let angle = libm::atan2(sine, cosine);
+                let [least, most] = &mut figures.concave_fold;
+                for (fold, counts) in [&mut figures.fold, least, most].into_iter().zip(counts) {
+                    if counts {
+                        fold.add(angle, tolerance);
+                    }
+                }
+                if tolerance < MARGIN {
+                    folds.reached(counts, angle);
+                }
             }
-            if !certain {
-                figures.concave_fold[1].add(angle, tolerance);
-            }
-            let squared = axis.length_squared();
-            let sine = libm::sin(angle);
-            let strength = if angle > std::f64::consts::FRAC_PI_2 { 2.0 - sine * sine } else { sine * sine };
+            let squared = length * length;
+            let strength = if cosine < 0.0 { 2.0 - sine * sine } else { sine * sine };
             let area = 0.5 * (left.double_area + right.double_area);
             // A s / L² with L = 2 A / |e|.
             let factor = squared / (4.0 * area);
@@ -241,7 +294,7 @@ impl Strip<'_> {
             let error = error + if thin { 0.0 } else { (2.0 * factor + 4.0 * term) * turn.min(2.0) };
             figures.bending.add(term, error);
             let curvature = if thin { DVec3::ZERO } else { axis.cross(a - b) };
-            let rounding = axis.length() * if thin { 4.0 } else { 2.0 * turn.min(2.0) };
+            let rounding = length * if thin { 4.0 } else { 2.0 * turn.min(2.0) };
             curvatures.push((curvature, rounding));
             if !possible {
                 figures.concave_bending[0].add(term, error);
@@ -265,14 +318,14 @@ impl Strip<'_> {
         figures
     }
 
-    fn add_twist(&self, figures: &mut Figures, [i, j]: [usize; 2], axis: DVec3) {
-        let turned = |side: usize, index: usize| {
-            let tangent = self.tangent(side, index);
+    fn add_twist(&self, figures: &mut Figures, [i, j]: [usize; 2], axis: (DVec3, f64), ends: [&Chords; 2]) {
+        let turned = |end: &Chords| {
             // The tangent's own rounding is that of its shorter chord.
-            let (normal, turn, undecided) = unit_cross(axis, tangent, self.step);
-            (normal, turn + turn * (axis.length() / self.chord(side, index)).min(1e6), undecided)
+            let (normal, turn, undecided) = unit_cross(axis, end.tangent, self.step);
+            let chord = end.lengths[0].min(end.lengths[1]);
+            (normal, turn + turn * (axis.1 / chord).min(1e6), undecided)
         };
-        let ((p, a, unclear_p), (q, b, unclear_q)) = (turned(0, i), turned(1, j));
+        let ((p, a, unclear_p), (q, b, unclear_q)) = (turned(ends[0]), turned(ends[1]));
         let unclear = if unclear_p || unclear_q { 2.0 } else { 0.0 };
         figures.twist.add(1.0 - p.dot(q), (a + b).min(2.0) + unclear);
         let Some(sums) = &mut figures.normal_variation else { return };

@@ -11,14 +11,30 @@ pub(crate) const DEGENERATE: f64 = 1e-10;
 pub(crate) struct Surface {
     /// Sides of each triangle.
     pub sides: Vec<Sides>,
-    /// Sum of the double area vectors around each vertex, and how far rounding moves it.
-    pub normals: Vec<(DVec3, f64)>,
+    /// Sums over the triangles around each vertex.
+    pub rings: Vec<Ring>,
     pub area: Sum,
     pub smallest_angle: Least,
     pub largest_angle: Largest,
     /// The triangles that certainly count, and those that count if rounding favours them.
     pub degenerate: [usize; 2],
     pub flipped: [usize; 2],
+}
+
+/// Sums over the triangles around one vertex.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ring {
+    /// Sum of the double area vectors.
+    pub normal: DVec3,
+    /// Distance by which rounding moves that sum.
+    rounding: f64,
+    /// Gradient of the area.
+    pub gradient: DVec3,
+    pub double_area: f64,
+    /// The shortest altitude.
+    pub altitude: f64,
+    /// Whether rounding decides about the figures of a triangle.
+    pub is_degenerate: bool,
 }
 
 /// Lengths of the sides of a triangle and twice its area.
@@ -58,7 +74,17 @@ impl Surface {
     pub fn of(vertices: &[DVec3], triangles: &[[u32; 3]], step: f64) -> Self {
         let mut found = Self {
             sides: Vec::with_capacity(triangles.len()),
-            normals: vec![(DVec3::ZERO, 0.0); vertices.len()],
+            rings: vec![
+                Ring {
+                    normal: DVec3::ZERO,
+                    rounding: 0.0,
+                    gradient: DVec3::ZERO,
+                    double_area: 0.0,
+                    altitude: f64::INFINITY,
+                    is_degenerate: false,
+                };
+                vertices.len()
+            ],
             area: Sum::default(),
             smallest_angle: Least::NONE,
             largest_angle: Largest::NONE,
@@ -72,8 +98,11 @@ impl Surface {
             found.sides.push(sides);
             found.area.add(0.5 * sides.double_area, 0.5 * step * sides.perimeter);
             let [a, b, c] = at;
-            let dots = [(b - a).dot(c - a), (c - b).dot(a - b), (a - c).dot(b - c)];
-            let tolerance = RELATIVE + step / sides.altitude();
+            // Each side lies opposite the corner of its number.
+            let opposite = [c - b, a - c, b - a];
+            let dots = [1, 2, 0].map(|k: usize| -opposite[k].dot(opposite[(k + 1) % 3]));
+            let altitude = sides.altitude();
+            let tolerance = RELATIVE + step / altitude;
             let (greatest, least) = (dots[0].max(dots[1]).max(dots[2]), dots[0].min(dots[1]).min(dots[2]));
             if smallest.may_count(greatest, sides.double_area, tolerance) {
                 found.smallest_angle.add(libm::atan2(sides.double_area, greatest), tolerance);
@@ -86,18 +115,28 @@ impl Surface {
             let (limit, error) = (DEGENERATE * sides.longest * sides.longest, step * sides.perimeter);
             found.degenerate[0] += usize::from(sides.double_area + error < limit * (1.0 - RELATIVE));
             found.degenerate[1] += usize::from(sides.double_area <= limit * (1.0 + RELATIVE) + error);
-            for v in triangle {
-                let (normal, rounding) = &mut found.normals[v as usize];
-                *normal += sides.double_area_vector;
-                *rounding += error;
+            let is_degenerate = altitude.is_nan() || altitude <= DEGENERATE * sides.longest;
+            let half_unit = match sides.double_area {
+                double_area if double_area > 0.0 => sides.double_area_vector * (0.5 / double_area),
+                _ => DVec3::ZERO,
+            };
+            for (v, opposite) in triangle.into_iter().zip(opposite) {
+                let ring = &mut found.rings[v as usize];
+                ring.normal += sides.double_area_vector;
+                ring.rounding += error;
+                // The area grows fastest away from the opposite side, by half its length.
+                ring.gradient += half_unit.cross(opposite);
+                ring.double_area += sides.double_area;
+                ring.altitude = ring.altitude.min(altitude);
+                ring.is_degenerate |= is_degenerate;
             }
         }
-        let unit = |&(normal, rounding): &(DVec3, f64)| {
-            let length = normal.length();
-            let unit = if length > 0.0 { normal / length } else { DVec3::ZERO };
-            (unit, RELATIVE + rounding / length)
+        let unit = |ring: &Ring| {
+            let length = ring.normal.length();
+            let unit = if length > 0.0 { ring.normal / length } else { DVec3::ZERO };
+            (unit, RELATIVE + ring.rounding / length)
         };
-        let units: Vec<(DVec3, f64)> = found.normals.iter().map(unit).collect();
+        let units: Vec<(DVec3, f64)> = found.rings.iter().map(unit).collect();
         for (triangle, sides) in triangles.iter().zip(&found.sides) {
             let [a, b, c] = triangle.map(|v| units[v as usize]);
             let cosine = sides.double_area_vector.dot(a.0 + b.0 + c.0) / sides.double_area;

@@ -6,7 +6,7 @@ use crate::solved::{Draft, Unsolved, faults as faults_of};
 use crate::source::no_jobs;
 use plateau_archive::archive::{BRIDGES, CABLES, Contents};
 use plateau_archive::{Archive, LineSet, Lines};
-use plateau_mesh::DVec3;
+use plateau_mesh::{DVec3, Execution, Interruption, Signal};
 use serde_json::{Value, json};
 
 type Fault = (&'static str, fn(&mut Contents, &mut Value));
@@ -35,7 +35,9 @@ fn with(draft: &Draft, fault: fn(&mut Contents, &mut Value)) -> Draft {
 fn finds(value: &Value, faults: &[Fault]) {
     let request = request(value);
     let (draft, input) = request.draft();
-    let faults_of = |draft: &Draft| faults_of(&draft.statistics, &draft.warnings, &draft.archive, input);
+    let exec = Execution::default();
+    let faults_of =
+        |draft: &Draft| faults_of(&draft.statistics, &draft.warnings, &draft.archive, input, &exec).unwrap();
     assert_eq!(faults_of(&draft), [], "{}", value["kind"]);
     for (name, fault) in faults {
         let found = faults_of(&with(&draft, *fault));
@@ -261,8 +263,22 @@ fn a_result_with_a_fault_is_withheld_and_the_error_names_the_figure() {
     let request = request(&strips());
     let (draft, input) = request.draft();
     let wrong = with(&draft, |_, statistics| add(statistics, "/area", 1.0));
-    let Err(Unsolved::Failed(error)) = wrong.audited(input) else { panic!("should have failed") };
+    let exec = Execution::default();
+    let Err(Unsolved::Failed(error)) = wrong.audited(input, &exec) else { panic!("should have failed") };
     assert_eq!(error.kind, "/problems/audit-failed");
     assert!(error.is_of_the_audit() && error.detail.contains("/area: stated "), "{}", error.detail);
-    assert!(draft.audited(input).is_ok());
+    assert!(draft.audited(input, &exec).is_ok());
+}
+
+#[test]
+#[cfg(feature = "minimal-surface")]
+fn a_cancel_ends_the_audit_and_a_deadline_does_not() {
+    let request = request(&skew_square());
+    let (draft, input) = request.draft();
+    for (signal, cancels) in [(Signal::Cancel, true), (Signal::Deadline, false)] {
+        let signal = || signal;
+        let exec = Execution::new(&signal, &|_| {});
+        let found = faults_of(&draft.statistics, &draft.warnings, &draft.archive, input, &exec);
+        assert_eq!(found, if cancels { Err(Interruption::Cancelled) } else { Ok(Vec::new()) });
+    }
 }

@@ -280,7 +280,9 @@ impl SharedPlaces {
             let fan = ends.into_iter().find_map(|(start, end)| {
                 let (mut fan, mut edge) = (Vec::new(), start);
                 while edge != end {
-                    let &(t, k, next) = left_of.get(&(copy.place, edge))?;
+                    // A closed fan that does not have the end leads back to its start.
+                    let is_round = !fan.is_empty() && edge == start;
+                    let &(t, k, next) = left_of.get(&(copy.place, edge)).filter(|_| !is_round)?;
                     fan.push((t, k, edge));
                     edge = next;
                 }

@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
 ///
-/// Coordinates are divided by a power of two so that the largest is about 1 (exact), then centred at p_0, then divided
-/// by a power of two again. Areas and lengths scale back exactly.
+/// Coordinates are divided by a power of two so that the largest is about 1 (exact), then centred at p_0, or at q_0 if
+/// Q is far smaller, then divided by a power of two again. Areas and lengths scale back exactly.
 #[derive(Clone, Debug)]
 pub(crate) struct Rails {
     pub(crate) closed: bool,
@@ -47,6 +47,10 @@ impl<'a> From<&'a [DVec3]> for Given<'a> {
     }
 }
 
+/// A directrix is far smaller than the other one below this fraction of its extent. Directrices of equal size are
+/// centred at p_0, whichever is a little smaller.
+const FAR_SMALLER: f64 = 1e-3;
+
 impl Rails {
     pub(crate) fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Self {
         let largest = |sides: [&[DVec3]; 2], from: DVec3| {
@@ -57,7 +61,10 @@ impl Rails {
         // Multiplying by the inverse of a power of two gives the same bits as dividing by it.
         let raw = |points: &[DVec3]| points.iter().map(|&v| v * outer.recip()).collect::<Vec<_>>();
         let (raw_p, raw_q) = (raw(p.points), raw(q.points));
-        let centre = raw_p[0];
+        // Relative to a point of its own a tiny directrix keeps the digits of its sides.
+        let [size_p, size_q] = [&raw_p, &raw_q].map(|raw| largest([raw, raw], raw[0]));
+        let is_centred_on_q = size_q > 0.0 && size_q < FAR_SMALLER * size_p;
+        let centre = if is_centred_on_q { raw_q[0] } else { raw_p[0] };
         let extent = largest([&raw_p, &raw_q], centre);
         let inner = power_of_two_above(extent);
         let largest_raw = largest([&raw_p, &raw_q], DVec3::ZERO);

@@ -10,7 +10,6 @@ use crate::strip::statistics::Statistics;
 use plateau_mesh::Mesh;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 
 /// The welded mesh of all strips; figures are filled in by the caller.
 pub(crate) fn assemble(
@@ -52,7 +51,6 @@ pub(crate) fn assemble(
         strips: Vec::new(),
         comparison: None,
         flat_pattern: (!options.closed).then(|| FlatPattern::of(flat)),
-        self_intersections: SelfIntersectionCheck::default(),
         warnings: Vec::new(),
     })
 }

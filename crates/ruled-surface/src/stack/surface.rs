@@ -6,7 +6,6 @@ use crate::strip::objective::{Objective, Secondary};
 use crate::strip::statistics::Statistics;
 use plateau_mesh::Mesh;
 use plateau_mesh::error::Warning;
-use plateau_mesh::self_intersections::SelfIntersectionCheck;
 
 /// A triangulated stack of strips.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +24,7 @@ pub struct RuledSurface {
     /// For each directrix what decided its direction. `None` for the first one, for one beside an apex, and if the
     /// directions are as given.
     pub direction_decided_by: Vec<Option<DirectionCriterion>>,
-    /// Figures of the whole stack, caps not counted.
+    /// Figures of the whole stack. Caps count in its triangles and its area only.
     pub statistics: Statistics,
     /// Figures of each strip.
     pub strips: Vec<Statistics>,
@@ -33,8 +32,6 @@ pub struct RuledSurface {
     pub comparison: Option<Vec<Comparison>>,
     /// Open surfaces only.
     pub flat_pattern: Option<FlatPattern>,
-    /// Pairs of triangles that meet in more than what they share, caps included.
-    pub self_intersections: SelfIntersectionCheck,
     /// Facts about the input or the result that the caller should know.
     pub warnings: Vec<Warning>,
 }

@@ -149,7 +149,7 @@ impl Relaxation<'_> {
         if !(kept || last) {
             return;
         }
-        let residual = Curvature::of(self.film).residual;
+        let residual = Curvature::of(self.film).residual_felt;
         self.work += 2 * self.film.triangles().len() as u64;
         self.history.push(HistoryRow { phase, iteration: k, area, residual });
         self.fraction = self.fraction.max(if fraction.is_nan() { 0.0 } else { fraction });

@@ -35,7 +35,7 @@ pub(crate) fn run_once(film: &mut Film, exec: &Execution) -> Result<Run, Error> 
             let detail = "the initial mesh is degenerate, so that its harmonic map cannot be computed";
             Error::no_result("degenerate_boundary", detail)
         })?;
-        record.iteration("pinkall_polthier", film.area(), Curvature::of(film).residual, 1.0);
+        record.iteration("pinkall_polthier", film.area(), Curvature::of(film).residual_felt, 1.0);
     }
     let energy = dirichlet_energy(&domain, &film.vertices, film.triangles());
     let stop_reason = if moves { StopReason::Solved } else { StopReason::NothingToMove };

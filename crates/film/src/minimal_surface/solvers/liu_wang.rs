@@ -210,7 +210,7 @@ fn rounds(
                 film.vertices[v] = place;
             }
             run.iterations += 1;
-            let residual = Curvature::of(film).residual;
+            let residual = Curvature::of(film).residual_felt;
             let area = film.area() * radius * radius;
             let iteration = run.iterations;
             run.history.push(HistoryRow { phase: "mean_curvature", iteration, area, residual });

@@ -112,7 +112,7 @@ pub(crate) fn iterate(
         mended = false;
         let before = std::mem::replace(&mut area, film.area());
         let change = (before - area).abs() / area;
-        let residual = Curvature::of(film).residual;
+        let residual = Curvature::of(film).residual_felt;
         let first_change = *first_change.get_or_insert(change);
         record.iteration(phase, area, residual, geometric_part(first_change, change, options.area_tolerance));
         if changed {

@@ -18,6 +18,9 @@ impl SolverInput {
         let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
         let has_junctions = !audit.value("/junctions").is_null();
         let edges = Edges::of(triangles, vertices.len());
+        if !audit.goes_on(triangles.len()) {
+            return;
+        }
         audit.equal("/vertices", vertices.len());
         audit.equal("/triangles", triangles.len());
         topology::compare(audit, &edges, has_junctions);
@@ -26,6 +29,9 @@ impl SolverInput {
         self.compare_constraints(audit);
 
         let surface = Surface::of(vertices, triangles, audit.step);
+        if !audit.goes_on(triangles.len()) {
+            return;
+        }
         let area = surface.area.measured();
         audit.figure("/area", area);
         self.compare_objective(audit, area);
@@ -35,6 +41,9 @@ impl SolverInput {
         audit.figure("/angles_deg/min", smallest);
         audit.figure("/angles_deg/max", largest);
         audit.figure("/degenerate_triangles", Measured::count(surface.degenerate));
+        if !audit.goes_on(edges.list.len()) {
+            return;
+        }
         if !has_junctions {
             audit.figure("/flipped_triangles", Measured::count(surface.flipped));
         }

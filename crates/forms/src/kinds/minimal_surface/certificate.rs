@@ -50,22 +50,14 @@ impl Default for CertifyOptions {
     }
 }
 
-/// A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
-/// only the surfaces that run along them in the directions of the film.
+/// A proven lower bound of the area of all oriented surfaces with this boundary, in whichever direction they run along
+/// each polygon of it.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Certificate {
-    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
-    /// directions that `every_orientation` and `reversed_loops` name.
+    /// No oriented surface of any topology with this boundary has a smaller area.
     pub area_lower_bound: f64,
     /// The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
     pub gap: Option<f64>,
-    /// Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
-    /// directions of the film only, and surfaces in other directions may have less area.
-    pub every_orientation: bool,
-    /// If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
-    /// request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
-    /// reversed together. Null otherwise.
-    pub reversed_loops: Option<Vec<usize>>,
     /// The surfaces for which the bound holds.
     pub scope: String,
     /// Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
@@ -74,7 +66,8 @@ pub struct Certificate {
     pub iterations: u32,
     /// Number of tetrahedra of all fields together.
     pub tetrahedra: usize,
-    /// Number of orientations of the loops for which a field was found.
+    /// Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
+    /// directions of the boundaries that it leaves free.
     pub orientations: usize,
     /// The result in words.
     pub statement: String,

@@ -158,8 +158,7 @@ pub struct MinimalSurfaceRequest {
     #[serde(default)]
     pub boundary_curvature: bool,
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    /// bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
-    /// covers only the surfaces that run along them in the directions of the film.
+    /// bound is to be and how long the search may take. Only for `minimal_area`.
     #[serde(default, skip_serializing_if = "is_default")]
     pub certify: Certify,
 }

@@ -39,9 +39,12 @@ pub(super) fn search(
         return without("the film has triple junctions, and the bound holds for oriented surfaces only");
     }
     let Some(bound) = lower_bound::certify(boundaries, &film.mesh, &options.into(), exec)? else {
-        return without("the coordinates are too large for the boundary's size, or the film has no area");
+        return without(
+            "the coordinates are too large for the boundary's size, the film has no area, or its border does not run \
+             along the boundaries",
+        );
     };
-    statistics.certify(&bound);
+    statistics.certify(&bound)?;
     Ok(Proof {
         document: Some(to_json(&CertificateDocument::of(&bound))?),
         interrupted: bound.interrupted,
@@ -56,87 +59,74 @@ impl From<CertifyOptions> for lower_bound::Options {
 }
 
 impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run
-    /// along the loops in other directions than the film, so that it is compared only with a bound for every
-    /// orientation.
-    fn certify(&mut self, found: &LowerBound) {
-        self.certificate = Some(Certificate::of(found, self.area));
-        if found.every_orientation {
-            for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
-                topology.gap = topology.area.and_then(|area| gap(area, found.area));
-            }
+    /// Adds the bound, and how far each compared topology is from the least area at most.
+    ///
+    /// # Errors
+    /// The error of [`gap`].
+    fn certify(&mut self, found: &LowerBound) -> Result<(), Error> {
+        self.certificate = Some(Certificate::of(found, self.area)?);
+        for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
+            topology.gap = topology.area.map_or(Ok(None), |area| gap(area, found.area))?;
         }
+        Ok(())
     }
 }
 
 /// Above this gap the statement adds that the film is not proven to be the global minimum.
 const LARGE_GAP: f64 = 0.05;
 
-fn gap(area: f64, bound: f64) -> Option<f64> {
-    Some(area / bound - 1.0).filter(|gap| bound > 0.0 && gap.is_finite()).map(|gap| gap.max(0.0))
-}
+/// Largest fraction of the bound by which rounding, and points that were merged, can make an area less than the bound.
+const ROUNDED: f64 = 1e-6;
 
-/// Returns the directions in words.
-fn directions(reversed: &[usize]) -> String {
-    let numbers: Vec<String> = reversed.iter().map(ToString::to_string).collect();
-    match numbers.len() {
-        0 => "all as in the request, or all reversed".into(),
-        1 => format!("number {} against the request and the others as in it, or all reversed", numbers[0]),
-        _ => format!("numbers {} against the request and the others as in it, or all reversed", numbers.join(", ")),
+/// How far an area is above a bound; `None` for a bound of 0.
+///
+/// # Errors
+/// [`Error::NoResult`] if the area is below the bound. Either the bound or the area is wrong then, and neither may
+/// leave.
+fn gap(area: f64, bound: f64) -> Result<Option<f64>, Error> {
+    match area / bound - 1.0 {
+        _ if bound <= 0.0 => Ok(None),
+        gap if gap.is_finite() && gap >= -ROUNDED => Ok(Some(gap.max(0.0))),
+        _ => Err(Error::no_result("internal", format!("the area {area} is below the proven bound {bound}"))),
     }
 }
 
-/// Returns the result in words. The film is at most `percent` above the least area of the surfaces that are covered.
-fn statement(found: &LowerBound, percent: f64, is_large: bool) -> String {
-    let bound = found.area;
-    let unproven = " It is not proven that this film is the global minimum.";
-    if !found.every_orientation {
-        return format!(
-            "No oriented surface of any topology with this boundary that runs along its loops in the directions of \
-             this film ({}) has an area below {bound}; this film is at most {percent}% above the least area of these \
-             surfaces. Surfaces that run along the loops in other directions may have less area.{unproven}",
-            directions(&found.reversed_loops)
-        );
-    }
+/// Returns the result in words. The film is at most `percent` above the global minimum.
+fn statement(bound: f64, percent: f64, is_large: bool) -> String {
     let proven = format!(
         "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most \
          {percent}% above the global minimum."
     );
-    if is_large { proven + unproven } else { proven }
+    if is_large { proven + " It is not proven that this film is the global minimum." } else { proven }
 }
 
 impl Certificate {
     /// Returns the certificate of a film with this area.
-    #[must_use]
-    pub fn of(found: &LowerBound, area: f64) -> Self {
-        let directions = if found.every_orientation {
-            "in whichever direction each loop is traversed".into()
-        } else {
-            format!("with the loops in the directions of the film ({})", directions(&found.reversed_loops))
-        };
-        let scope = format!(
-            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {directions}. \
-             Films without an orientation (Möbius bands) and films with triple junctions are not included."
-        );
+    ///
+    /// # Errors
+    /// [`Error::NoResult`] if the area is below the bound.
+    pub fn of(found: &LowerBound, area: f64) -> Result<Self, Error> {
+        let scope = "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, in \
+                     whichever direction each loop is traversed. Films without an orientation (Möbius bands) and films \
+                     with triple junctions are not included."
+            .into();
         let bound = found.area;
-        let gap = gap(area, bound);
+        let gap = gap(area, bound)?;
         let statement = match gap {
             // The percentage is rounded up, so that the statement stays true.
-            Some(gap) => statement(found, (gap * 1e5).ceil() / 1e3, gap > LARGE_GAP),
+            Some(gap) => statement(bound, (gap * 1e5).ceil() / 1e3, gap > LARGE_GAP),
             None => "No lower bound above 0 was found, so nothing is proven.".into(),
         };
-        Self {
+        Ok(Self {
             area_lower_bound: bound,
             gap,
-            every_orientation: found.every_orientation,
-            reversed_loops: (!found.every_orientation).then(|| found.reversed_loops.clone()),
             scope,
             seconds: found.seconds,
             iterations: found.iterations,
             tetrahedra: found.fields.iter().map(|field| field.tetrahedra.len()).sum(),
             orientations: found.fields.len(),
             statement,
-        }
+        })
     }
 }
 
@@ -159,6 +149,7 @@ struct Mirror {
 #[derive(Clone, Debug, Serialize)]
 struct Orientation<'a> {
     loops: Vec<Vec<Point>>,
+    free_loops: &'a [usize],
     area_lower_bound: f64,
     frame: Option<Frame>,
     r#box: [Point; 2],
@@ -177,7 +168,6 @@ struct Orientation<'a> {
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateDocument<'a> {
     area_lower_bound: f64,
-    every_orientation: bool,
     orientations: Vec<Orientation<'a>>,
 }
 
@@ -192,6 +182,7 @@ impl<'a> CertificateDocument<'a> {
         let mirror = |of: &lower_bound::Mirror| Mirror { axis: ['x', 'y', 'z'][of.axis], at: of.at, sign: of.sign };
         let orientation = |field: &'a Field| Orientation {
             loops: field.loops.iter().map(|points| points.iter().map(|p| p.to_array()).collect()).collect(),
+            free_loops: &field.free_loops,
             area_lower_bound: field.area_lower_bound,
             frame: field.axes.map(frame),
             r#box: field.corners.map(|corner| corner.to_array()),
@@ -205,10 +196,21 @@ impl<'a> CertificateDocument<'a> {
             half_spaces: field.half_spaces.iter().map(|direction| direction.to_array()).collect(),
             unconstrained: &field.unconstrained,
         };
-        Self {
-            area_lower_bound: found.area,
-            every_orientation: found.every_orientation,
-            orientations: found.fields.iter().map(orientation).collect(),
+        Self { area_lower_bound: found.area, orientations: found.fields.iter().map(orientation).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_area_below_its_bound_is_an_error_and_rounding_is_no_gap() {
+        assert_eq!(gap(1.02, 1.0).unwrap(), Some(1.02 - 1.0));
+        assert_eq!(gap(1.0 - 1e-9, 1.0).unwrap(), Some(0.0));
+        assert_eq!(gap(1.0, 0.0).unwrap(), None);
+        for area in [0.999_99, 0.0, f64::NAN] {
+            assert!(matches!(gap(area, 1.0), Err(Error::NoResult { reason: "internal", .. })), "{area}");
         }
     }
 }

@@ -5,10 +5,12 @@ use super::certificate::{CertifyOptions, Proof};
 #[cfg(feature = "certificates")]
 use super::proof;
 use crate::audit::comparison::Audit;
+use crate::audit::crossings::Crossings;
 use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Attribute;
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_film::minimal_surface::{self, StopReason};
+use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution, polyline};
 
 #[derive(Debug)]
@@ -31,14 +33,16 @@ impl solved::SolverInput for SolverInput {
         let Self { boundaries, options, certify } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
-        let mut statistics = MinimalStatistics::of(&surface.statistics, origin(&surface.mesh));
+        let crossings = Crossings::count(&surface.mesh, Order::Spatial, usize::MAX, &mut surface.warnings, exec)?;
+        let mut statistics = MinimalStatistics::of(&surface.statistics, crossings, origin(&surface.mesh));
         let mut proof = Proof::default();
         #[cfg(feature = "certificates")]
         if let Some(options) = *certify {
             let search = |exec: &Execution| proof::search(boundaries, &mut surface, options, &mut statistics, exec);
             proof = exec.part([share, 1.0], search)?;
         }
-        let reproducible = surface.statistics.stop_reason != StopReason::Deadline && !proof.interrupted;
+        let cut_short = proof.interrupted || crossings.cut_short;
+        let reproducible = surface.statistics.stop_reason != StopReason::Deadline && !cut_short;
         let statistics = to_json(&statistics)?;
         let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
         let centre = polyline::mean(&points);

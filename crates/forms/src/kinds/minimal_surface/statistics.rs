@@ -1,10 +1,10 @@
 //! Statistics of a minimal surface.
 
 use super::certificate::Certificate;
+use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, Point};
 use plateau_film::minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
 use plateau_mesh::measure::Spread;
-use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -33,7 +33,7 @@ pub struct SpanningTopology {
     /// Whether this topology was returned.
     pub chosen: bool,
     /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    /// Null if nothing is proven, and with more than six boundaries.
+    /// Null if nothing is proven.
     pub gap: Option<f64>,
 }
 
@@ -186,7 +186,7 @@ pub struct MinimalStatistics {
 
 impl MinimalStatistics {
     #[must_use]
-    pub fn of(statistics: &geometry::Statistics, origin: Point) -> Self {
+    pub(crate) fn of(statistics: &geometry::Statistics, crossings: Crossings, origin: Point) -> Self {
         let pinch = |pinch: &plateau_mesh::remesh::thin_triangles::Pinch| Pinch {
             iteration: pinch.iteration,
             place: pinch.place.to_array(),
@@ -223,8 +223,8 @@ impl MinimalStatistics {
             edges_swapped: statistics.edges_swapped,
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
             pinches: statistics.pinches.iter().map(pinch).collect(),
             spanning: statistics.spanning.as_ref().map(Into::into),
             junctions: statistics.junctions.as_ref().map(Into::into),

@@ -6,6 +6,7 @@ use crate::audit::edges::Edges;
 use crate::audit::figure::{Largest, Least, Measured, Sum};
 use crate::audit::points;
 use crate::audit::strip::{Figures, Rail, Strip, between};
+use crate::audit::surface::{Sides, corners};
 use plateau_archive::Lines;
 use plateau_archive::archive::BRIDGES;
 use plateau_mesh::DVec3;
@@ -47,6 +48,9 @@ impl SolverInput {
         );
         let rims = points::polylines(contents, "directrices");
         let edges = Edges::of(triangles, vertices.len());
+        if !audit.goes_on(triangles.len()) {
+            return;
+        }
         for rim in rims {
             let pairs = rim.windows(2).map(|pair| [pair[0], pair[1]]);
             let closing = self.options.closed.then(|| [rim[rim.len() - 1], rim[0]]);
@@ -88,6 +92,9 @@ impl SolverInput {
                 || differs.map_or_else(String::new, |t| format!("triangle {t} does not")),
             );
             let figures = strip.figures();
+            if !audit.goes_on(own.len()) {
+                return;
+            }
             self.compare_strip(audit, &pointer, &figures, own.len());
             add(&mut total, &figures);
         }
@@ -96,7 +103,7 @@ impl SolverInput {
             || "the strips have all bridges".into(),
             || format!("{first_bridge} of {}", bridges.len()),
         );
-        audit.equal("/triangles", first_triangle);
+        audit.equal("/triangles", triangles.len());
         let without_caps = self.options.caps == Caps::None;
         audit.require(
             !without_caps || first_triangle == triangles.len(),
@@ -105,7 +112,12 @@ impl SolverInput {
         );
         let Some(total) = total else { return };
         let convex = Measured::count(total.convex);
-        audit.figure("/area", total.area.measured());
+        let mut area = total.area;
+        for &triangle in &triangles[first_triangle..] {
+            let sides = Sides::of(corners(vertices, triangle));
+            area.add(0.5 * sides.double_area, 0.5 * audit.step * sides.perimeter);
+        }
+        audit.figure("/area", area.measured());
         audit.figure("/total_normal_twist", total.twist.measured());
         audit.figure("/convex_bridges", convex);
         audit.figure("/convex_bridge_ratio", ratio(convex, bridges.len()));

@@ -2,12 +2,19 @@
 
 use super::RuledStatistics;
 use crate::audit::comparison::Audit;
+use crate::audit::crossings::Crossings;
 use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
 use plateau_archive::Lines;
 use plateau_archive::archive::BRIDGES;
 use plateau_archive::archive::Contents;
+use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
+
+/// Largest number of triangles that are searched for self-intersections. A larger limit costs time: the search for a
+/// strip of least area visits a thousandth of its grid, and is quicker than the search for crossings from some ten
+/// thousand triangles on.
+const MOST_SEARCHED_TRIANGLES: usize = 200_000;
 
 #[derive(Debug)]
 pub(super) struct SolverInput {
@@ -18,8 +25,10 @@ pub(super) struct SolverInput {
 impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { directrices, options } = self;
-        let surface = ruled_surface::solve(directrices, options, exec)?;
-        let statistics = to_json(&RuledStatistics::of(&surface, options, origin(&surface.mesh)))?;
+        let mut surface = ruled_surface::solve(directrices, options, exec)?;
+        let (mesh, warned) = (&surface.mesh, &mut surface.warnings);
+        let crossings = Crossings::count(mesh, Order::AsGiven, MOST_SEARCHED_TRIANGLES, warned, exec)?;
+        let statistics = to_json(&RuledStatistics::of(&surface, options, crossings, origin(&surface.mesh)))?;
         let unrolls = surface.flat_pattern.is_some();
         let archive = archive(Contents {
             generator: generator(),
@@ -36,7 +45,7 @@ impl solved::SolverInput for SolverInput {
             unrolls,
             ..Contents::default()
         })?;
-        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
+        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible: !crossings.cut_short })
     }
 
     fn audit(&self, audit: &mut Audit) {

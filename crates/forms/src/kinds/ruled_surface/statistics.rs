@@ -1,7 +1,7 @@
 //! Statistics of strips.
 
+use crate::audit::crossings::Crossings;
 use crate::common::Point;
-use plateau_mesh::self_intersections::Skipped;
 use plateau_ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -55,9 +55,11 @@ pub struct RuledStatistics {
     pub objective: &'static str,
     /// Number of vertices of the mesh.
     pub vertices: usize,
+    /// Statistics of the whole surface. `triangles` and `area` are those of the mesh, caps included. All other figures
+    /// are those of the strips together.
     #[serde(flatten)]
     pub total: StripStatistics,
-    /// Statistics of each strip, in order.
+    /// Statistics of each strip, in order. Caps belong to none.
     pub strips: Vec<StripStatistics>,
     /// Null for closed strips, which cannot be unrolled.
     pub flat_pattern: Option<FlatPatternStatistics>,
@@ -108,7 +110,12 @@ impl From<&geometry::Statistics> for StripStatistics {
 
 impl RuledStatistics {
     #[must_use]
-    pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options, origin: Point) -> Self {
+    pub(crate) fn of(
+        surface: &geometry::RuledSurface,
+        options: &geometry::Options,
+        crossings: Crossings,
+        origin: Point,
+    ) -> Self {
         Self {
             origin,
             objective: options.objective.name(),
@@ -121,8 +128,8 @@ impl RuledStatistics {
                 width: pattern.width,
                 height: pattern.height,
             }),
-            self_intersections: surface.self_intersections.pairs,
-            self_intersections_skipped: surface.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
             reversed: surface.reversed.clone(),
             direction_decided_by: surface
                 .direction_decided_by

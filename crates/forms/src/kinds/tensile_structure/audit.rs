@@ -33,6 +33,9 @@ impl SolverInput {
             || format!("{layers} layers"),
         );
         let whole = Surface::of(vertices, triangles, audit.step);
+        if !audit.goes_on(triangles.len()) {
+            return;
+        }
         audit.figure("/area", whole.area.measured());
         let [smallest, largest] = whole.angles_deg();
         audit.figure("/angles_deg/min", smallest);
@@ -44,6 +47,9 @@ impl SolverInput {
             let own = triangles.get(first..first.saturating_add(count)).unwrap_or_default();
             first = first.saturating_add(count);
             let separate = (layers > 1).then(|| Surface::of(vertices, own, audit.step));
+            if !audit.goes_on(own.len()) {
+                return;
+            }
             let layer = separate.as_ref().unwrap_or(&whole);
             audit.figure(&format!("/layers/{k}/area"), layer.area.measured());
             flipped = [0, 1].map(|i| flipped[i] + layer.flipped[i]);

@@ -2,6 +2,7 @@
 
 use super::TensileStatistics;
 use crate::audit::comparison::Audit;
+use crate::audit::crossings::Crossings;
 use crate::solved::{
     self, Draft, Frame, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
 };
@@ -10,6 +11,7 @@ use plateau_archive::units::{ForceUnit, Unit};
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::minimal_surface::StopReason;
 use plateau_film::tensile_structure;
+use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{Error, Execution};
 
 #[derive(Debug)]
@@ -41,8 +43,9 @@ impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { structure, options, force } = self;
         let force = *force;
-        let found = tensile_structure::solve(structure, options, exec)?;
-        let statistics = to_json(&TensileStatistics::of(&found, structure, force, origin(&found.mesh)))?;
+        let mut found = tensile_structure::solve(structure, options, exec)?;
+        let crossings = Crossings::count(&found.mesh, Order::Spatial, usize::MAX, &mut found.warnings, exec)?;
+        let statistics = to_json(&TensileStatistics::of(&found, structure, force, crossings, origin(&found.mesh)))?;
         let forces = |values: Vec<f64>| Attribute::new("force", force.symbol(), values);
         let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
         for (cable, result) in structure.cables.iter().zip(&found.cables) {
@@ -68,7 +71,7 @@ impl solved::SolverInput for SolverInput {
             statistics: statistics.clone(),
             ..Contents::default()
         })?;
-        let reproducible = found.statistics.stop_reason != StopReason::Deadline;
+        let reproducible = found.statistics.stop_reason != StopReason::Deadline && !crossings.cut_short;
         Ok(Draft { statistics, warnings: warnings(found.warnings), archive, reproducible })
     }
 

@@ -1,10 +1,10 @@
 //! Statistics of a tensile structure.
 
+use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
 use plateau_film::tensile_structure::{self as geometry, Stability, Stress};
 use plateau_mesh::measure::Spread;
-use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -159,10 +159,11 @@ pub struct TensileStatistics {
 
 impl TensileStatistics {
     #[must_use]
-    pub fn of(
+    pub(crate) fn of(
         result: &geometry::TensileStructure,
         structure: &geometry::Structure,
         force: ForceUnit,
+        crossings: Crossings,
         origin: Point,
     ) -> Self {
         let statistics = &result.statistics;
@@ -248,8 +249,8 @@ impl TensileStatistics {
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::UniformStatistics;
 use crate::audit::comparison::Audit;
+use crate::audit::crossings::Crossings;
 use crate::solved::{self, Draft, Frame, archive, generator, origin, to_json, warnings};
 use plateau_archive::archive::Contents;
 use plateau_archive::{Attribute, LineSet, Lines};
+use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{Error, Execution};
 use plateau_uniform_mesh as uniform_mesh;
 
@@ -17,8 +19,13 @@ pub(super) struct SolverInput {
 impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
         let Self { domain, options } = self;
-        let solved = uniform_mesh::solve(domain, options, exec)?;
-        let statistics = to_json(&UniformStatistics::of(&solved, options, origin(&solved.mesh)))?;
+        let mut solved = uniform_mesh::solve(domain, options, exec)?;
+        let (mesh, warned) = (&solved.mesh, &mut solved.warnings);
+        let crossings = match domain {
+            uniform_mesh::Domain::Polygon { .. } => Crossings::count_in_plane(mesh, warned, exec)?,
+            _ => Crossings::count(mesh, Order::Spatial, usize::MAX, warned, exec)?,
+        };
+        let statistics = to_json(&UniformStatistics::of(&solved, options, crossings, origin(&solved.mesh)))?;
         // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
         let group = |name: &str, lattice: bool| {
             let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
@@ -39,7 +46,8 @@ impl solved::SolverInput for SolverInput {
             statistics: statistics.clone(),
             ..Contents::default()
         })?;
-        Ok(Draft { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
+        let reproducible = solved.converged && !crossings.cut_short;
+        Ok(Draft { statistics, warnings: warnings(solved.warnings), archive, reproducible })
     }
 
     fn audit(&self, audit: &mut Audit) {

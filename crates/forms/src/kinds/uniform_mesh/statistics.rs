@@ -1,8 +1,8 @@
 //! Statistics of a lattice.
 
+use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, Point};
 use plateau_mesh::measure::Spread;
-use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -142,7 +142,12 @@ pub struct UniformStatistics {
 
 impl UniformStatistics {
     #[must_use]
-    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, origin: Point) -> Self {
+    pub(crate) fn of(
+        mesh: &geometry::UniformMesh,
+        options: &geometry::Options,
+        crossings: Crossings,
+        origin: Point,
+    ) -> Self {
         let statistics = &mesh.statistics;
         let mut reasons = BTreeMap::new();
         for edge in &mesh.out_of_range {
@@ -173,8 +178,8 @@ impl UniformStatistics {
             out_of_range_edges: statistics.out_of_range_edges,
             out_of_range_reasons: reasons,
             out_of_range: listed.collect(),
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+            self_intersections: crossings.pairs,
+            self_intersections_skipped: crossings.skipped,
             converged: mesh.converged,
             surface: statistics.surface.map(Into::into),
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
