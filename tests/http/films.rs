@@ -184,7 +184,7 @@ async fn the_least_squares_have_a_tolerance_of_their_own() {
     let app = TestApp::start().await;
     let request = example("helicoid-liu-wang");
     let usual = solved(&app, &request, &json!({})).await;
-    assert_eq!((&usual["converged"], &usual["stop_reason"]), (&json!(true), &json!("step_length")));
+    assert_eq!((&usual["converged"], &usual["stop_reason"]), (&json!(true), &json!("gradient")));
     let of_the_area = solved(&app, &request, &json!({ "area_tolerance": 1e-12 })).await;
     assert_eq!(of_the_area["objective_value"], usual["objective_value"]);
     let sharper = solved(&app, &request, &json!({ "least_squares_tolerance": 1e-12 })).await;
