@@ -28,8 +28,8 @@ fn helicoid() -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     (boundary, error)
 }
 
-/// A part of a catenoid on which the ratio to an area minimiser is that of the paper. `docs/VALIDATION.md` has other
-/// parts.
+/// A part of a catenoid on which the ratio to an area minimiser is that of the paper. `docs/papers/liu-wang.md` has
+/// other parts.
 fn catenoid() -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     let b = 2.05;
     let boundary = rim(

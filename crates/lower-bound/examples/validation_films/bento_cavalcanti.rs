@@ -1,59 +1,30 @@
-//! Bento and Cavalcanti's Figs. 6 to 9, with their rules on and off.
+//! Pictures of Bento and Cavalcanti's Figs. 6 to 9: the last but one without their rules.
 
 use super::{Save, rings, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{InitialMesh, LinearSolver, Method, Options, PinkallPolthier, Resolution};
+use plateau_film::minimal_surface::{InitialMesh, Method, Options, PinkallPolthier, Resolution};
 use plateau_mesh::{DVec3, Mesh};
 use std::f64::consts::TAU;
 
 pub fn run_all(save: Save) {
-    println!(
-        "\n| rings, height | rules | linear solver | steps | stopped by | components | area | degenerate triangles |"
-    );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (name, height, degenerate_angle, steps) in [
         ("bento_cavalcanti_6", 12.0, Some(1f64.to_radians()), [1, 3, 6, 200]),
         ("bento_cavalcanti_7", 14.0, Some(1f64.to_radians()), [8, 16, 20, 200]),
         ("bento_cavalcanti_8", 14.0, None, [8, 16, 20, 200]),
     ] {
-        let options = |linear_solver, steps| Options {
+        let options = |steps| Options {
             method: Method::PinkallPolthier(PinkallPolthier {
                 area_tolerance: if degenerate_angle.is_none() { 0.0 } else { 1e-6 },
-                linear_solver,
                 degenerate_angle,
                 cut_necks: true,
+                ..PinkallPolthier::default()
             }),
             initial_mesh: InitialMesh::Rings,
             tolerance: 0.0,
             max_iterations: Some(steps),
             ..Options::new(Resolution::Triangles(576))
         };
-        for linear_solver in LinearSolver::ALL {
-            let statistics = run(&rings(&[0.0, height]), &options(linear_solver, 200)).statistics;
-            println!(
-                "| {height} | {} | {} | {} | {} | {} | {:.4} | {} |",
-                if degenerate_angle.is_some() { "on" } else { "off" },
-                linear_solver.name(),
-                statistics.iterations,
-                statistics.stop_reason.name(),
-                statistics.components,
-                statistics.area,
-                statistics.degenerate_triangles,
-            );
-        }
-        if degenerate_angle.is_none() {
-            let surface = run(&rings(&[0.0, height]), &options(LinearSolver::ConjugateGradients, 200));
-            let history = &surface.statistics.history;
-            let eliminated = history.iter().find(|row| row.phase != "conjugate_gradients").map(|row| row.iteration);
-            let rises = history.windows(2).filter(|pair| pair[1].area >= pair[0].area).count();
-            println!(
-                "rules off: elimination first at step {eliminated:?}; {rises} of {} steps do not lower the area; \
-                 at the end {:.9}",
-                history.len(),
-                surface.statistics.area
-            );
-        }
-        let meshes = steps.map(|steps| run(&rings(&[0.0, height]), &options(LinearSolver::Direct, steps)).mesh);
+        let meshes = steps.map(|steps| run(&rings(&[0.0, height]), &options(steps)).mesh);
         let titles = steps.map(|steps| if steps == 200 { String::from("end") } else { format!("step {steps}") });
         let pictures: Vec<Picture> =
             titles.into_iter().zip(&meshes).map(|(t, mesh)| Picture::shaded(t, mesh)).collect();
@@ -68,19 +39,7 @@ pub fn run_all(save: Save) {
             max_iterations: Some(steps),
             ..Options::new(Resolution::Triangles(1))
         };
-        let surface = run(std::slice::from_ref(&boundary), &options);
-        if steps == 200 {
-            let s = &surface.statistics;
-            println!(
-                "cut cylinder: {} triangles of {}, Euler characteristic {}, area {:.3}, {} pinches",
-                s.triangles,
-                mesh.triangles.len(),
-                s.euler_characteristic,
-                s.area,
-                s.pinches.len()
-            );
-        }
-        pictures.push((format!("step {steps}"), surface.mesh));
+        pictures.push((format!("step {steps}"), run(std::slice::from_ref(&boundary), &options).mesh));
     }
     let pictures: Vec<Picture> = pictures.iter().map(|(title, mesh)| Picture::shaded(title, mesh)).collect();
     save("bento_cavalcanti_9", &pictures);

@@ -1,9 +1,9 @@
-//! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning
-//! topologies, triple junctions, lower bounds.
+//! The pictures of docs/papers and docs/VALIDATION.md on films, and the tables of the latter on triple junctions and
+//! lower bounds. The tables of docs/papers are printed by benches/papers/tables.py.
 //!
 //! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files
-//! there and prints the tables. A word behind the folder selects a part: `liu-wang`, `lower-bounds` (the gaps for three
-//! budgets) or `proven-range` (the plot of two rings).
+//! there and prints the tables. A word behind the folder selects a part: `lower-bounds` (the gaps for three budgets) or
+//! `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
 #[path = "../../../film/tests/boundaries/mod.rs"]
@@ -30,7 +30,6 @@ fn main() {
         }
     };
     match std::env::args().nth(2).as_deref() {
-        Some("liu-wang") => return liu_wang::run_all(&save),
         Some("lower-bounds") => return lower_bounds::run_all(),
         Some("proven-range") => return lower_bounds::plot_rings(&folder),
         _ => {}
