@@ -1,5 +1,6 @@
-//! Checks that every file that a document names exists, and that every link leads to a file and a heading: README files,
-//! everything in `docs` and the comments of migrations. The changelog is left out, because it may name what is gone.
+//! Checks that every file that a document names exists, and that every link leads to a file and a heading: README
+//! files, everything in `docs` and the comments of migrations. The changelog is left out, because it may name what is
+//! gone.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -209,7 +210,8 @@ fn a_link_that_leads_nowhere_is_found() {
         "src" | "docs/b.svg" => Some(String::new()),
         _ => None,
     };
-    let right = "[a](../docs/a.md#how-far-at-most-x) [b](#a) ![b](b.svg) [c](https://example.org/c.md) [d](../src) f(x)[1](no link";
+    let right = "[a](../docs/a.md#how-far-at-most-x) [b](#a) ![b](b.svg) [c](https://example.org/c.md) [d](../src) \
+                 f(x)[1](no link";
     assert_eq!(broken("docs/a.md", right, &read), Vec::<String>::new());
     for wrong in ["c.md", "a.md#how-far", "#b", "../b.svg"] {
         assert_eq!(broken("docs/a.md", &format!("[x]({wrong})"), &read), [format!("docs/a.md links to {wrong}")]);
