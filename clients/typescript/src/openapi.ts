@@ -528,7 +528,10 @@ export interface components {
             point: number;
         };
         /**
-         * @description Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
+         * @description Sampling of the boundary: whether points may be added on its segments.
+         *
+         *     - `refine`: Points are added on long segments, so that the mesh is as fine there as inside.
+         *     - `keep`: Only the polygon's vertices are used, as in the papers.
          * @enum {string}
          */
         BoundarySampling: "refine" | "keep";
@@ -827,7 +830,15 @@ export interface components {
             /** @description True until the message has been delivered or given up. */
             pending: boolean;
         };
-        /** @enum {string} */
+        /**
+         * @description The caps at the ends of a closed stack.
+         *
+         *     - `none`: The ends stay open.
+         *     - `flat`: Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that
+         *     is off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the
+         *     warning `projected`.
+         * @enum {string}
+         */
         Caps: "none" | "flat";
         /**
          * @description A proven lower bound of the area of all oriented surfaces with this boundary, in whichever direction they run along
@@ -999,7 +1010,13 @@ export interface components {
          * @enum {string}
          */
         DeliveryOutcome: "delivered" | "unwanted" | "failed" | "given_up";
-        /** @enum {string} */
+        /**
+         * @description Whether a directrix may be run through backwards.
+         *
+         *     - `as_given`: Each directrix runs as given.
+         *     - `auto`: Each directrix but the first is reversed where it runs against the one before it.
+         * @enum {string}
+         */
         Direction: "as_given" | "auto";
         /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
         Domain: {
@@ -1029,8 +1046,9 @@ export interface components {
              * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
              */
             lowest_eigenvalue: number;
+            /** @description Number of negative eigenvalues of the second variation. */
             morse_index: number;
-            /** @description Whether the Morse index is 0: a true local minimum. */
+            /** @description Whether the Morse index is 0: a true local minimum of the energy. */
             stable: boolean;
         };
         /** @description An example request. */
@@ -1049,13 +1067,17 @@ export interface components {
             name: string;
             title: string;
         };
-        /** @description Area of the smooth surface on the same polygon, extrapolated from two resolutions. */
+        /** @description Area of the smooth surface on the same polygon, extrapolated from two resolutions to edges of length zero. */
         ExtrapolatedArea: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Extrapolated area, in u².
+             */
             area: number;
             /**
              * Format: double
-             * @description Estimate of the error of that area.
+             * @description Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
+             *     corner.
              */
             error_estimate: number;
         };
@@ -1066,7 +1088,7 @@ export interface components {
             /** @description JSON Pointer (RFC 6901) to the offending value. */
             pointer: string;
         };
-        /** @description Principal stresses of the film. */
+        /** @description Principal stresses of the film over all triangles. */
         FilmStress: {
             /**
              * Format: double
@@ -1074,11 +1096,17 @@ export interface components {
              *     length. With warp and weft that of their stresses from those required at the same place.
              */
             deviation: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest principal stress.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest principal stress, a force per length.
+             */
             min: number;
-            /** @description Null for an isotropic tension. */
+            /** @description Stresses along warp and weft; nothing for an isotropic tension. */
             weave: components["schemas"]["WeaveStress"] | null;
         };
         /** @description Quality of the strips' flat pattern. */
@@ -1167,13 +1195,21 @@ export interface components {
             plane?: components["schemas"]["PlaneGuide"];
             sphere?: components["schemas"]["SphereGuide"];
         };
-        /** @description One iteration of the solver. */
+        /** @description The record of an iteration of the solver. */
         HistoryRow: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area after it, in u².
+             */
             area: number;
+            /** @description The number of the iteration, from 1. */
             iteration: number;
+            /** @description The solver's phase. */
             phase: string;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Residual after it.
+             */
             residual: number;
         };
         /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
@@ -1310,10 +1346,17 @@ export interface components {
         };
         /** @description Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin. */
         LengthHistogram: {
+            /** @description Number of edges in each bin. */
             counts: number[];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest length that bin 0 counts.
+             */
             from: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Width of a bin.
+             */
             width: number;
         };
         /**
@@ -1367,8 +1410,10 @@ export interface components {
             values: number[];
         };
         /**
-         * @description Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
-         *     gradients do not converge.
+         * @description Method by which Pinkall and Polthier's linear systems are solved.
+         *
+         *     - `direct`: Elimination (L D Lᵀ) for every system.
+         *     - `conjugate_gradients`: Conjugate gradients, and elimination only where they do not converge (Bento, Cavalcanti).
          * @enum {string}
          */
         LinearSolver: "direct" | "conjugate_gradients";
@@ -1433,12 +1478,22 @@ export interface components {
          * @enum {string}
          */
         MastMode: "length" | "force";
+        /** @description Mean curvature over the vertices that are free to move, in 1/unit. */
         MeanCurvature: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The largest.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The mean.
+             */
             mean: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The root of the mean square.
+             */
             rms: number;
         };
         /** @description A mesh in the axes and the unit of its request. */
@@ -1903,8 +1958,10 @@ export interface components {
             objectives: components["schemas"]["Objective"][];
         };
         /**
-         * @description Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
-         *     along its most unstable mode.
+         * @description Treatment of a stationary surface that is not a local minimum.
+         *
+         *     - `report`: Return it with a warning.
+         *     - `descend`: Leave it along its most unstable mode and continue to a minimum.
          * @enum {string}
          */
         OnUnstable: "report" | "descend";
@@ -1979,7 +2036,11 @@ export interface components {
             type: string;
         };
         /**
-         * @description A process of vertex relaxation.
+         * @description A process of Chen, Cai and Zheng's relaxation.
+         *
+         *     - `laplacian_fairing`: Every interior vertex moves at once to the area-weighted mean of its neighbours.
+         *     - `area_minimising`: The vertices move one after the other, each towards the least area of its triangles.
+         *     - `edge_swapping`: Edges are flipped where that lowers the area.
          * @enum {string}
          */
         Process: "laplacian_fairing" | "area_minimising" | "edge_swapping";
@@ -2021,8 +2082,10 @@ export interface components {
             triangles?: number;
         };
         /**
-         * @description `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
-         *     in the paper.
+         * @description Lengths that members outside the lattice group may take while the nodes move.
+         *
+         *     - `bounded`: They stay in [ℓ, 2ℓ] wherever that is possible.
+         *     - `free`: They may take any length, as in the paper.
          * @enum {string}
          */
         Rim: "bounded" | "free";
@@ -2334,6 +2397,9 @@ export interface components {
         SamplingRule: "parameter" | "arc_length" | "chord_height";
         /**
          * @description Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+         *
+         *     - `minimal_bending_energy`: The bending energy at these bridges.
+         *     - `minimal_mean_curvature_variation`: The steps of the mean curvature vector that enter these bridges.
          * @enum {string}
          */
         SecondaryObjective: "minimal_bending_energy" | "minimal_mean_curvature_variation";
@@ -2349,6 +2415,7 @@ export interface components {
              * @description The same difference before the nodes moved.
              */
             deviation_before: number;
+            /** @description Number of different lengths. */
             lengths: number;
         };
         /** @description A support without friction. What slides is exactly one of `along`, `boundary` and `point`. */
@@ -2417,15 +2484,27 @@ export interface components {
             /** Format: double */
             radius: number;
         };
-        /** @description Minimum, mean, maximum and standard deviation. */
+        /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
         Spread: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The mean.
+             */
             mean: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The least value.
+             */
             min: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Standard deviation of the whole population.
+             */
             std_dev: number;
         };
         /** @description Second variation of area under normal motion. */
@@ -2435,13 +2514,22 @@ export interface components {
              * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
              */
             lowest_eigenvalue: number;
-            /** @description Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0). */
-            method: string;
+            /** @description Method that gave the index. */
+            method: components["schemas"]["StabilityMethod"];
             /** @description Number of negative eigenvalues. */
             morse_index: number;
             /** @description Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. */
             stable: boolean;
         };
+        /**
+         * @description Method that gave a Morse index.
+         *
+         *     - `inertia`: From the signs of the pivots of a factorisation, which is exact.
+         *     - `eigenvalue`: From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
+         *     large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0.
+         * @enum {string}
+         */
+        StabilityMethod: "inertia" | "eigenvalue";
         /** @description One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1. */
         Stage: {
             all: components["schemas"]["StageGroup"];
@@ -2474,15 +2562,22 @@ export interface components {
          * @enum {string}
          */
         Status: "queued" | "running" | "succeeded" | "failed" | "cancelled";
+        /** @description Smallest, largest and mean value over the film's area. */
         StressRange: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The largest value.
+             */
             max: number;
             /**
              * Format: double
              * @description Mean over the area.
              */
             mean: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description The least value.
+             */
             min: number;
         };
         /**
@@ -2950,10 +3045,10 @@ export interface components {
         /** @enum {string} */
         UniformMeshKind: "uniform_mesh";
         /**
-         * @description Quantity that is optimised. `GET /v1/objectives` has the formulas.
+         * @description Quantity that is optimised.
          *
-         *     - `fewest_nodes`: As few nodes as possible.
-         *     - `most_equal_edges`: As many members of the edge length as possible.
+         *     - `fewest_nodes`: Problem 1 of the paper: as few nodes as possible, every edge in [ℓ, 2ℓ].
+         *     - `most_equal_edges`: Problem 2 of the paper: as many edges of length ℓ as possible, every other edge in [ℓ, 2ℓ].
          * @enum {string}
          */
         UniformMeshObjective: "fewest_nodes" | "most_equal_edges";
@@ -3156,7 +3251,7 @@ export interface components {
          *
          *     - `ratio`: Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
          *     - `magnitudes`: Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
-         *     from them, and the job has the warning `stress_deviates`.
+         *     from them, with the warning `stress_deviates`.
          * @enum {string}
          */
         WeaveHold: "ratio" | "magnitudes";
@@ -3164,10 +3259,11 @@ export interface components {
         WeaveStress: {
             /**
              * Format: double
-             * @description Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
-             *     job has the warning `stress_deviates`.
+             * @description Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 there
+             *     is the warning `stress_deviates`.
              */
             deviation_rms: number;
+            /** @description The prescribed quantity of the stresses. */
             hold: components["schemas"]["WeaveHold"];
             /** @description Stress of the weft over that of the warp. */
             ratio: components["schemas"]["StressRange"];
@@ -3176,9 +3272,14 @@ export interface components {
              * @description Root mean square over the area of ratio / required ratio - 1.
              */
             ratio_deviation_rms: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Ratio of the stresses that were asked for.
+             */
             required_ratio: number;
+            /** @description The stress along the warp. */
             warp: components["schemas"]["StressRange"];
+            /** @description The stress along the weft. */
             weft: components["schemas"]["StressRange"];
         };
         /** @description The sum of the named objectives times their weights. */

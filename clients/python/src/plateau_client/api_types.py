@@ -8,7 +8,10 @@ if TYPE_CHECKING:
     from typing_extensions import NotRequired
 
 BoundarySampling = Literal['refine', 'keep']
-"""Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices."""
+"""Sampling of the boundary: whether points may be added on its segments.
+
+- `refine`: Points are added on long segments, so that the mesh is as fine there as inside.
+- `keep`: Only the polygon's vertices are used, as in the papers."""
 CableMode = Literal['force', 'end_tension', 'horizontal_component', 'force_density', 'length', 'unstressed_length', 'sag']
 """Quantity of a cable that is held constant.
 
@@ -26,12 +29,22 @@ Cache = Literal['reuse', 'bypass']
 - `reuse`: Return a stored result if there is one, and store this one for later requests.
 - `bypass`: Solve again, and do not store the result for later requests."""
 Caps = Literal['none', 'flat']
+"""The caps at the ends of a closed stack.
+
+- `none`: The ends stay open.
+- `flat`: Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that
+is off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the
+warning `projected`."""
 Certify = Union[bool, "CertifyOptions"]
 """Whether and how to prove a lower bound of the area."""
 DeliveryOutcome = Literal['delivered', 'unwanted', 'failed', 'given_up']
 """How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
 will be repeated, and `given_up` if it was the last."""
 Direction = Literal['as_given', 'auto']
+"""Whether a directrix may be run through backwards.
+
+- `as_given`: Each directrix runs as given.
+- `auto`: Each directrix but the first is reversed where it runs against the one before it."""
 ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
 """Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area."""
 Goal = Union["RuledSurfaceObjective", "WeightedSum"]
@@ -43,8 +56,10 @@ Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob", "TensileSt
 Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh', 'tensile_structure', 'cable_net']
 """Kind of a request."""
 LinearSolver = Literal['direct', 'conjugate_gradients']
-"""Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
-gradients do not converge."""
+"""Method by which Pinkall and Polthier's linear systems are solved.
+
+- `direct`: Elimination (L D Lᵀ) for every system.
+- `conjugate_gradients`: Conjugate gradients, and elimination only where they do not converge (Bento, Cavalcanti)."""
 MadeMesh = Literal['auto', 'planar', 'disk', 'rings', 'barycentres']
 """Construction of the initial mesh. The statistics name the construction that `auto` chose.
 
@@ -62,8 +77,10 @@ MinimalSurfaceKind = Literal['minimal_surface']
 MinimalSurfaceObjective = Literal['minimal_area', 'minimal_dirichlet_energy', 'minimal_mean_curvature']
 """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
 OnUnstable = Literal['report', 'descend']
-"""Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
-along its most unstable mode."""
+"""Treatment of a stationary surface that is not a local minimum.
+
+- `report`: Return it with a warning.
+- `descend`: Leave it along its most unstable mode and continue to a minimum."""
 Optimise = Literal['nodes', 'lengths']
 """`nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
 members to at most `max_distinct_lengths` lengths."""
@@ -74,14 +91,20 @@ Polygon = Sequence["Point"]
 Polyline = Sequence["Point"]
 """Points in order."""
 Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
-"""A process of vertex relaxation."""
+"""A process of Chen, Cai and Zheng's relaxation.
+
+- `laplacian_fairing`: Every interior vertex moves at once to the area-weighted mean of its neighbours.
+- `area_minimising`: The vertices move one after the other, each towards the least area of its triangles.
+- `edge_swapping`: Edges are flipped where that lowers the area."""
 ProcessStage = Union["Process", Sequence["Process"]]
 """One process, or several that take turns."""
 RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind", "CableNetRequestWithKind"]
 """A request that names its kind."""
 Rim = Literal['bounded', 'free']
-"""`bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
-in the paper."""
+"""Lengths that members outside the lattice group may take while the nodes move.
+
+- `bounded`: They stay in [ℓ, 2ℓ] wherever that is possible.
+- `free`: They may take any length, as in the paper."""
 RuledSurfaceKind = Literal['ruled_surface']
 RuledSurfaceObjective = Literal['minimal_area', 'minimal_twist', 'maximal_convexity', 'minimal_bending_energy', 'minimal_mean_curvature_variation', 'minimal_normal_variation']
 """Quantity that is minimised. `GET /v1/objectives` has the formulas.
@@ -91,13 +114,22 @@ SamplingRule = Literal['parameter', 'arc_length', 'chord_height']
 """`parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
 polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`."""
 SecondaryObjective = Literal['minimal_bending_energy', 'minimal_mean_curvature_variation']
-"""Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex."""
+"""Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+
+- `minimal_bending_energy`: The bending energy at these bridges.
+- `minimal_mean_curvature_variation`: The steps of the mean curvature vector that enter these bridges."""
 Solver = Literal['auto', 'vertex_relaxation', 'pinkall_polthier', 'newton']
 """Method that minimises the area. `auto` chooses the best of the others for the request.
 
 - `vertex_relaxation`: Chen, Cai, Zheng.
 - `pinkall_polthier`: Bento, Cavalcanti.
 - `newton`: Newton's method in normal heights, which also gives the Morse index."""
+StabilityMethod = Literal['inertia', 'eigenvalue']
+"""Method that gave a Morse index.
+
+- `inertia`: From the signs of the pivots of a factorisation, which is exact.
+- `eigenvalue`: From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
+large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0."""
 Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
 """State of a job. `succeeded`, `failed` and `cancelled` are final."""
 TensileStructureKind = Literal['tensile_structure']
@@ -106,10 +138,10 @@ Topology = Literal['fixed', 'free', 'best']
 and returns the surface of least area."""
 UniformMeshKind = Literal['uniform_mesh']
 UniformMeshObjective = Literal['fewest_nodes', 'most_equal_edges']
-"""Quantity that is optimised. `GET /v1/objectives` has the formulas.
+"""Quantity that is optimised.
 
-- `fewest_nodes`: As few nodes as possible.
-- `most_equal_edges`: As many members of the edge length as possible."""
+- `fewest_nodes`: Problem 1 of the paper: as few nodes as possible, every edge in [ℓ, 2ℓ].
+- `most_equal_edges`: Problem 2 of the paper: as many edges of length ℓ as possible, every other edge in [ℓ, 2ℓ]."""
 Units = Literal['mm', 'cm', 'm', 'in', 'ft']
 """Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
 unit."""
@@ -120,7 +152,7 @@ WeaveHold = Literal['ratio', 'magnitudes']
 
 - `ratio`: Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
 - `magnitudes`: Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
-from them, and the job has the warning `stress_deviates`."""
+from them, with the warning `stress_deviates`."""
 
 
 Along = TypedDict("Along", {"boundary": "NotRequired[int]", "from": "int", "to": "int"})
@@ -534,8 +566,9 @@ class EquilibriumStability(TypedDict):
     lowest_eigenvalue: float
     """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
     morse_index: int
+    """Number of negative eigenvalues of the second variation."""
     stable: bool
-    """Whether the Morse index is 0: a true local minimum."""
+    """Whether the Morse index is 0: a true local minimum of the energy."""
 
 
 class Example(TypedDict):
@@ -558,10 +591,12 @@ class ExampleSummary(TypedDict):
 
 
 class ExtrapolatedArea(TypedDict):
-    """Area of the smooth surface on the same polygon, extrapolated from two resolutions."""
+    """Area of the smooth surface on the same polygon, extrapolated from two resolutions to edges of length zero."""
     area: float
+    """Extrapolated area, in u²."""
     error_estimate: float
-    """Estimate of the error of that area."""
+    """Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
+    corner."""
 
 
 class FieldError(TypedDict):
@@ -573,14 +608,16 @@ class FieldError(TypedDict):
 
 
 class FilmStress(TypedDict):
-    """Principal stresses of the film."""
+    """Principal stresses of the film over all triangles."""
     deviation: float
     """Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
     length. With warp and weft that of their stresses from those required at the same place."""
     max: float
+    """Largest principal stress."""
     min: float
+    """Smallest principal stress, a force per length."""
     weave: Optional[WeaveStress]
-    """Null for an isotropic tension."""
+    """Stresses along warp and weft; nothing for an isotropic tension."""
 
 
 class FlatPatternStatistics(TypedDict):
@@ -644,11 +681,15 @@ class Guide(TypedDict):
 
 
 class HistoryRow(TypedDict):
-    """One iteration of the solver."""
+    """The record of an iteration of the solver."""
     area: float
+    """Area after it, in u²."""
     iteration: int
+    """The number of the iteration, from 1."""
     phase: str
+    """The solver's phase."""
     residual: float
+    """Residual after it."""
 
 
 class JobError(TypedDict):
@@ -839,9 +880,13 @@ class MastForce(TypedDict):
 
 
 class MeanCurvature(TypedDict):
+    """Mean curvature over the vertices that are free to move, in 1/unit."""
     max: float
+    """The largest."""
     mean: float
+    """The mean."""
     rms: float
+    """The root of the mean square."""
 
 
 class Mesh(TypedDict):
@@ -1497,6 +1542,7 @@ class SharedLengths(TypedDict):
     deviation_before: float
     """The same difference before the nodes moved."""
     lengths: int
+    """Number of different lengths."""
 
 
 class SlidingSupport(TypedDict):
@@ -1546,19 +1592,23 @@ class SphereGuide(TypedDict):
 
 
 class Spread(TypedDict):
-    """Minimum, mean, maximum and standard deviation."""
+    """Minimum, mean, maximum and standard deviation (of the whole population) of a list of values."""
     max: float
+    """The largest value."""
     mean: float
+    """The mean."""
     min: float
+    """The least value."""
     std_dev: float
+    """Standard deviation of the whole population."""
 
 
 class Stability(TypedDict):
     """Second variation of area under normal motion."""
     lowest_eigenvalue: float
     """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
-    method: str
-    """Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0)."""
+    method: StabilityMethod
+    """Method that gave the index."""
     morse_index: int
     """Number of negative eigenvalues."""
     stable: bool
@@ -1589,10 +1639,13 @@ class StageGroup(TypedDict):
 
 
 class StressRange(TypedDict):
+    """Smallest, largest and mean value over the film's area."""
     max: float
+    """The largest value."""
     mean: float
     """Mean over the area."""
     min: float
+    """The least value."""
 
 
 class StripStatistics(TypedDict):
@@ -2069,16 +2122,20 @@ class WarpDirection(TypedDict):
 class WeaveStress(TypedDict):
     """Stresses along warp and weft."""
     deviation_rms: float
-    """Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
-    job has the warning `stress_deviates`."""
+    """Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 there
+    is the warning `stress_deviates`."""
     hold: WeaveHold
+    """The prescribed quantity of the stresses."""
     ratio: StressRange
     """Stress of the weft over that of the warp."""
     ratio_deviation_rms: float
     """Root mean square over the area of ratio / required ratio - 1."""
     required_ratio: float
+    """Ratio of the stresses that were asked for."""
     warp: StressRange
+    """The stress along the warp."""
     weft: StressRange
+    """The stress along the weft."""
 
 
 class WeightedSum(TypedDict):
