@@ -200,7 +200,8 @@ pub struct JobsConfig {
     /// Time that a solver has to end after a cancel or its deadline. A solver that has not ended by then has a defect: its job
     /// fails with the type `unresponsive`, and its thread is given up and replaced.
     pub unresponsive_ms: u64,
-    /// Number of given-up threads at which the process ends with the exit status 1, so that it is started anew.
+    /// Number of given-up threads at which the process ends with the exit status 1, so that it is started anew. At
+    /// least 1.
     pub unresponsive_max: usize,
     /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
@@ -464,6 +465,7 @@ impl Config {
             ("webhooks.timeout_ms", self.webhooks.timeout_ms),
             ("webhooks.retry_ms", self.webhooks.retry_ms),
             ("limits.iterations", u64::from(self.limits.iterations)),
+            ("jobs.unresponsive_max", self.jobs.unresponsive_max as u64),
         ];
         if let Some((name, _)) = at_least_one.iter().find(|(_, value)| *value == 0) {
             return Err(format!("{name} must be at least 1"));

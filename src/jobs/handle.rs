@@ -98,7 +98,7 @@ impl Jobs {
     /// Whether so many solvers do not answer that the process must be started anew.
     #[must_use]
     pub fn has_too_many_unresponsive(&self) -> bool {
-        self.unresponsive() >= self.0.config.jobs.unresponsive_max.max(1)
+        self.unresponsive() >= self.0.config.jobs.unresponsive_max
     }
 
     #[must_use]

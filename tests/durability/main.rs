@@ -6,6 +6,7 @@ mod cluster;
 mod hold;
 mod instances;
 mod kills;
+mod lists;
 mod outages;
 #[path = "../postgres/mod.rs"]
 mod postgres;

@@ -105,9 +105,10 @@ async fn a_configuration_that_cannot_start_fails_its_check_and_names_the_setting
     let [file, keys] = [&file, &keys].map(|path| path.to_str().unwrap());
     let below_file = format!("{file}/data");
     type Case<'a> = (&'a [&'a str], &'a [(&'a str, &'a str)], &'a str);
-    let cases: [Case; 12] = [
+    let cases: [Case; 13] = [
         (&["--listen", "0.0.0.0:0"], &[], "http.listen"),
         (&["worker", "--workers", "0"], &[], "jobs.workers"),
+        (&[], &[("PLATEAU_JOBS__UNRESPONSIVE_MAX", "0")], "jobs.unresponsive_max"),
         (&["mcp"], &[("PLATEAU_AUTH__KEYS_FILE", keys)], "auth.keys"),
         (&[], &[("PLATEAU_AUTH__KEYS_FILE", file)], "auth.keys_file"),
         (&[], &[("PLATEAU_AUTH__KEYS_FILE", "/nowhere")], "auth.keys_file"),

@@ -35,6 +35,7 @@ mod mcp;
 mod memory;
 mod meshes;
 mod openapi;
+mod operations;
 mod pairs;
 #[path = "../postgres/mod.rs"]
 mod postgres;

@@ -143,7 +143,8 @@ impl Drop for Postgres {
     }
 }
 
-fn binaries() -> Option<PathBuf> {
+/// Returns the folder of PostgreSQL's programs.
+pub fn binaries() -> Option<PathBuf> {
     let has_initdb = |folder: &PathBuf| folder.join("initdb").exists();
     let chosen = std::env::var_os("PLATEAU_POSTGRES_BIN").map(PathBuf::from);
     let mut debian: Vec<PathBuf> = fs::read_dir("/usr/lib/postgresql")
