@@ -68,6 +68,7 @@ use outcome::finish;
 use plateau_mesh::complex::has_junctions;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
+use plateau_mesh::remesh::isotropic::BoundaryEdges;
 use plateau_mesh::{DVec3, Error, Execution, Place};
 use request::Input;
 use run::Run;
@@ -185,7 +186,11 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
         }
         Method::Newton(Newton { on_unstable, .. }) => {
             let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
-            let task = default_solver::Task { limits, on_unstable: *on_unstable, given, may_widen };
+            let boundary_edges = match options.boundary_sampling {
+                BoundarySampling::Keep => BoundaryEdges::Kept,
+                BoundarySampling::Refine => BoundaryEdges::Refined,
+            };
+            let task = default_solver::Task { limits, on_unstable: *on_unstable, given, may_widen, boundary_edges };
             default_solver::run(film, task, exec)
         }
     }

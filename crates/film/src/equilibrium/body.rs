@@ -4,7 +4,7 @@ use super::constraint::{Constraint, ConstraintState, Determined, least_squares_m
 use super::freedom::{Freedom, Support};
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
 use super::residual::residual;
-use super::stability::{self, Unknown};
+use super::stability::{self, Unknown, WithMargin};
 use crate::energy::{Area, Term};
 use glam::DMat3;
 use plateau_mesh::complex::{Complex, VertexKind};
@@ -245,7 +245,7 @@ impl Body {
                     let (outcome, state) = iterate(&mut vertices, &motion, &mut direct, &round, exec, &mut count);
                     let solved = outcome == Outcome::Converged;
                     let analysed = if solved {
-                        stability::analyse(&vertices, &motion, &state, &mut direct, exec)
+                        stability::analyse(&vertices, &motion, &state, &mut direct, WithMargin::No, exec)
                     } else {
                         Ok(None)
                     };

@@ -361,7 +361,8 @@ mod tests {
         let settings = Settings { aim: Aim::Stationary, tolerance: 1e-9, max_steps: 20 };
         let (outcome, saddle) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
         assert_eq!(outcome, Outcome::Converged);
-        let variation = stability::analyse(&at, &motion, &saddle, &mut direct, &exec).unwrap().unwrap();
+        let variation =
+            stability::analyse(&at, &motion, &saddle, &mut direct, stability::WithMargin::No, &exec).unwrap().unwrap();
         assert_eq!(variation.morse_index, 1);
         let largest = variation.lowest.vector.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
         at = motion.moved(&at, &saddle, &variation.lowest.vector, 0.05 / largest);

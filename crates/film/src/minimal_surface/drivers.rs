@@ -3,3 +3,4 @@
 pub(super) mod best_topology;
 pub(super) mod free_topology;
 pub(super) mod nested;
+mod sets;

@@ -12,13 +12,15 @@
 
 use super::run::ExtrapolatedArea;
 use crate::equilibrium::NormalMotion;
-use crate::equilibrium::newton::{Aim, Outcome, Settings, iterate};
+use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
+use crate::equilibrium::stability::{Margin, stretching};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 use plateau_mesh::remesh::subdivision::subdivide;
-use plateau_mesh::sparse::multigrid::{Hierarchy, parents_of};
+use plateau_mesh::sparse::multigrid::{Hierarchy, parents_of, prolong};
 use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::sparse::{CgFailure, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::f64::consts::{PI, TAU};
 
@@ -26,6 +28,9 @@ use std::f64::consts::{PI, TAU};
 const TOLERANCE: f64 = 1e-3;
 /// Largest number of Newton steps on the finer mesh.
 const MAX_STEPS: u32 = 6;
+/// Fraction of their right-hand side to which the linear systems of a margin are solved. The error of the margin is
+/// about its square.
+const MARGIN_SOLVES: f64 = 1e-3;
 
 /// A boundary vertex where the film's angle exceeds 180 degrees by more than this (radians) is a re-entrant corner. The
 /// vertices of a smooth curve that is sampled with a dozen points or more stay below it.
@@ -45,17 +50,27 @@ pub(in crate::minimal_surface) fn order(film: &Film) -> f64 {
     if widest > PI + RE_ENTRANT { TAU / widest } else { 2.0 }
 }
 
-impl ExtrapolatedArea {
+/// The film with every edge halved.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::minimal_surface) struct Finer {
+    pub area: ExtrapolatedArea,
+    /// Its [`Margin`], if it is asked for.
+    pub margin: Option<f64>,
+}
+
+impl Finer {
     /// Halves the edges of a converged stable film, corrects that mesh, and extrapolates. The top level of `hierarchy`
-    /// is the second variation at the film. `None` if the finer mesh cannot be corrected in a few steps.
+    /// is the second variation at the film. `motion` is that of the film's margin, where the finer film's is wanted.
+    /// `None` if the finer mesh cannot be corrected in a few steps.
     ///
     /// # Errors
     /// The interruption.
-    pub(in crate::minimal_surface) fn of(
+    pub fn of(
         film: &Film,
         pattern: &Pattern,
         hierarchy: &Hierarchy,
         radius: f64,
+        motion: Option<&[f64]>,
         exec: &Execution,
     ) -> Result<Option<Self>, Interruption> {
         exec.look(4 * film.triangles().len() as u64)?;
@@ -64,14 +79,52 @@ impl ExtrapolatedArea {
         let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
         let mut steps = VCycleSteps { hierarchy, parents, matrix: finer.matrix() };
         let settings = Settings { aim: Aim::Minimum, tolerance: TOLERANCE, max_steps: MAX_STEPS };
-        let motion = NormalMotion { pattern: &finer, triangles: fine.topology.triangles(), radius };
-        let (outcome, state) = iterate(&mut fine.vertices, &motion, &mut steps, &settings, exec, &mut |_, _| {});
+        let equations = NormalMotion { pattern: &finer, triangles: fine.topology.triangles(), radius };
+        let (outcome, state) = iterate(&mut fine.vertices, &equations, &mut steps, &settings, exec, &mut |_, _| {});
         match outcome {
-            Outcome::Converged => Ok(Some(Self::new(film.area(), state.energy, order(film)))),
-            Outcome::Interrupted(interruption) => Err(interruption),
-            Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => Ok(None),
+            Outcome::Converged => {}
+            Outcome::Interrupted(interruption) => return Err(interruption),
+            Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => return Ok(None),
         }
+        let margin = match motion {
+            Some(motion) => {
+                let VCycleSteps { parents, mut matrix, .. } = steps;
+                equations.second_variation(&fine.vertices, &state, 0.0, &mut matrix);
+                let stretching = stretching(&fine.vertices, &equations, &state, &matrix);
+                margin(&matrix, &stretching, hierarchy, &parents, prolong(motion, &parents), exec)?
+            }
+            None => None,
+        };
+        Ok(Some(Self { area: ExtrapolatedArea::new(film.area(), state.energy, order(film)), margin }))
     }
+}
+
+/// The margin at the finest of nested levels, by conjugate gradients over the levels below. `None` if these do not
+/// converge, or if the second variation is not positive definite.
+///
+/// # Errors
+/// The interruption.
+pub(in crate::minimal_surface) fn margin(
+    matrix: &SymmetricMatrix,
+    stretching: &SymmetricMatrix,
+    hierarchy: &Hierarchy,
+    parents: &[[u32; 2]],
+    start: Vec<f64>,
+    exec: &Execution,
+) -> Result<Option<f64>, Interruption> {
+    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let found = Margin::of(matrix, stretching, start, |x| {
+        let goal = MARGIN_SOLVES * norm(x);
+        match hierarchy.solve(matrix, parents, x, |residual| norm(residual) <= goal, exec) {
+            Ok(solved) => {
+                x.copy_from_slice(&solved);
+                Ok(true)
+            }
+            Err(CgFailure::Interrupted(interruption)) => Err(interruption),
+            Err(CgFailure::Indefinite | CgFailure::Slow) => Ok(false),
+        }
+    })?;
+    Ok(found.map(|margin| margin.value).filter(|&margin| margin > 0.0))
 }
 
 #[cfg(test)]

@@ -46,7 +46,7 @@ pub enum InitialMeshKind {
     /// Three and more: Delaunay triangles between the loops as they are seen from a point in their middle, or in a disc
     /// with round holes, mapped harmonically.
     SphereWithHoles,
-    /// Chen, Cai, Zheng's rings.
+    /// Chen, Cai, Zheng's rings. [`InitialMesh::Auto`] stands for them between two boundaries that nearly coincide.
     Rings,
     /// Liu, Wang's seeded choice of barycentres.
     Barycentres,
@@ -165,6 +165,16 @@ fn spanning(
                     Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
                         return Err(refusal((as_given, constraints), error, Some(&frame), exec));
                     }
+                    _ => {}
+                }
+            }
+            if let [first, second] = boundaries
+                && constraints.is_empty()
+                && rings::is_narrow(first, second, options.resolution)
+            {
+                match rings::build_narrow(boundaries, options, exec) {
+                    Ok(film) if !crosses_itself(&film, exec)? => return Ok((whole(film), InitialMeshKind::Rings)),
+                    Err(Error::Interrupted(interruption)) => return Err(interruption.into()),
                     _ => {}
                 }
             }

@@ -59,22 +59,18 @@ impl MinimalSurface {
     }
 }
 
-/// A stable film counts as near its limit if its lowest eigenvalue is below this, in units of 1/R². Flat films have at
-/// least 5.78 (a round disc); a film has a tenth of that only where bending has nearly used it up. Between two rings it
-/// is passed within one percent of the largest gap, and a mesh of 3,000 triangles holds on for a fifth of that beyond.
-const NEAR_CRITICAL: f64 = 0.5;
+/// A stable film counts as near its limit if its margin is below this. Between two rings of any radii it is passed at
+/// 0.99 of the largest distance.
+const NEAR_CRITICAL: f64 = 0.2;
 
-/// A warning where a small change of the boundary, or a finer mesh, may leave no such film.
-fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
-    let stability = statistics.stability.filter(|stability| stability.stable)?;
-    let lowest = stability.lowest_eigenvalue * radius * radius;
-    (lowest < NEAR_CRITICAL).then(|| {
-        let detail = format!(
-            "the film is near its limit (lowest eigenvalue {lowest:.3} in units of 1/R²; a flat disc has 5.78): with a \
-             slightly different boundary or a finer mesh it may collapse"
-        );
-        Warning::new("near_critical", detail).with("lowest_eigenvalue_times_radius_squared", lowest)
-    })
+/// A warning where a small change of the boundary may leave no such film.
+fn near_critical(statistics: &Statistics) -> Option<Warning> {
+    let margin = statistics.stability?.margin.filter(|&margin| margin < NEAR_CRITICAL)?;
+    let detail = format!(
+        "the film is near its limit (margin {margin:.3}, where a flat film has 1 and a film that is about to collapse \
+         0): with a slightly different boundary or a finer mesh it may collapse"
+    );
+    Some(Warning::new("near_critical", detail).with("margin", margin))
 }
 
 /// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. A tolerance below
@@ -91,6 +87,24 @@ fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) ->
             stop_reason.name()
         );
         Warning::new("not_minimal", detail).with("residual", residual).with("tolerance", tolerance)
+    })
+}
+
+/// A warning if a neck needed a finer mesh than was asked for.
+fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
+    let Statistics { triangles, edge_lengths, .. } = statistics;
+    let asked = match options.resolution {
+        Resolution::Triangles(count) => format!("{count} triangles were asked for"),
+        Resolution::EdgeLength(length) => format!("edges of the length {length:.4e} were asked for"),
+        Resolution::InteriorVertices(count) => format!("{count} interior vertices were asked for"),
+    };
+    statistics.refined.then(|| {
+        let detail = format!(
+            "the film bends so strongly at a neck that a coarse mesh does not show whether it exists: {asked}, and with \
+             a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
+            edge_lengths.mean
+        );
+        Warning::new("refined", detail).with_count("triangles", *triangles)
     })
 }
 
@@ -200,8 +214,13 @@ pub(super) fn finish(
     if let Some(spanning) = &statistics.spanning {
         warnings.extend(spanning.warnings());
     }
-    warnings.extend(missed_edge_length(&statistics, options));
-    warnings.extend(missed_triangles(&statistics, options));
+    match refined(&statistics, options) {
+        Some(warning) => warnings.push(warning),
+        None => {
+            warnings.extend(missed_edge_length(&statistics, options));
+            warnings.extend(missed_triangles(&statistics, options));
+        }
+    }
     if !statistics.converged {
         warnings.push(statistics.not_converged(options.tolerance));
     }
@@ -213,7 +232,7 @@ pub(super) fn finish(
         );
         warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
     }
-    warnings.extend(near_critical(&statistics, film.radius()));
+    warnings.extend(near_critical(&statistics));
     let boundaries = film.boundaries.clone();
     let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();

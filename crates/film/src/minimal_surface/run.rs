@@ -101,6 +101,10 @@ pub struct Stability {
     pub lowest_eigenvalue: f64,
     /// How the index was computed.
     pub method: StabilityMethod,
+    /// Distance of a stable surface from the edge of stability: the least ratio of the second variation to its part
+    /// without curvature, over all motions. 1 for a flat film, 0 at the edge, without a unit. It is that of the smooth
+    /// surface where two meshes tell it. `None` for unstable surfaces.
+    pub margin: Option<f64>,
 }
 
 /// How a Morse index was computed.
@@ -186,6 +190,8 @@ pub(crate) struct Run {
     /// For each vertex its displacement in the lowest mode of an unstable film.
     pub unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// Whether the mesh was refined beyond the asked resolution, where a neck needs it.
+    pub refined: bool,
     /// The value of the objective, if that is not the area.
     pub objective_value: Option<f64>,
     /// The comparison of topologies, if there was one.
@@ -205,6 +211,7 @@ impl Run {
             stability: None,
             unstable_mode: None,
             extrapolated_area: None,
+            refined: false,
             objective_value: None,
             spanning: None,
         }
@@ -223,6 +230,7 @@ impl Run {
             pinch
         }));
         self.stability = later.stability;
+        self.refined |= later.refined;
     }
 }
 

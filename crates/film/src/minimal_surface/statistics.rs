@@ -73,6 +73,8 @@ pub struct Statistics {
     /// A row for each iteration. Long runs keep every iteration up to 100, every 10th up to 1000, every 100th beyond,
     /// and the last.
     pub history: Vec<HistoryRow>,
+    /// Whether the mesh is finer than was asked for, where a neck needs it.
+    pub refined: bool,
     /// The second variation of area; `None` where it was not computed.
     pub stability: Option<Stability>,
     /// Lengths of all edges.
@@ -179,6 +181,7 @@ pub(super) fn collect(
         },
         iterations: run.iterations,
         history: run.history,
+        refined: run.refined,
         stability: run.stability,
         edge_lengths: Spread::of(measure::edge_lengths(&mesh, topology).into_iter()),
         smallest_angle,

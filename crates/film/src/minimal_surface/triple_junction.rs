@@ -682,6 +682,7 @@ fn collect(
         stop_reason,
         iterations: solver.record.iterations,
         history: solver.record.history,
+        refined: false,
         stability: None,
         edge_lengths: Spread::of(edge_lengths.into_iter()),
         smallest_angle,

@@ -66,8 +66,7 @@ pub fn resample(
     let (mut aim, mut before) = (count, film.triangles().len() as f64);
     let most = RUNAWAY * count.max(before);
     for _ in 0..passes {
-        let size = sizes(film, aim);
-        split_long(film, &size, boundary_edges);
+        split_long(film, &mut sizes(film, aim), boundary_edges);
         let size = sizes(film, aim);
         collapse_short(film, &size);
         for _ in 0..2 {
@@ -93,6 +92,50 @@ pub fn resample(
         }
     }
     Ok(())
+}
+
+/// Splits the edges that are longer than √2 times the size at their ends, in at most `passes` passes, with flips and
+/// tangential relaxation after each. `size` is the [`graded`] target size at every vertex. Nothing is collapsed: fixed
+/// vertices, locked edges and the other vertices stay, with their numbers.
+///
+/// # Errors
+/// The interruptions of `exec`; the film is valid in that case too.
+pub fn refine(
+    film: &mut Film,
+    mut size: Vec<f64>,
+    passes: u32,
+    boundary_edges: BoundaryEdges,
+    exec: &Execution,
+) -> Result<(), Interruption> {
+    for _ in 0..passes {
+        let before = film.triangles().len();
+        split_long(film, &mut size, boundary_edges);
+        if film.triangles().len() == before {
+            break;
+        }
+        flip_to_delaunay(film, exec)?;
+        tangential_relaxation(film, 1);
+        flip_to_delaunay(film, exec)?;
+        exec.look(20 * film.triangles().len() as u64)?;
+    }
+    Ok(())
+}
+
+/// Lowers sizes so that they grow along the edges by no more than 0.3 of the distance.
+pub fn graded(film: &Film, size: &mut [f64]) {
+    grade(film, size, GRADING);
+}
+
+/// Lowers sizes so that they grow along the edges by no more than `grading` per length.
+fn grade(film: &Film, size: &mut [f64], grading: f64) {
+    spread(film, |near, far, length| {
+        let reached = size[near] + grading * length;
+        let falls = reached < size[far] * (1.0 - 1e-9);
+        if falls {
+            size[far] = reached;
+        }
+        falls
+    });
 }
 
 /// The target size at every vertex: the boundary's spacing, growing inwards up to a cap. The cap is chosen so that
@@ -228,14 +271,7 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
             size[v as usize] = size[v as usize].min(length);
         }
     }
-    spread(film, |near, far, length| {
-        let reached = size[near] + grading * length;
-        let falls = reached < size[far] * (1.0 - 1e-9);
-        if falls {
-            size[far] = reached;
-        }
-        falls
-    });
+    grade(film, &mut size, grading);
     size
 }
 
@@ -263,8 +299,8 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
 }
 
 /// Splits the edges that are too long, the longest in relation to its size first. Two edges of one triangle are not
-/// split in the same pass.
-fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
+/// split in the same pass. A new vertex gets the mean of the sizes at the ends of its edge.
+fn split_long(film: &mut Film, size: &mut Vec<f64>, boundary_edges: BoundaryEdges) {
     let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
     let mut taken = vec![false; film.triangles().len()];
     let mut triangles = film.triangles().to_vec();
@@ -278,6 +314,7 @@ fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
         }
         let middle = film.vertices.len() as u32;
         film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
+        size.push(0.5 * (size[a as usize] + size[b as usize]));
         film.fixed.push(twin == NONE);
         if twin == NONE {
             on_boundary.push(([a.min(b), a.max(b)], middle));

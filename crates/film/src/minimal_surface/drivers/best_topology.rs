@@ -1,8 +1,9 @@
 //! Finds the film of least area over several boundaries: solves every way to span them and compares the areas.
 //!
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
-//!    default solver solves it and leaves unstable surfaces. The film *holds* if it converged, is stable and has no
-//!    flipped triangle.
+//!    default solver solves it from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
+//!    leaves unstable surfaces. The film *holds* if it converged, is stable and has no flipped triangle. Of those that
+//!    hold the one of least area counts, and one that passes through itself only if all do.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
@@ -14,18 +15,22 @@
 //!
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
-use super::free_topology;
+use super::nested;
+use super::sets::{members, order_of, partitions, set_of, together};
 use crate::minimal_surface::estimate::estimate;
-use crate::minimal_surface::initial_mesh;
+use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
 use crate::minimal_surface::options::{
-    FreeTopology, Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
+    InitialMesh, Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
 };
-use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
+use crate::minimal_surface::run::{
+    ExtrapolatedArea, Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
+};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;
 use plateau_mesh::crossing::films_cross;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
+use plateau_mesh::remesh::isotropic::BoundaryEdges;
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
@@ -47,6 +52,8 @@ const COMPARED_TRIANGLES: usize = 2_000;
 /// Fraction by which areas may exceed the least one and still count as near it. The error of a mesh of
 /// [`COMPARED_TRIANGLES`] is about a tenth of this.
 const CONTENDS: f64 = 5e-3;
+/// Relative difference of areas below which two films count as equally large. It is above rounding.
+const EQUAL_AREA: f64 = 1e-9;
 /// Least number of triangles of a film for each of its boundary points, unless fewer are asked for altogether.
 const TRIANGLES_PER_POINT: usize = 3;
 /// Fraction of the tolerance to which a film is solved that spans some of the boundaries only. The mean of a film's
@@ -82,12 +89,15 @@ impl SpanningComparison {
 /// # Errors
 /// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries,
 /// if no other film spans these.
-pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
-    let count = boundaries.len();
+pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
+    let count = given.len();
     if count > MOST_BOUNDARIES {
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
         return Err(Error::input(Place::field("topology"), detail));
     }
+    // The boundaries choose their order, so that the client's order does not change the films.
+    let order = order_of(given);
+    let boundaries: &[Vec<DVec3>] = &order.iter().map(|&k| given[k].clone()).collect::<Vec<_>>();
     let full = SpanningProblem::new(boundaries, options.clone());
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
@@ -100,7 +110,7 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         SpanningProblem::new(boundaries, Options { resolution, ..options.clone() })
     });
     let share = if is_large { 0.5 } else { 1.0 };
-    let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, exec))?;
+    let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, None, exec))?;
     let mut compared = parts.compared(&partitions(count), exec)?;
     // The partition into discs has an area unless a boundary bounds no disc.
     if let (None, Some(error)) = (compared[0].area, parts.without_disc.take()) {
@@ -108,42 +118,16 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     }
     let connected_film_exists = parts.films[(1 << count) - 1].is_some();
     let largest_gap_fraction = parts.largest_gap_fraction;
-    // The topologies whose areas differ by less than the error of the coarse meshes are solved at full size. If none of
-    // their films holds there, the next ones are.
-    let mut rest = if is_large && !parts.interrupted { compared.clone() } else { Vec::new() };
-    while let Some(least) = rest.first().and_then(|topology| topology.area) {
-        let crosses = rest[0].films_cross;
-        let contends = |topology: &SpanningTopology| {
-            topology.films_cross == crosses && topology.area.is_some_and(|area| area <= (1.0 + CONTENDS) * least)
-        };
-        let (contenders, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(contends);
-        rest = others;
-        let contenders: Vec<Vec<u32>> =
-            contenders.iter().map(|topology| topology.films.iter().map(|films| set_of(films)).collect()).collect();
-        let mut sets: Vec<u32> = contenders.iter().flatten().copied().collect();
-        sets.sort_by_key(|set| (set.count_ones(), *set));
-        sets.dedup();
-        let finer = exec.part([share, 1.0], |exec| full.parts(&sets, exec))?;
-        let mut found = finer.compared(&contenders, exec)?;
-        if found[0].area.is_some() {
-            let is_finer = |topology: &SpanningTopology| found.iter().any(|finer| finer.films == topology.films);
-            compared.retain(|topology| !is_finer(topology));
-            found.append(&mut compared);
-            (compared, parts) = (found, finer);
-            break;
-        }
-        if finer.interrupted {
-            parts.interrupted = true;
-            break;
-        }
+    if is_large && !parts.interrupted {
+        solve_contenders(&full, share, &mut compared, &mut parts, exec)?;
     }
     compared[0].chosen = true;
     let chosen: Vec<&SolvedFilm> =
         compared[0].films.iter().filter_map(|films| parts.films[set_of(films) as usize].as_ref()).collect();
-    let comparison = SpanningComparison { topologies: compared.clone(), connected_film_exists, largest_gap_fraction };
-    let films: Vec<(&[usize], &SolvedFilm)> =
-        compared[0].films.iter().map(Vec::as_slice).zip(chosen.iter().copied()).collect();
-    let film = together(boundaries, &films)
+    let as_given = |films: &[usize]| -> Vec<usize> { films.iter().map(|&k| order[k]).collect() };
+    let films: Vec<(Vec<usize>, &SolvedFilm)> =
+        compared[0].films.iter().map(|films| as_given(films)).zip(chosen.iter().copied()).collect();
+    let film = together(given, &films)
         .ok_or_else(|| Error::no_result("invalid_mesh", "the films of the chosen topology do not fit together"))?;
     let mut run = Run::new(Solver::Newton);
     for part in &chosen {
@@ -156,14 +140,68 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         open.unwrap_or(StopReason::Residual)
     };
     run.stability = compared[0].stability;
-    run.spanning = Some(comparison);
+    run.extrapolated_area = extrapolated(&chosen);
+    for topology in &mut compared {
+        for films in &mut topology.films {
+            *films = as_given(films);
+            films.sort_unstable();
+        }
+        topology.films.sort_unstable();
+    }
+    run.spanning = Some(SpanningComparison { topologies: compared, connected_film_exists, largest_gap_fraction });
     let initial_area = chosen.iter().map(|part| part.initial_area).sum();
     Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
 }
 
-/// The boundaries of a set as a number whose bits are the boundaries.
-fn set_of(boundaries: &[usize]) -> u32 {
-    boundaries.iter().map(|&boundary| 1 << boundary).sum()
+/// Solves the topologies whose areas differ by less than the error of the coarse meshes at full size. If none of their
+/// films holds there, the next ones are solved. `parts` become the films at full size, and they come first among the
+/// `compared`.
+fn solve_contenders(
+    full: &SpanningProblem,
+    share: f64,
+    compared: &mut Vec<SpanningTopology>,
+    parts: &mut Parts,
+    exec: &Execution,
+) -> Result<(), Error> {
+    let mut rest = compared.clone();
+    while let Some(least) = rest.first().and_then(|topology| topology.area) {
+        let crosses = rest[0].films_cross;
+        let contends = |topology: &SpanningTopology| {
+            topology.films_cross == crosses && topology.area.is_some_and(|area| area <= (1.0 + CONTENDS) * least)
+        };
+        let (contenders, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(contends);
+        rest = others;
+        let contenders: Vec<Vec<u32>> =
+            contenders.iter().map(|topology| topology.films.iter().map(|films| set_of(films)).collect()).collect();
+        let mut sets: Vec<u32> = contenders.iter().flatten().copied().collect();
+        sets.sort_by_key(|set| (set.count_ones(), *set));
+        sets.dedup();
+        let finer = exec.part([share, 1.0], |exec| full.parts(&sets, Some(&*parts), exec))?;
+        let mut found = finer.compared(&contenders, exec)?;
+        if found[0].area.is_some() {
+            let is_finer = |topology: &SpanningTopology| found.iter().any(|finer| finer.films == topology.films);
+            compared.retain(|topology| !is_finer(topology));
+            found.append(compared);
+            (*compared, *parts) = (found, finer);
+            return Ok(());
+        }
+        if finer.interrupted {
+            parts.interrupted = true;
+            return Ok(());
+        }
+    }
+    Ok(())
+}
+
+/// The sum of the extrapolated areas of films, if each has one. A film without a free vertex is a plane disc.
+fn extrapolated(films: &[&SolvedFilm]) -> Option<ExtrapolatedArea> {
+    films.iter().try_fold(ExtrapolatedArea { area: 0.0, error_estimate: 0.0 }, |sum, part| {
+        let exact = ExtrapolatedArea { area: part.film.area(), error_estimate: 0.0 };
+        let has_moved = part.run.stop_reason != StopReason::NothingToMove;
+        let found = if has_moved { part.run.extrapolated_area? } else { exact };
+        let error_estimate = sum.error_estimate + found.error_estimate;
+        Some(ExtrapolatedArea { area: sum.area + found.area, error_estimate })
+    })
 }
 
 /// The films over sets of boundaries.
@@ -237,6 +275,7 @@ fn compare(
                 stable: a.stable && b.stable,
                 morse_index: a.morse_index + b.morse_index,
                 lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
+                margin: a.margin.zip(b.margin).map(|(a, b)| a.min(b)),
                 // The combined method is the less certain one.
                 method: if a.method == StabilityMethod::Inertia { b.method } else { a.method },
             })
@@ -251,34 +290,6 @@ fn compare(
         }
     }
     Ok(topology)
-}
-
-fn members(set: u32) -> Vec<usize> {
-    (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
-}
-
-/// Every partition of `count` boundaries. A set is a number whose bits are the boundaries.
-fn partitions(count: usize) -> Vec<Vec<u32>> {
-    let mut result = vec![Vec::new()];
-    for boundary in 0..count {
-        let bit = 1u32 << boundary;
-        result = result
-            .into_iter()
-            .flat_map(|partition: Vec<u32>| {
-                let joined = (0..partition.len()).map({
-                    let partition = partition.clone();
-                    move |k| {
-                        let mut partition = partition.clone();
-                        partition[k] |= bit;
-                        partition
-                    }
-                });
-                let alone = std::iter::once([partition, vec![bit]].concat());
-                joined.chain(alone).collect::<Vec<_>>()
-            })
-            .collect();
-    }
-    result
 }
 
 /// Result of the search for the largest gap between two boundaries that a connected film spans.
@@ -303,15 +314,18 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Steps 1 and 4 for some sets.
-    fn parts(&self, sets: &[u32], exec: &Execution) -> Result<Parts, Error> {
+    /// Steps 1 and 4 for some sets. Each begins from the initial mesh of the film that `coarse` has of it, or from all of
+    /// them.
+    fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =
             Parts { films: vec![None; 1 << count], interrupted: false, without_disc: None, largest_gap_fraction: None };
         let share = 0.9 / sets.len() as f64;
         for (k, &set) in sets.iter().enumerate() {
             let share = [share * k as f64, share * (k + 1) as f64];
-            match exec.part(share, |exec| self.part(set, exec)) {
+            let known = coarse.and_then(|coarse| coarse.films[set as usize].as_ref());
+            let start = known.map(|film| start_of(film.kind));
+            match exec.part(share, |exec| self.part(set, start.as_ref(), exec)) {
                 Ok(part) => {
                     parts.interrupted |= part.run.stop_reason == StopReason::Deadline;
                     parts.films[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
@@ -365,32 +379,67 @@ impl<'a> SpanningProblem<'a> {
     }
 
     fn task(limits: Limits) -> newton::Task {
-        newton::Task { limits, on_unstable: OnUnstable::Descend, given: false, may_widen: true }
+        let boundary_edges = BoundaryEdges::Kept;
+        newton::Task { limits, on_unstable: OnUnstable::Descend, given: false, may_widen: true, boundary_edges }
     }
 
-    /// Step 1 for one set.
-    fn part(&self, set: u32, exec: &Execution) -> Result<SolvedFilm, Error> {
+    /// Step 1 for one set, from one start or from all of them.
+    fn part(&self, set: u32, start: Option<&InitialMesh>, exec: &Execution) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
-        self.connected(&boundaries, exec)
+        match start {
+            Some(start) => self.connected(&boundaries, start, exec),
+            None => self.least(&boundaries, exec),
+        }
     }
 
-    fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
-        let options = self.options_for(boundaries);
-        let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
-        let start = start.refined(exec)?;
-        let (mut film, initial_area) = (start.clone(), start.area());
-        let run = newton::run(&mut film, Self::task(options.limits()), exec)?;
-        let solved = SolvedFilm { film, kind, initial_area, run };
-        if solved.holds() || !lie_side_by_side(boundaries) {
+    /// The film of least area among those from all initial meshes. Films that hold come first, and among them those
+    /// that do not pass through themselves.
+    fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
+        let first = self.connected(boundaries, &InitialMesh::Auto, exec)?;
+        if boundaries.len() == 1 {
+            return Ok(first);
+        }
+        let rank = |film: &SolvedFilm| -> Result<(bool, bool), Interruption> {
+            let holds = film.holds();
+            Ok((!holds, holds && film_crosses_itself(&film.film, exec)?))
+        };
+        let mut least = (rank(&first)?, first);
+        let mut tried = vec![least.1.kind];
+        for start in [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings] {
+            if least.1.run.stop_reason == StopReason::Deadline || tried.iter().any(|&kind| is_of_kind(&start, kind)) {
+                continue;
+            }
+            let next = match self.connected(boundaries, &start, exec) {
+                Ok(next) => next,
+                Err(Error::NoResult { .. } | Error::Input(_)) => continue,
+                Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
+                Err(error) => return Err(error),
+            };
+            tried.push(next.kind);
+            let rank = rank(&next)?;
+            let is_less = next.film.area() < (1.0 - EQUAL_AREA) * least.1.film.area();
+            if rank < least.0 || (rank == least.0 && is_less) {
+                least = (rank, next);
+            }
+        }
+        Ok(least.1)
+    }
+
+    fn connected(
+        &self,
+        boundaries: &[Vec<DVec3>],
+        initial_mesh: &InitialMesh,
+        exec: &Execution,
+    ) -> Result<SolvedFilm, Error> {
+        let options = Options { initial_mesh: initial_mesh.clone(), ..self.options_for(boundaries) };
+        if let Some(solved) = nested::solve(boundaries, &options, OnUnstable::Descend, exec)? {
             return Ok(solved);
         }
-        // Triangles that are long for the gap fold over. The rules of the free topology remove the thin ones first.
-        let mut film = start;
-        let euler = film.topology.euler_characteristic();
-        let run = free_topology::run(&mut film, &FreeTopology::default(), options.limits(), false, exec)?;
-        let is_connected = film.topology.components() == 1 && film.topology.euler_characteristic() == euler;
-        let found = SolvedFilm { film, run, ..solved.clone() };
-        Ok(if is_connected && found.holds() { found } else { solved })
+        let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
+        let mut film = start.refined(exec)?;
+        let initial_area = film.area();
+        let run = newton::run(&mut film, Self::task(options.limits()), exec)?;
+        Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
     /// Step 4.
@@ -407,7 +456,7 @@ impl<'a> SpanningProblem<'a> {
         let mut held = None;
         for halving in 1..=HALVINGS {
             let fraction = 0.5f64.powi(halving as i32);
-            match self.connected(&at(fraction), exec) {
+            match self.connected(&at(fraction), &InitialMesh::Auto, exec) {
                 Ok(part) if part.holds() => {
                     held = Some((fraction, part));
                     break;
@@ -446,12 +495,23 @@ impl<'a> SpanningProblem<'a> {
     }
 }
 
-/// Whether two boundaries are everywhere nearer to each other than their own points are.
-fn lie_side_by_side(boundaries: &[Vec<DVec3>]) -> bool {
-    let [first, second] = boundaries else { return false };
-    let edge = polyline::length(first, true) / first.len() as f64;
-    let is_near = |point: &DVec3| second.iter().any(|other| other.distance(*point) < edge);
-    first.iter().all(is_near)
+/// Whether an initial mesh of this kind is the one that is asked for.
+fn is_of_kind(start: &InitialMesh, kind: InitialMeshKind) -> bool {
+    match start {
+        InitialMesh::Planar => kind == InitialMeshKind::Planar,
+        InitialMesh::Rings => kind == InitialMeshKind::Rings,
+        _ => matches!(kind, InitialMeshKind::Disk | InitialMeshKind::Annulus | InitialMeshKind::SphereWithHoles),
+    }
+}
+
+/// The initial mesh that gives this kind.
+fn start_of(kind: InitialMeshKind) -> InitialMesh {
+    match kind {
+        InitialMeshKind::Planar => InitialMesh::Planar,
+        InitialMeshKind::Rings => InitialMesh::Rings,
+        InitialMeshKind::Disk | InitialMeshKind::Annulus | InitialMeshKind::SphereWithHoles => InitialMesh::Disk,
+        InitialMeshKind::Barycentres | InitialMeshKind::Given => InitialMesh::Auto,
+    }
 }
 
 /// The film with its second boundary moved by `shift`. Every other vertex moves by the fraction that its distances to
@@ -474,43 +534,4 @@ fn moved_apart(film: &Film, shift: DVec3) -> Film {
         *vertex += shift * part;
     }
     moved
-}
-
-/// Joins several films into one. The input points of the boundaries come first, in input order, then the other vertices
-/// film by film.
-fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &SolvedFilm)]) -> Option<Film> {
-    let mut first = Vec::with_capacity(boundaries.len());
-    let mut count = 0u32;
-    for boundary in boundaries {
-        first.push(count);
-        count += boundary.len() as u32;
-    }
-    let mut vertices: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
-    let mut fixed = vec![true; vertices.len()];
-    let (mut triangles, mut loops, mut locked) = (Vec::new(), vec![Vec::new(); boundaries.len()], Vec::new());
-    for (set, part) in films {
-        let film = &part.film;
-        let own: usize = set.iter().map(|&k| boundaries[k].len()).sum();
-        let mut renamed: Vec<u32> = set
-            .iter()
-            .flat_map(|&k| (0..boundaries[k].len() as u32).map(|i| i + first[k]).collect::<Vec<_>>())
-            .collect();
-        for v in own..film.vertices.len() {
-            renamed.push(vertices.len() as u32);
-            vertices.push(film.vertices[v]);
-            fixed.push(film.fixed[v]);
-        }
-        triangles.extend(film.triangles().iter().map(|t| t.map(|v| renamed[v as usize])));
-        for (&boundary, loop_) in set.iter().zip(&film.boundaries) {
-            loops[boundary] = loop_.iter().map(|&v| renamed[v as usize]).collect();
-        }
-        locked.extend(film.locked.iter().map(|&[a, b]| {
-            let (a, b) = (renamed[a as usize], renamed[b as usize]);
-            [a.min(b), a.max(b)]
-        }));
-    }
-    locked.sort_unstable();
-    let mut film = Film::new(vertices, &triangles, loops)?;
-    (film.fixed, film.locked) = (fixed, locked);
-    Some(film)
 }

@@ -19,18 +19,20 @@
 //! skip points, a triangle is flipped, multigrid does not converge), the caller solves the full mesh directly.
 
 use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
-use crate::equilibrium::stability::{self, Unknown};
+use crate::equilibrium::stability::{self, Unknown, WithMargin};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
-use crate::minimal_surface::extrapolation::order;
+use crate::minimal_surface::extrapolation::{self, Finer, order};
 use crate::minimal_surface::initial_mesh::{self, first_point};
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
 use crate::minimal_surface::solved_film::SolvedFilm;
+use crate::minimal_surface::solvers::necks::{Look, compare, has_fine_ends, is_calm};
 use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, NARROW, Solve, Task, WIDE, WIDENINGS};
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
+use plateau_mesh::remesh::isotropic::BoundaryEdges;
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::remesh::subdivision::subdivided_inside;
 use plateau_mesh::sparse::multigrid::{self, Hierarchy, Parents, parents_of};
@@ -97,8 +99,9 @@ fn follow(
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
     let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
-    let mut solve =
-        Solve::new(&film, Task { limits: options.limits(), on_unstable, given: false, may_widen: true }, exec);
+    let boundary_edges = BoundaryEdges::Kept;
+    let task = Task { limits: options.limits(), on_unstable, given: false, may_widen: true, boundary_edges };
+    let mut solve = Solve::new(&film, task, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
         Ok(None) | Err(Error::NoResult { .. }) => return Ok(None),
@@ -131,7 +134,7 @@ fn climb(
     let (_, Some((mut pattern, mut direct))) = solve.converge(film)? else { return Ok(None) };
     let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: solve.radius };
     let state = motion.state(&film.vertices);
-    let coarse = match stability::analyse(&film.vertices, &motion, &state, &mut direct, solve.exec) {
+    let coarse = match stability::analyse(&film.vertices, &motion, &state, &mut direct, WithMargin::Yes, solve.exec) {
         Ok(Some(coarse)) => coarse,
         Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
         Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
@@ -139,7 +142,11 @@ fn climb(
     if coarse.morse_index > 0 {
         return Ok(None);
     }
+    let Some(margin) = coarse.margin else { return Ok(None) };
+    // A calm film exists. The margin of any other one is compared on the coarsest and the finest level.
+    let calm = is_calm(film, margin.value);
     let mut mode = coarse.lowest.vector;
+    let mut margin_motion = margin.motion;
     let mut coarse_area = state.energy;
     let Ok(factor) = direct.symbolic.factorise(&direct.matrix).map(|factorisation| factorisation.into_storage()) else {
         return Ok(None);
@@ -185,6 +192,7 @@ fn climb(
         }
         let Corrected { state, parents, mut matrix } = corrected;
         mode = multigrid::prolong(&mode, &parents);
+        margin_motion = if calm { Vec::new() } else { multigrid::prolong(&margin_motion, &parents) };
         let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius: solve.radius };
         if last {
             if measure::count_flipped(&film.vertices, film.triangles(), &state.frame) > 0 {
@@ -213,16 +221,31 @@ fn climb(
             if (morse_index > 0) != (lowest.eigenvalue < 0.0) || morse_index > 0 {
                 return Ok(None);
             }
+            let margin = if calm {
+                Look::Exists(margin.value)
+            } else {
+                let stretching = stability::stretching(&film.vertices, &motion, &state, &matrix);
+                let fine =
+                    extrapolation::margin(&matrix, &stretching, &hierarchy, &parents, margin_motion, solve.exec)?;
+                compare(margin.value, fine, levels)
+            };
+            // The levels do not resolve the film: the next plan begins with a finer mesh.
+            let Look::Exists(margin) = margin else { return Ok(None) };
+            if !has_fine_ends(film) {
+                return Ok(None);
+            }
             if places.same_polygon {
                 solve.extrapolated_area =
                     Some(ExtrapolatedArea::new(coarse_area, nested_area, coarse_order.min(order(film))));
             } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
                 hierarchy.push(matrix, parents);
-                solve.extrapolated_area = ExtrapolatedArea::of(film, &pattern, &hierarchy, solve.radius, solve.exec)?;
+                let finer = Finer::of(film, &pattern, &hierarchy, solve.radius, None, solve.exec)?;
+                solve.extrapolated_area = finer.map(|finer| finer.area);
             }
             let lowest_eigenvalue = lowest.eigenvalue;
             let method = if by_inertia { StabilityMethod::Inertia } else { StabilityMethod::Eigenvalue };
-            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method }));
+            let margin = Some(margin);
+            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method, margin }));
         }
         hierarchy.push(matrix, parents);
         coarse_area = state.energy;

@@ -85,8 +85,11 @@ pub(super) struct Directions {
 /// degree) would crowd all others.
 const FARTHEST: f64 = 500.0;
 
+/// Smallest length of the mean of the unit vectors to a boundary's points. A shorter mean is rounding.
+const LEAST_MEAN: f64 = 1e-6;
+
 impl Directions {
-    /// `None` if a boundary passes through the centre or the pole.
+    /// `None` if a boundary passes through the centre or the pole, or runs evenly around the centre.
     fn new(boundaries: &[Vec<DVec3>], centre: DVec3) -> Option<Self> {
         let unit = |p: &DVec3| (*p - centre).try_normalize();
         let mut outer = 0;
@@ -95,6 +98,10 @@ impl Directions {
             let directions: Vec<DVec3> = points.iter().map(unit).collect::<Option<_>>()?;
             let resultant = polyline::mean(&directions);
             // The wider a loop, the shorter the mean of its directions.
+            // The directions of a loop around the centre have no mean.
+            if resultant.length() < LEAST_MEAN {
+                return None;
+            }
             axes.push(resultant);
             if k > 0 && resultant.length() < axes[outer].length() * (1.0 - 1e-9) {
                 outer = k;
@@ -338,19 +345,36 @@ fn mean_gap(p: &[DVec3], q: &[DVec3], matching: &Matching) -> f64 {
     sum / matching.bridges.len() as f64
 }
 
+/// Distances that differ by less than this fraction of the outer boundary's radius are equal.
+const CONCENTRIC: f64 = 1e-9;
+/// About the number of points of a concentric loop that are compared.
+const COMPARED_POINTS: usize = 256;
+
 /// For each other boundary the angle of the nearest point on the outer circle.
 fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<f64> {
     let rim = &boundaries[outer];
     let centre = polyline::mean(rim);
+    let radius = polyline::radius(rim);
     let total = polyline::length(rim, true);
     others
         .iter()
         .map(|&k| {
             let towards = polyline::mean(&boundaries[k]) - centre;
+            // Of concentric loops the mean is rounding, and the nearest points tell instead.
+            let is_concentric = towards.length() <= CONCENTRIC * radius;
+            let stride = boundaries[k].len() / COMPARED_POINTS + 1;
+            let nearness = |point: DVec3| {
+                if is_concentric {
+                    let distances = boundaries[k].iter().step_by(stride).map(|other| other.distance(point));
+                    -distances.fold(f64::INFINITY, f64::min)
+                } else {
+                    (point - centre).dot(towards) / towards.length()
+                }
+            };
             let (mut best, mut angle, mut along) = (f64::NEG_INFINITY, 0.0, 0.0);
             for (i, &point) in rim.iter().enumerate() {
-                let facing = (point - centre).dot(towards);
-                if facing > best {
+                let facing = nearness(point);
+                if facing > best + CONCENTRIC * radius {
                     (best, angle) = (facing, TAU * along / total);
                 }
                 along += point.distance(rim[(i + 1) % rim.len()]);

@@ -41,8 +41,7 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         Resolution::InteriorVertices(count) => (area / (triangle * 2.0 * count.max(1) as f64)).sqrt(),
     };
     coarse.check_size(size, area)?;
-    let sampled: Vec<Sampled> =
-        boundaries.iter().map(|points| sample(points, size, GRADING, BoundarySampling::Refine)).collect();
+    let sampled = sampled(boundaries, size, options.resolution);
     let refined: Vec<Vec<DVec3>> = sampled.iter().map(|boundary| boundary.points.clone()).collect();
     let skeleton = Skeleton::of(&refined)?;
     let resolution = match options.resolution {
@@ -54,6 +53,52 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
 }
 
+/// The boundaries sampled at a size. A number of triangles limits the number of points: a narrow strip cannot have
+/// triangles as short as it is wide.
+fn sampled(boundaries: &[Vec<DVec3>], size: f64, resolution: Resolution) -> Vec<Sampled> {
+    let mut size = size;
+    loop {
+        let sampled: Vec<Sampled> =
+            boundaries.iter().map(|points| sample(points, size, GRADING, BoundarySampling::Refine)).collect();
+        let points: usize = sampled.iter().map(|boundary| boundary.points.len()).sum();
+        let added = sampled.iter().flat_map(|boundary| &boundary.own).any(|own| !own);
+        match resolution {
+            // Each round lengthens the pieces, so that in the end no point is added.
+            Resolution::Triangles(count) if added && points > count => {
+                size *= 1.1 * points as f64 / count.max(1) as f64
+            }
+            _ => return sampled,
+        }
+    }
+}
+
+/// Whether two boundaries are so near to each other that a strip of single triangles between them meets the resolution.
+/// A mesh of triangles as long as wide would need many more.
+pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolution) -> bool {
+    let length = polyline::length(first, true) + polyline::length(second, true);
+    let edge = match resolution {
+        Resolution::Triangles(count) => length / count.max(1) as f64,
+        Resolution::InteriorVertices(count) => length / (2 * count.max(1)) as f64,
+        Resolution::EdgeLength(edge) => edge,
+    };
+    let matching = Matching::between(first, second);
+    let gap = |&(i, j): &(usize, usize)| first[i % first.len()].distance(second[matching.order[j % second.len()]]);
+    matching.bridges.iter().map(gap).sum::<f64>() / (matching.bridges.len() as f64) < NARROW * edge
+}
+
+/// A narrow strip of rings for a resolution that need not be met exactly.
+///
+/// # Errors
+/// The errors of [`build`].
+pub(super) fn build_narrow(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Film, Error> {
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    let resolution = match options.resolution {
+        Resolution::Triangles(count) => Resolution::Triangles((count + (count + points) % 2).max(points)),
+        other => other,
+    };
+    build(boundaries, &Options { resolution, ..options.clone() }, exec)
+}
+
 /// Checks that rings on these boundaries can have this resolution.
 ///
 /// # Errors
@@ -61,6 +106,10 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
 pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result<(), Error> {
     Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
 }
+
+/// Mean gap between two boundaries that counts as narrow, as a fraction of the edges of a strip of single triangles. With
+/// a larger value more annuli begin as rings.
+const NARROW: f64 = 1.0;
 
 /// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.
 const GRADING: f64 = 0.3;

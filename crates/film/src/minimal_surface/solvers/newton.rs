@@ -8,19 +8,24 @@
 //!    there.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
 //!    left along its lowest mode.
+//! 4. *Look again* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
+//!    compared with a finer one, and where its mesh is too coarse it is refined and solved again from step 1.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
 use crate::equilibrium::residual::curvature;
-use crate::equilibrium::stability::{self, SecondVariation, Unknown};
+use crate::equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
 use crate::equilibrium::{FilmState, NormalMotion};
+use crate::minimal_surface::extrapolation::Finer;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
+use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
@@ -63,6 +68,10 @@ pub(crate) const WIDENINGS: u32 = 4;
 const OPENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 2;
+/// Largest number of refinements of a neck.
+const MOST_LOOKS: u32 = 4;
+/// Largest number of passes of one refinement. Each halves the longest edges once.
+const REFINING_PASSES: u32 = 8;
 
 /// Instructions for a run.
 #[derive(Clone, Copy, Debug)]
@@ -76,9 +85,11 @@ pub(crate) struct Task {
     /// Whether small angles may be widened, which changes the number of triangles. Not where the caller was promised a
     /// mesh: their own, or rings.
     pub may_widen: bool,
+    /// Whether a refinement splits edges of the boundary.
+    pub boundary_edges: BoundaryEdges,
 }
 
-/// Steps 1 to 3 on a film.
+/// Steps 1 to 4 on a film.
 ///
 /// The film becomes the best mesh that was reached. If it is not converged, the stop reason says why.
 ///
@@ -108,8 +119,12 @@ pub(crate) struct Solve<'a> {
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Whether the film is still the caller's own mesh.
     given: bool,
-    /// Whether vertices may be removed: not from a mesh of the caller.
+    /// Whether vertices may be removed and added: not in a mesh of the caller.
     may_widen: bool,
+    /// Whether a neck was refined.
+    refined: bool,
+    /// Whether a refinement splits edges of the boundary.
+    boundary_edges: BoundaryEdges,
 }
 
 impl<'a> Solve<'a> {
@@ -126,34 +141,69 @@ impl<'a> Solve<'a> {
             extrapolated_area: None,
             given: task.given,
             may_widen: task.may_widen,
+            refined: false,
+            boundary_edges: task.boundary_edges,
         }
     }
 
     pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
         let Self {
-            record: Record { history, iterations, .. }, edges_swapped, unstable_mode, extrapolated_area, ..
+            record: Record { history, iterations, .. },
+            edges_swapped,
+            unstable_mode,
+            extrapolated_area,
+            refined,
+            ..
         } = self;
         let done = Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) };
-        Run { unstable_mode, extrapolated_area, ..done }
+        Run { unstable_mode, extrapolated_area, refined, ..done }
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
         let (mut reason, mut converged) = self.converge(film)?;
         let mut returns = 0;
+        let mut looks = 0;
         loop {
-            let Some((pattern, mut direct)) = converged else { return Ok((reason, None)) };
-            let Some((stability, variation, state)) = self.stability(film, &pattern, &mut direct)? else {
-                return Ok((reason, None));
-            };
-            if stability.stable || on_unstable == OnUnstable::Report || returns == MAX_RETURNS {
-                if stability.stable && film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
-                    let factor = direct.symbolic.factorise(&direct.matrix).map(Factorisation::into_storage);
-                    if let Ok(factor) = factor {
-                        let hierarchy = Hierarchy::new(direct.symbolic, factor);
-                        self.extrapolated_area =
-                            ExtrapolatedArea::of(film, &pattern, &hierarchy, self.radius, self.exec)?;
-                    }
+            let found = match converged {
+                Some((pattern, mut direct)) => {
+                    self.stability(film, &pattern, &mut direct)?.map(|found| (pattern, direct, found))
                 }
+                None => None,
+            };
+            let Some((pattern, direct, (mut stability, variation, state))) = found else {
+                // A refined mesh that does not hold the film shows that there is none.
+                let is_lost = looks > 0 && reason != StopReason::MaxIterations;
+                return Ok((if is_lost { StopReason::Collapsed } else { reason }, None));
+            };
+            if stability.stable {
+                let own = variation.margin.as_ref().map(|margin| margin.value);
+                let look = self.look(film, &pattern, direct, variation.margin)?;
+                // A film with one boundary has no neck, and the mesh of a caller stays.
+                let may_refine = self.may_widen && film.boundaries.len() > 1;
+                let finer = match look {
+                    Look::Unresolved(_) if may_refine && looks < MOST_LOOKS => self.refined(film)?,
+                    _ => None,
+                };
+                if let Some(finer) = finer {
+                    looks += 1;
+                    *film = finer;
+                    self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+                    (reason, converged) = self.converge(film)?;
+                    continue;
+                }
+                return Ok(match look {
+                    Look::Unresolved(None) if may_refine => (StopReason::Collapsed, None),
+                    Look::Exists(margin) | Look::Unresolved(Some(margin)) => {
+                        stability.margin = Some(margin);
+                        (reason, Some(stability))
+                    }
+                    Look::Unresolved(None) => {
+                        stability.margin = own;
+                        (reason, Some(stability))
+                    }
+                });
+            }
+            if (on_unstable == OnUnstable::Report && looks == 0) || returns == MAX_RETURNS {
                 return Ok((reason, Some(stability)));
             }
             returns += 1;
@@ -163,23 +213,75 @@ impl<'a> Solve<'a> {
             if ways.is_empty() {
                 return Ok((reason, Some(stability)));
             }
-            let mut first = None;
-            converged = None;
-            for vertices in ways {
-                *film = Film { vertices, ..before.clone() };
-                self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
-                (reason, converged) = self.converge(film)?;
-                if converged.is_some() && film.flipped_triangles() == 0 {
-                    break;
-                }
-                first.get_or_insert_with(|| (film.clone(), reason, converged.take()));
-            }
-            if converged.is_none()
-                && let Some(before) = first
-            {
-                (*film, reason, converged) = before;
-            }
+            (reason, converged) = self.leave(film, &before, ways)?;
         }
+    }
+
+    /// The film with a finer mesh at its necks; `None` if the mesh may not be refined any further.
+    fn refined(&mut self, film: &Film) -> Result<Option<Film>, Interruption> {
+        let Some(sizes) = finer_sizes(film) else { return Ok(None) };
+        let mut finer = film.clone();
+        refine(&mut finer, sizes, REFINING_PASSES, self.boundary_edges, self.exec)?;
+        let grows = finer.triangles().len() > film.triangles().len();
+        self.refined |= grows;
+        Ok(grows.then_some(finer))
+    }
+
+    /// Converges from each of the ways out of an unstable film until one of them holds. If none does, the film is that
+    /// of the first way.
+    fn leave(
+        &mut self,
+        film: &mut Film,
+        before: &Film,
+        ways: Vec<Vec<DVec3>>,
+    ) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
+        let mut first = None;
+        for vertices in ways {
+            *film = Film { vertices, ..before.clone() };
+            self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+            let (reason, converged) = self.converge(film)?;
+            if converged.is_some() && film.flipped_triangles() == 0 {
+                return Ok((reason, converged));
+            }
+            first.get_or_insert_with(|| (film.clone(), reason, converged));
+        }
+        let (before, reason, converged) = first.expect("there is a way out");
+        *film = before;
+        Ok((reason, converged))
+    }
+
+    /// Step 4: compares a stable film of this margin with the film whose edges are halved, and keeps the area that the
+    /// two give.
+    fn look(
+        &mut self,
+        film: &Film,
+        pattern: &Pattern,
+        direct: Direct,
+        margin: Option<Margin>,
+    ) -> Result<Look, Interruption> {
+        // No margin: the second variation is singular.
+        let Some(Margin { value, motion }) = margin else { return Ok(Look::Unresolved(None)) };
+        let calm = is_calm(film, value);
+        if calm && film.triangles().len() > EXTRAPOLATED_TRIANGLES {
+            return Ok(Look::Exists(value));
+        }
+        let Ok(factor) = direct.symbolic.factorise(&direct.matrix).map(Factorisation::into_storage) else {
+            return Ok(if calm { Look::Exists(value) } else { Look::Unresolved(None) });
+        };
+        let hierarchy = Hierarchy::new(direct.symbolic, factor);
+        let motion = (!calm).then_some(&motion[..]);
+        let finer = Finer::of(film, pattern, &hierarchy, self.radius, motion, self.exec)?;
+        if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
+            self.extrapolated_area = finer.map(|finer| finer.area);
+        }
+        if calm {
+            return Ok(Look::Exists(value));
+        }
+        let look = necks::compare(value, finer.and_then(|finer| finer.margin), 1);
+        Ok(match look {
+            Look::Exists(margin) if !has_fine_ends(film) => Look::Unresolved(Some(margin)),
+            look => look,
+        })
     }
 
     /// Steps 1 and 2, repeated where Newton's method stalls. Also returns the pattern and the factorisation of the
@@ -367,7 +469,7 @@ impl<'a> Solve<'a> {
         self.exec.look(film.triangles().len() as u64)?;
         let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
         let state = motion.state(&film.vertices);
-        let variation = match stability::analyse(&film.vertices, &motion, &state, direct, self.exec) {
+        let variation = match stability::analyse(&film.vertices, &motion, &state, direct, WithMargin::Yes, self.exec) {
             Ok(Some(variation)) => variation,
             Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
             Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
@@ -377,6 +479,7 @@ impl<'a> Solve<'a> {
             morse_index: variation.morse_index,
             lowest_eigenvalue: variation.lowest.eigenvalue,
             method: StabilityMethod::Inertia,
+            margin: None,
         };
         self.unstable_mode = (!stability.stable).then(|| {
             let heights = &variation.lowest.vector;
@@ -424,7 +527,8 @@ mod tests {
     fn beyond_the_critical_gap_nothing_is_called_converged() {
         let mut film = cylinder(48, 16, 1.5);
         let limits = Limits { tolerance: 1e-6, max_iterations: None };
-        let task = Task { limits, on_unstable: OnUnstable::Report, given: false, may_widen: true };
+        let boundary_edges = BoundaryEdges::Kept;
+        let task = Task { limits, on_unstable: OnUnstable::Report, given: false, may_widen: true, boundary_edges };
         let run = run(&mut film, task, &Execution::default()).unwrap();
         assert_ne!(run.stop_reason, StopReason::Residual);
         assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));

@@ -1,0 +1,159 @@
+//! Whether a stable film exists, or only its mesh holds it: a mesh of long edges holds a thin neck at distances at which
+//! no minimal surface connects the boundaries.
+//!
+//! 1. The [margin](crate::equilibrium::stability::Margin) m of the film is compared with that of the film whose edges
+//!    are halved. Beside the limit m² is proportional to the distance from the limit, and the mesh moves the limit by a
+//!    multiple of h². The margin of a mesh of edges of length zero therefore is the root of
+//!    m_fine² - (m_coarse² - m_fine²) / 3.
+//! 2. If that is not far from the margin of the film, the film is resolved and exists.
+//! 3. Otherwise the mesh is refined where the film bends most in relation to its edges. That is at the neck. It is also
+//!    refined at a boundary in which a neck ends, if the edges there are as long as the boundary is wide: the mesh is a
+//!    cone there, whatever its margin. The solver converges again, and the film is looked at again.
+//! 4. A film that the refined mesh does not hold has collapsed. If the mesh may not be refined any further, the sign in
+//!    step 1 decides.
+
+use plateau_mesh::film::Film;
+use plateau_mesh::remesh::isotropic::graded;
+use plateau_mesh::topology::NONE;
+use plateau_mesh::{DVec3, measure, polyline};
+use std::f64::consts::TAU;
+
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// A film of at least this margin, whose edges turn by at most [`COARSE_TURNING`], exists without a second look. A film
+/// with one boundary has no neck, so that its edges do not matter. Between
+/// rings it is reached at nine tenths of the largest distance. A larger value looks at more films.
+const CALM: f64 = 0.6;
+/// Largest turning of the normal along an edge (radians) of a film that exists without a second look. A hexagonal neck
+/// has more. A smaller value looks at more films.
+const COARSE_TURNING: f64 = 0.7;
+/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians). A plane film
+/// around a small hole has none.
+const BENT: f64 = 0.3;
+/// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π. A
+/// smaller value refines more films.
+const COARSE_EDGE: f64 = 0.7;
+/// The margin of the film with halved edges, as a fraction of the film's own, from which on the film is resolved. A
+/// larger value refines more films.
+const RESOLVED: f64 = 0.8;
+/// Turning of the normal along an edge (radians) at which the refinement aims first; each further round halves it. A
+/// neck has 2 π over it edges around.
+const FIRST_TURNING: f64 = 0.25;
+/// Smallest turning at which a refinement aims. The mesh then moves the limit by about a thousandth of the distance.
+const LAST_TURNING: f64 = 0.06;
+/// Largest number of triangles that a refinement may make, unless twice the number of the film is more.
+const MOST_TRIANGLES: f64 = 40_000.0;
+
+/// The result of a look at a stable film.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Look {
+    /// The film exists, with this margin.
+    Exists(f64),
+    /// The mesh is too coarse to tell. The margin of a mesh of edges of length zero, if the film has one.
+    Unresolved(Option<f64>),
+}
+
+/// Whether a film needs no second look.
+pub(crate) fn is_calm(film: &Film, margin: f64) -> bool {
+    let is_fine = || turnings(film).all(|(_, _, turning, _)| turning <= COARSE_TURNING) && has_fine_ends(film);
+    margin >= CALM && (film.boundaries.len() == 1 || is_fine())
+}
+
+/// Whether the edges at the ends of all necks are short enough.
+pub(crate) fn has_fine_ends(film: &Film) -> bool {
+    let radius = neck_radii(film);
+    let topology = &film.topology;
+    (0..topology.twin.len() as u32).all(|h| {
+        let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+        let longest = COARSE_EDGE * radius[a].min(radius[b]);
+        (film.fixed[a] && film.fixed[b]) || film.vertices[a].distance(film.vertices[b]) <= longest
+    })
+}
+
+/// For each vertex of a boundary in which a neck ends the boundary's length over 2 π, and infinity for all others. A
+/// film with one boundary has no neck that ends in it.
+fn neck_radii(film: &Film) -> Vec<f64> {
+    let mut radius = vec![f64::INFINITY; film.vertices.len()];
+    if film.boundaries.len() < 2 {
+        return radius;
+    }
+    let normals = measure::normals(&film.vertices, film.triangles());
+    for boundary in &film.boundaries {
+        let sum: DVec3 = boundary.iter().map(|&v| normals[v as usize]).sum();
+        // Around a cylinder the normals have no mean.
+        let has_mean = sum.length() > 0.5 * boundary.len() as f64;
+        if has_mean && boundary.iter().all(|&v| measure::angle(normals[v as usize], sum) <= BENT) {
+            continue;
+        }
+        let points: Vec<DVec3> = boundary.iter().map(|&v| film.vertices[v as usize]).collect();
+        boundary.iter().for_each(|&v| radius[v as usize] = polyline::length(&points, true) / TAU);
+    }
+    radius
+}
+
+/// Steps 1 and 2 for the margins of a film and of the film with edges shorter by the factor `halvings` of two. `None`
+/// stands for a finer film that was not found.
+pub(crate) fn compare(coarse: f64, fine: Option<f64>, halvings: u32) -> Look {
+    let Some(fine) = fine else { return Look::Unresolved(None) };
+    let growth = f64::from(4u32.pow(halvings.min(12)));
+    let limit = fine * fine - (coarse * coarse - fine * fine) / (growth - 1.0);
+    // With one halving this is the condition fine >= RESOLVED coarse.
+    let error = fine * fine - limit;
+    if error <= (1.0 / (RESOLVED * RESOLVED) - 1.0) / 3.0 * fine * fine {
+        return Look::Exists(limit.sqrt().min(fine));
+    }
+    Look::Unresolved((limit > 0.0).then(|| limit.sqrt()))
+}
+
+/// The edges that can turn: both ends, the angle between the normals at the ends, and the length.
+fn turnings(film: &Film) -> impl Iterator<Item = (usize, usize, f64, f64)> + '_ {
+    let normals = measure::normals(&film.vertices, film.triangles());
+    let topology = &film.topology;
+    (0..topology.twin.len() as u32).filter_map(move |h| {
+        let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+        let twin = topology.twin[h as usize];
+        let is_free = twin != NONE && twin > h && !(film.fixed[a] && film.fixed[b]);
+        let length = film.vertices[a].distance(film.vertices[b]);
+        (is_free && length > 0.0).then(|| (a, b, measure::angle(normals[a], normals[b]), length))
+    })
+}
+
+/// The sizes of step 3 at every vertex: no edge is to turn by more than an angle that falls from round to round. `None`
+/// if the mesh may not be refined any further.
+pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
+    let mut curvature = vec![0.0f64; film.vertices.len()];
+    let mut longest = vec![0.0f64; film.vertices.len()];
+    let mut largest = 0.0f64;
+    for (a, b, turning, length) in turnings(film) {
+        largest = largest.max(turning);
+        for v in [a, b] {
+            curvature[v] = curvature[v].max(turning / length);
+            longest[v] = longest[v].max(length);
+        }
+    }
+    let mut aim = FIRST_TURNING;
+    if has_fine_ends(film) {
+        while aim > 0.6 * largest {
+            aim *= 0.5;
+        }
+    }
+    if aim < LAST_TURNING {
+        return None;
+    }
+    let ends = neck_radii(film);
+    let size = |v: usize| {
+        let bend = if curvature[v] > 0.0 { aim / curvature[v] } else { f64::INFINITY };
+        let own = if longest[v] > 0.0 { longest[v] } else { f64::INFINITY };
+        own.min(bend).min(aim * ends[v])
+    };
+    let mut sizes: Vec<f64> = (0..film.vertices.len()).map(size).collect();
+    graded(film, &mut sizes);
+    let unit = 0.75f64.sqrt() / 2.0;
+    let triangles = |triangle: &[u32; 3]| {
+        let size = triangle.iter().map(|&v| sizes[v as usize]).sum::<f64>() / 3.0;
+        let area = 0.5 * measure::double_area_vector(film.corners(*triangle)).length();
+        (area / (unit * size * size)).max(1.0)
+    };
+    let count: f64 = film.triangles().iter().map(triangles).sum();
+    (count <= MOST_TRIANGLES.max(2.0 * film.triangles().len() as f64)).then_some(sizes)
+}

@@ -1,0 +1,179 @@
+//! `best` over two to six random loops: its area is at most the least that any other start finds, and it does not
+//! change when the loops are turned, moved and listed in another order. `PLATEAU_LONG` runs 200 configurations.
+
+use plateau_film::minimal_surface::{
+    FreeTopology, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, TopologyRule, solve,
+};
+use plateau_mesh::random::SplitMix64;
+use plateau_mesh::{DVec3, Execution};
+use std::f64::consts::TAU;
+
+fn direction(random: &mut SplitMix64) -> DVec3 {
+    loop {
+        let mut any = || random.between(-1.0, 1.0);
+        let vector = DVec3::new(any(), any(), any());
+        if (0.1..1.0).contains(&vector.length()) {
+            return vector.normalize();
+        }
+    }
+}
+
+fn ellipse(points: usize, centre: DVec3, first: DVec3, second: DVec3, phase: f64) -> Vec<DVec3> {
+    let angle = |k: usize| TAU * k as f64 / points as f64 + phase;
+    (0..points).map(|k| centre + first * angle(k).cos() + second * angle(k).sin()).collect()
+}
+
+/// A plane ellipse of these half axes around a normal.
+fn around(random: &mut SplitMix64, centre: DVec3, normal: DVec3, axes: [f64; 2]) -> Vec<DVec3> {
+    let (x, y) = normal.any_orthonormal_pair();
+    let turn = random.between(0.0, TAU);
+    let (u, v) = (x * turn.cos() + y * turn.sin(), y * turn.cos() - x * turn.sin());
+    ellipse(16 + 2 * random.below(5), centre, u * axes[0], v * axes[1], random.between(0.0, TAU))
+}
+
+/// Loops of one of five kinds: coaxial rings, rings that nearly coincide, rings that face outwards on a sphere,
+/// ellipses anywhere, which may be linked, and Borromean rings.
+fn configuration(random: &mut SplitMix64) -> (&'static str, Vec<Vec<DVec3>>) {
+    let count = 2 + random.below(5);
+    match random.below(5) {
+        0 => {
+            let mut height = 0.0;
+            let loops = (0..count).map(|_| {
+                height += random.between(0.1, 0.9);
+                let radius = random.between(0.3, 1.0);
+                let centre = DVec3::new(random.between(-0.2, 0.2), 0.0, height);
+                around(random, centre, DVec3::Z, [radius; 2])
+            });
+            ("coaxial", loops.collect())
+        }
+        1 => {
+            let gap = 10f64.powf(random.between(-4.0, -1.5));
+            let points = 12 + 12 * random.below(2);
+            let mut loops = vec![
+                ellipse(points, DVec3::ZERO, DVec3::X, DVec3::Y, 0.0),
+                ellipse(points, gap * DVec3::Z, DVec3::X, DVec3::Y, 0.0),
+            ];
+            for k in 2..count.min(4) {
+                let far = DVec3::new(3.0 * (k - 1) as f64, 0.0, 0.0);
+                loops.push(around(random, far, DVec3::Z, [0.5; 2]));
+            }
+            ("near", loops)
+        }
+        2 => {
+            let mut axes: Vec<DVec3> = Vec::new();
+            while axes.len() < count {
+                let axis = direction(random);
+                if axes.iter().all(|other| other.angle_between(axis) > 1.1) {
+                    axes.push(axis);
+                }
+            }
+            let radius = random.between(0.25, 0.5);
+            let loops = axes.into_iter().map(|axis| around(random, axis, axis, [radius; 2]));
+            ("outwards", loops.collect())
+        }
+        3 => {
+            let loops = (0..count).map(|_| {
+                let centre = 0.8 * direction(random) * random.unit();
+                let normal = direction(random);
+                let axes = [random.between(0.4, 1.0), random.between(0.4, 1.0)];
+                around(random, centre, normal, axes)
+            });
+            ("anywhere", loops.collect())
+        }
+        _ => {
+            let (a, b) = (random.between(1.6, 2.0), random.between(0.8, 1.0));
+            let points = 24 + 3 * random.below(6);
+            let axes = [[DVec3::X, DVec3::Y], [DVec3::Y, DVec3::Z], [DVec3::Z, DVec3::X]];
+            ("borromean", axes.map(|[x, y]| ellipse(points, DVec3::ZERO, a * x, b * y, 0.3)).to_vec())
+        }
+    }
+}
+
+fn spanned(
+    loops: &[Vec<DVec3>],
+    topology: TopologyRule,
+    start: InitialMesh,
+    triangles: usize,
+) -> Option<MinimalSurface> {
+    let method = Method::Newton(Newton { topology, on_unstable: OnUnstable::Descend });
+    let options = Options { method, initial_mesh: start, ..Options::new(Resolution::Triangles(triangles)) };
+    solve(loops, &options, &Execution::default()).ok()
+}
+
+fn with_best(loops: &[Vec<DVec3>], triangles: usize) -> MinimalSurface {
+    spanned(loops, TopologyRule::Best, InitialMesh::Auto, triangles).expect("best has a film")
+}
+
+fn crosses(surface: &MinimalSurface) -> bool {
+    surface.statistics.self_intersections.pairs.is_none_or(|pairs| pairs > 0)
+}
+
+/// The error of the mesh's own area.
+fn own_error(surface: &MinimalSurface) -> f64 {
+    surface.statistics.extrapolated_area.map_or(0.0, |area| area.error_estimate)
+}
+
+/// What is wrong with `best` over one configuration, if anything is.
+fn fault(seed: u64) -> Option<String> {
+    let random = &mut SplitMix64::new(seed);
+    let (kind, loops) = configuration(random);
+    let triangles = 150 * loops.len() + 200 * random.below(3);
+    let start = std::time::Instant::now();
+    let best = with_best(&loops, triangles);
+    let seconds = start.elapsed().as_secs_f64();
+    let chosen = |surface: &MinimalSurface| {
+        let comparison = surface.statistics.spanning.as_ref().expect("best compares");
+        format!("{:?} of area {}", comparison.topologies[0].films, surface.statistics.area)
+    };
+    let mut faults = Vec::new();
+    let free = TopologyRule::Free(FreeTopology::default());
+    for (topology, name) in [(TopologyRule::Fixed, "fixed"), (free, "free")] {
+        for initial in [InitialMesh::Auto, InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings] {
+            let Some(other) = spanned(&loops, topology.clone(), initial.clone(), triangles) else { continue };
+            let statistics = &other.statistics;
+            let holds = statistics.converged && statistics.stability.is_none_or(|stability| stability.stable);
+            let least = statistics.area + 2.0 * own_error(&best).max(own_error(&other)) + 1e-9 * statistics.area;
+            // Films that pass through themselves come after all others.
+            if holds && (!crosses(&other) || crosses(&best)) && best.statistics.area > least {
+                faults.push(format!("{name} from {initial:?} finds {}", statistics.area));
+            }
+        }
+    }
+    let (axis, angle) = (direction(random), random.between(0.0, TAU));
+    let turn = glam::DQuat::from_axis_angle(axis, angle);
+    let shift = 3.0 * direction(random);
+    let mut moved: Vec<Vec<DVec3>> =
+        loops.iter().map(|points| points.iter().map(|&p| turn * p + shift).collect()).collect();
+    let places: Vec<usize> = (1..moved.len()).map(|k| random.below(k + 1)).collect();
+    places.into_iter().enumerate().for_each(|(k, place)| moved.swap(k + 1, place));
+    let other = with_best(&moved, triangles);
+    let allowed = 2.0 * own_error(&best).max(own_error(&other)) + 1e-9 * best.statistics.area;
+    if (best.statistics.area - other.statistics.area).abs() > allowed {
+        faults.push(format!("moved and reordered {}", chosen(&other)));
+    }
+    let error = own_error(&best);
+    let head = format!(
+        "{seed} {kind} {} loops, {triangles} triangles, {seconds:.1} s: {} ± {error:.1e}",
+        loops.len(),
+        chosen(&best)
+    );
+    if std::env::var_os("PLATEAU_SHOW").is_some() {
+        println!("{head} {faults:?}");
+        for topology in best.statistics.spanning.iter().flat_map(|comparison| &comparison.topologies).take(4) {
+            println!("    {:?} {:?} {}", topology.films, topology.area, topology.films_cross);
+        }
+    }
+    (!faults.is_empty()).then(|| format!("{head}: {}", faults.join("; ")))
+}
+
+#[test]
+fn best_is_the_least_of_all_starts_wherever_the_loops_stand() {
+    let count = match std::env::var("PLATEAU_COUNT") {
+        Ok(count) => count.parse().expect("a number"),
+        Err(_) if std::env::var_os("PLATEAU_LONG").is_some() => 200,
+        Err(_) => 8,
+    };
+    let first = std::env::var("PLATEAU_FIRST").map_or(0, |first| first.parse().expect("a number"));
+    let wrong: Vec<String> = (first..first + count).filter_map(fault).collect();
+    assert!(wrong.is_empty(), "{} of {count} wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
