@@ -57,7 +57,7 @@ impl Case {
         solve(&rings, &Options::new(Resolution::Triangles(self.triangles)), &Execution::default())
     }
 
-    /// What is wrong, if anything is.
+    /// The fault of the case, if it has one.
     fn fault(&self) -> Option<String> {
         let start = std::time::Instant::now();
         let solved = self.solved();
@@ -75,7 +75,7 @@ impl Case {
         });
         let Self { radius, points, triangles, factor } = self;
         let line = format!("{radius} {points:?} {triangles} {factor} {:.1} s: {told}", start.elapsed().as_secs_f64());
-        if std::env::var_os("PLATEAU_SHOW").is_some() {
+        if std::env::var_os("PLATEAU_LONG").is_some() {
             println!("{line}");
         }
         (holds == (*factor > 1.0)).then_some(line)

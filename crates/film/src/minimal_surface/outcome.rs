@@ -100,8 +100,8 @@ fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
     };
     statistics.refined.then(|| {
         let detail = format!(
-            "the film bends so strongly at a neck that a coarse mesh does not show whether it exists: {asked}, and with \
-             a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
+            "the film bends so strongly at a neck that a coarse mesh does not show whether it exists: {asked}, and \
+             with a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
             edge_lengths.mean
         );
         Warning::new("refined", detail).with_count("triangles", *triangles)
