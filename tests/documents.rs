@@ -1,5 +1,6 @@
-//! Checks that every file that a document names exists: README files, everything in `docs` and the comments of
-//! migrations. The changelog is left out, because it may name what is gone.
+//! Checks that every file that a document names exists, and that every link leads to a file and a heading: README
+//! files, everything in `docs` and the comments of migrations. The changelog is left out, because it may name what is
+//! gone.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -8,9 +9,9 @@ use std::path::{Path, PathBuf};
 const ELSEWHERE: [&str; 3] = ["cablenet.md", "src/hops/RemoteDefinition.cs", "HopsComponent.cs"];
 
 /// Endings by which a word is recognised as the name of a file.
-const ENDINGS: [&str; 17] = [
+const ENDINGS: [&str; 18] = [
     "rs", "md", "py", "sql", "mjs", "ts", "toml", "jsonl", "txt", "json", "css", "html", "yml", "yaml", "sh", "cs",
-    "png",
+    "png", "svg",
 ];
 
 fn root() -> PathBuf {
@@ -142,4 +143,93 @@ fn a_path_that_does_not_exist_is_found_in_any_form() {
         assert_eq!(found(&format!("-- The order: see `{wrong}`.")), [format!("docs/a.md names {wrong}")]);
     }
     assert_eq!(found("`src/{store,none}`"), ["docs/a.md names src/none"]);
+}
+
+/// Returns the targets of the links and pictures of a document, `[text](target)`, without those outside the project.
+fn links(text: &str) -> Vec<&str> {
+    let targets =
+        text.match_indices("](").filter_map(|(at, _)| text[at + 2..].split_once(')').map(|(target, _)| target));
+    targets.filter(|target| !target.contains("://") && !target.contains(char::is_whitespace)).collect()
+}
+
+/// Returns the names by which a document's headings are linked: small letters, digits and hyphens for spaces.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let headings =
+        text.lines().filter_map(|line| line.strip_prefix('#').map(|rest| rest.trim_start_matches('#').trim()));
+    let letter = |c: char| match c {
+        ' ' => Some('-'),
+        '-' | '_' => Some(c),
+        _ => c.is_alphanumeric().then(|| c.to_lowercase().next().unwrap_or(c)),
+    };
+    headings.map(|heading| heading.chars().filter_map(letter).collect()).collect()
+}
+
+/// Returns the links of a document that lead to no file or to no heading of it.
+fn broken(document: &str, text: &str, read: &dyn Fn(&str) -> Option<String>) -> Vec<String> {
+    let leads = |target: &&str| {
+        let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+        let mut parts: Vec<&str> = document.split('/').collect();
+        if !file.is_empty() {
+            parts.pop();
+        }
+        for part in file.split('/').filter(|part| !part.is_empty() && *part != ".") {
+            match part {
+                ".." => drop(parts.pop()),
+                _ => parts.push(part),
+            }
+        }
+        read(&parts.join("/")).is_some_and(|text| heading.is_empty() || anchors(&text).contains(heading))
+    };
+    links(text)
+        .into_iter()
+        .filter(|target| !leads(target))
+        .map(|target| format!("{document} links to {target}"))
+        .collect()
+}
+
+/// Returns the text of a file of the project; empty for folders and pictures; `None` if there is none.
+fn contents(path: &str) -> Option<String> {
+    let path = root().join(path);
+    path.exists().then(|| std::fs::read_to_string(path).unwrap_or_default())
+}
+
+#[test]
+fn every_link_of_a_document_leads_to_a_file_and_a_heading() {
+    let documents: Vec<String> = tree().into_iter().filter(|path| is_document(path)).collect();
+    let text = |path: &String| contents(path).expect("a document");
+    let count: usize = documents.iter().map(|path| links(&text(path)).len()).sum();
+    assert!(count > 100, "{count} links");
+    let broken: Vec<String> = documents.iter().flat_map(|path| broken(path, &text(path), &contents)).collect();
+    assert!(broken.is_empty(), "these links lead nowhere:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn a_link_that_leads_nowhere_is_found() {
+    let read = |path: &str| match path {
+        "docs/a.md" => Some("# A\n## How far, at most: `x`?\n".to_owned()),
+        "src" | "docs/b.svg" => Some(String::new()),
+        _ => None,
+    };
+    let right = "[a](../docs/a.md#how-far-at-most-x) [b](#a) ![b](b.svg) [c](https://example.org/c.md) [d](../src) \
+                 f(x)[1](no link";
+    assert_eq!(broken("docs/a.md", right, &read), Vec::<String>::new());
+    for wrong in ["c.md", "a.md#how-far", "#b", "../b.svg"] {
+        assert_eq!(broken("docs/a.md", &format!("[x]({wrong})"), &read), [format!("docs/a.md links to {wrong}")]);
+    }
+}
+
+/// `scripts/check_tables.py` runs the commands of these lines and compares what they print with the tables below them.
+#[test]
+fn every_paper_says_which_command_prints_its_tables() {
+    let pages: Vec<String> =
+        tree().into_iter().filter(|path| path.starts_with("docs/papers/") && path != "docs/papers/README.md").collect();
+    assert_eq!(pages.len(), 5, "{pages:?}");
+    for page in pages {
+        let text = contents(&page).expect("a page");
+        let table = text.find("\n| --- |").unwrap_or_else(|| panic!("{page} has no table"));
+        let paper = page.trim_start_matches("docs/papers/").trim_end_matches(".md");
+        let command = format!("\nRebuilt by `python3 benches/papers/tables.py {paper}`");
+        let stated = text.find(&command).unwrap_or_else(|| panic!("{page} does not name its command"));
+        assert!(stated < table, "{page} has a table before its command");
+    }
 }
