@@ -54,6 +54,10 @@ pub struct MinimalSurface {
 /// 0.99 of the largest distance.
 const NEAR_CRITICAL: f64 = 0.2;
 
+/// A stable film counts as near its limit if its margin is below this. Between two rings of any radii it is passed at
+/// 0.99 of the largest distance.
+const NEAR_CRITICAL: f64 = 0.2;
+
 /// A warning where a small change of the boundary may leave no such film.
 fn near_critical(statistics: &Statistics) -> Option<Warning> {
     let margin = statistics.stability?.margin.filter(|&margin| margin < NEAR_CRITICAL)?;
@@ -91,8 +95,8 @@ fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
     };
     statistics.refined.then(|| {
         let detail = format!(
-            "the film bends so strongly at a neck that a coarse mesh does not show whether it exists: {asked}, and with \
-             a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
+            "the film bends so strongly at a neck that a coarse mesh does not show whether it exists: {asked}, and \
+             with a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
             edge_lengths.mean
         );
         Warning::new("refined", detail).with_count("triangles", *triangles)
@@ -224,11 +228,7 @@ pub(super) fn finish(
         warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics));
-    // The loops of a film over joined boundaries run from one of them to another where they touch.
-    let boundaries = match joined {
-        Some(_) => own_boundaries(&film, &input.centred)?,
-        None => film.boundaries.clone(),
-    };
+    let boundaries = film.boundaries.clone();
     let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();
     let centred = joined.map(|_| mesh.vertices.clone());

@@ -3,6 +3,7 @@
 use super::initial_mesh::InitialMeshKind;
 use super::run::{Run, StopReason};
 use plateau_mesh::film::Film;
+use plateau_mesh::measure;
 
 /// A film that a solver has finished.
 #[derive(Clone, Debug)]
@@ -17,9 +18,13 @@ pub(crate) struct SolvedFilm {
 
 impl SolvedFilm {
     /// Whether it is a stable minimal surface: the solver converged, the Morse index is not above 0, and no triangle is
-    /// flipped.
+    /// flipped or degenerate.
     pub fn holds(&self) -> bool {
         let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
-        converged && self.run.stability.is_none_or(|stability| stability.stable) && self.film.flipped_triangles() == 0
+        let is_degenerate = |&triangle: &[u32; 3]| measure::is_degenerate(self.film.corners(triangle));
+        converged
+            && self.run.stability.is_none_or(|stability| stability.stable)
+            && self.film.flipped_triangles() == 0
+            && !self.film.triangles().iter().any(is_degenerate)
     }
 }

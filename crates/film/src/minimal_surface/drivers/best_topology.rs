@@ -237,7 +237,8 @@ impl Parts {
             let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
             let known = a.area.is_none().cmp(&b.area.is_none());
             let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
-            by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+            // A connected film with the area of separate ones is these with tubes of no area between them.
+            by_area.then(b.films.len().cmp(&a.films.len())).then(a.films.cmp(&b.films))
         };
         compared.sort_by(order);
         Ok(compared)
@@ -314,8 +315,8 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Steps 1 and 4 for some sets. Each begins from the initial mesh of the film that `coarse` has of it, or from all of
-    /// them.
+    /// Steps 1 and 4 for some sets. Each begins from the initial mesh of the film that `coarse` has of it, or from all
+    /// of them.
     fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =

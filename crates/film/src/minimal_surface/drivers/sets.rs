@@ -62,8 +62,8 @@ pub(super) fn partitions(count: usize) -> Vec<Vec<u32>> {
     result
 }
 
-/// Joins several films into one, each oriented along the first of its boundaries. The input points of the boundaries come first, in input order, then the other vertices
-/// film by film.
+/// Joins several films into one, each oriented along the first of its boundaries. The input points of the boundaries
+/// come first, in input order, then the other vertices film by film.
 pub(super) fn together(boundaries: &[Vec<DVec3>], films: &[(Vec<usize>, &SolvedFilm)]) -> Option<Film> {
     let mut first = Vec::with_capacity(boundaries.len());
     let mut count = 0u32;

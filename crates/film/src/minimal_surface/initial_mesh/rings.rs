@@ -107,8 +107,8 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result
     Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
 }
 
-/// Mean gap between two boundaries that counts as narrow, as a fraction of the edges of a strip of single triangles. With
-/// a larger value more annuli begin as rings.
+/// Mean gap between two boundaries that counts as narrow, as a fraction of the edges of a strip of single triangles.
+/// With a larger value more annuli begin as rings.
 const NARROW: f64 = 1.0;
 
 /// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.

@@ -1,5 +1,5 @@
-//! Whether a stable film exists, or only its mesh holds it: a mesh of long edges holds a thin neck at distances at which
-//! no minimal surface connects the boundaries.
+//! Whether a stable film exists, or only its mesh holds it: a mesh of long edges holds a thin neck at distances at
+//! which no minimal surface connects the boundaries.
 //!
 //! 1. The [margin](crate::equilibrium::stability::Margin) m of the film is compared with that of the film whose edges
 //!    are halved. Beside the limit m² is proportional to the distance from the limit, and the mesh moves the limit by a
