@@ -233,3 +233,41 @@ fn every_paper_says_which_command_prints_its_tables() {
         assert!(stated < table, "{page} has a table before its command");
     }
 }
+
+/// Returns the functions that the tables under "The way of a request and back" name, each with the files of its row. A
+/// row without a file continues the one above.
+fn functions_of_the_way(document: &str) -> Vec<(String, Vec<String>)> {
+    let section = document.split("\n## ").find(|section| section.starts_with("The way of a request and back"));
+    let (mut files, mut found) = (Vec::new(), Vec::new());
+    for line in section.expect("the section").lines().filter(|line| line.starts_with("| ")) {
+        let quoted = |cell: &str| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+        let cells: Vec<&str> = line.split('|').collect();
+        let (own, functions) = (quoted(cells[1]), quoted(cells[2]));
+        if !own.is_empty() {
+            files = own;
+        }
+        found.extend(functions.into_iter().map(|function| (function, files.clone())));
+    }
+    found
+}
+
+#[test]
+fn every_function_of_the_way_of_a_request_stands_in_a_file_of_its_row() {
+    let document = std::fs::read_to_string(root().join("docs/ARCHITECTURE.md")).expect("the document");
+    let functions = functions_of_the_way(&document);
+    assert!(functions.len() > 100, "{} functions", functions.len());
+    for (function, files) in functions {
+        let name = function.rsplit("::").next().unwrap_or_default();
+        let stands_in = |file: &String| {
+            let path = root().join(if file.starts_with("crates/") { file.clone() } else { format!("src/{file}") });
+            let path = if path.is_dir() { path.with_extension("rs") } else { path };
+            let source = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            let declares = |word: &str| {
+                let after = |(at, _)| source[at + word.len()..].chars().next();
+                source.match_indices(word).any(|place| after(place).is_none_or(|c| !c.is_alphanumeric() && c != '_'))
+            };
+            declares(&format!("fn {name}")) || declares(&format!("struct {name}"))
+        };
+        assert!(files.iter().any(stands_in), "no function {function} in {files:?}");
+    }
+}

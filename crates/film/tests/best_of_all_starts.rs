@@ -5,6 +5,7 @@ use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, TopologyRule, solve,
 };
 use plateau_mesh::random::SplitMix64;
+use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Execution};
 use std::f64::consts::TAU;
 
@@ -105,7 +106,9 @@ fn with_best(loops: &[Vec<DVec3>], triangles: usize) -> MinimalSurface {
 }
 
 fn crosses(surface: &MinimalSurface) -> bool {
-    surface.statistics.self_intersections.pairs.is_none_or(|pairs| pairs > 0)
+    let mesh = &surface.mesh;
+    let found = self_intersections(&mesh.vertices, &mesh.triangles, Order::Spatial, u64::MAX, &Execution::default());
+    found.unwrap().pairs > 0
 }
 
 /// The error of the mesh's own area.

@@ -54,10 +54,6 @@ pub struct MinimalSurface {
 /// 0.99 of the largest distance.
 const NEAR_CRITICAL: f64 = 0.2;
 
-/// A stable film counts as near its limit if its margin is below this. Between two rings of any radii it is passed at
-/// 0.99 of the largest distance.
-const NEAR_CRITICAL: f64 = 0.2;
-
 /// A warning where a small change of the boundary may leave no such film.
 fn near_critical(statistics: &Statistics) -> Option<Warning> {
     let margin = statistics.stability?.margin.filter(|&margin| margin < NEAR_CRITICAL)?;
@@ -228,7 +224,11 @@ pub(super) fn finish(
         warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics));
-    let boundaries = film.boundaries.clone();
+    // The loops of a film over joined boundaries run from one of them to another where they touch.
+    let boundaries = match joined {
+        Some(_) => own_boundaries(&film, &input.centred)?,
+        None => film.boundaries.clone(),
+    };
     let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();
     let centred = joined.map(|_| mesh.vertices.clone());

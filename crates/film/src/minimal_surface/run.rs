@@ -107,7 +107,8 @@ pub struct Stability {
     pub method: StabilityMethod,
     /// Distance of a stable surface from the edge of stability: the least ratio of the second variation to its part
     /// without curvature, over all motions. 1 for a flat film, 0 at the edge, without a unit. It is that of the smooth
-    /// surface where two meshes tell it. `None` for unstable surfaces.
+    /// surface where two meshes tell it. `None` for unstable surfaces. It is not serialised.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub margin: Option<f64>,
 }
 
