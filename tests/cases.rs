@@ -300,6 +300,7 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
     let folder = std::fs::read_dir(format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"))).expect("the cases");
     let mut cases: Vec<(String, Value)> = folder
         .map(|entry| entry.expect("a case").path())
+        .filter(|path| path.is_file())
         .map(|path| {
             let value = serde_json::from_slice(&std::fs::read(&path).expect("a case")).expect("JSON");
             (path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), value)

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 const ELSEWHERE: [&str; 3] = ["cablenet.md", "src/hops/RemoteDefinition.cs", "HopsComponent.cs"];
 
 /// Endings by which a word is recognised as the name of a file.
-const ENDINGS: [&str; 18] = [
+const ENDINGS: [&str; 17] = [
     "rs", "md", "py", "sql", "mjs", "ts", "toml", "jsonl", "txt", "json", "css", "html", "yml", "yaml", "sh", "cs",
-    "png", "svg",
+    "png",
 ];
 
 fn root() -> PathBuf {

@@ -1,7 +1,6 @@
 //! The audit at the exit: a result whose stated figures are not those of its mesh fails the job, is logged and counted.
 //!
-//! An enlargement, a kind for tests, states the area of its source's statistics times the square of the factor. A stack
-//! of strips with caps states the area without them, so the enlargement of such a stack states a wrong one.
+//! An enlargement, a kind for tests, states a wrong area if it is asked to.
 
 use crate::app::TestApp;
 use crate::sources::{ENLARGEMENTS, enlargement};
@@ -11,17 +10,18 @@ use serde_json::{Value, json};
 async fn a_figure_that_is_not_that_of_the_mesh_fails_the_job_and_is_counted() {
     let app = TestApp::start().await;
     let contour = |z: f64| json!([[0, 0, z], [2, 0, z], [2, 1, z], [0, 1, z]]);
-    let stack = |caps: &str| json!({ "directrices": [contour(0.0), contour(3.0)], "closed": true, "caps": caps });
-    let open = app.solve("/v1/ruled-surfaces", &stack("none")).await;
-    app.solve(ENLARGEMENTS, &enlargement(&open, 2.0)).await;
+    let stack = json!({ "directrices": [contour(0.0), contour(3.0)], "closed": true, "caps": "flat" });
+    let stack = app.solve("/v1/ruled-surfaces", &stack).await;
+    app.solve(ENLARGEMENTS, &enlargement(&stack, 2.0)).await;
 
-    let capped = app.solve("/v1/ruled-surfaces", &stack("flat")).await;
-    let posted: Value = app.post(ENLARGEMENTS, &enlargement(&capped, 2.0)).await.json().await.expect("JSON");
+    let mut wrong = enlargement(&stack, 2.0);
+    wrong["stated_area_factor"] = json!(0.5);
+    let posted: Value = app.post(ENLARGEMENTS, &wrong).await.json().await.expect("JSON");
     let job = app.ended(posted).await;
     assert_eq!((&job["status"], &job["statistics"]), (&"failed".into(), &Value::Null), "{job}");
     assert_eq!(job["error"]["type"], "/problems/audit-failed");
     let detail = job["error"]["detail"].as_str().expect("a detail");
-    assert!(detail.contains("/area: stated 72"), "{detail}");
+    assert!(detail.contains("/area: stated 44"), "{detail}");
     assert!(detail.contains("measured 88"), "{detail}");
     assert!(job["links"]["mesh"].is_null(), "a withheld mesh has no link");
     let metrics = app.get("/metrics").await.text().await.expect("text");

@@ -4,6 +4,7 @@ use crate::common::Point;
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A mesh in the axes and the unit of its request.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -18,10 +19,11 @@ pub struct Mesh {
     /// Three indices of vertices for each triangle, counted from 0. A cable net has none.
     pub triangles: Vec<[u32; 3]>,
     pub attributes: MeshAttributes,
-    /// Numbers for each triangle. Only tensile structures have them.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "TriangleAttributes")]
-    pub triangle_attributes: Option<TriangleAttributes>,
+    /// Numbers for each triangle, by name. Tensile structures have the stress of each triangle, with which the forces
+    /// balance at every vertex, in force per length of the request's units: `stress_min` and `stress_max`, the
+    /// principal stresses, and `stress_max_x`, `stress_max_y` and `stress_max_z`, the unit vector along the largest.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub triangle_attributes: BTreeMap<String, Vec<f64>>,
     pub lines: Vec<MeshLines>,
     /// For each polyline of the request, the vertices that its points became.
     pub input_vertices: Vec<Vec<u32>>,
@@ -35,21 +37,6 @@ pub struct MeshAttributes {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Vec<f64>")]
     pub mean_curvature: Option<Vec<f64>>,
-}
-
-/// The stress of each triangle, with which the forces balance at every vertex, in force per length of the request's
-/// units.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TriangleAttributes {
-    /// Least principal stress.
-    pub stress_min: Vec<f64>,
-    /// Largest principal stress.
-    pub stress_max: Vec<f64>,
-    /// Unit vector along the largest principal stress.
-    pub stress_max_x: Vec<f64>,
-    pub stress_max_y: Vec<f64>,
-    pub stress_max_z: Vec<f64>,
 }
 
 /// Lines along the mesh.

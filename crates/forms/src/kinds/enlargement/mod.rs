@@ -53,6 +53,13 @@ pub struct EnlargementRequest {
     /// Factor of every coordinate.
     #[serde(default = "default_factor")]
     pub factor: Positive,
+    /// Factor of the stated area. Every value but 1 states an area that is not the mesh's.
+    #[serde(default = "one")]
+    pub stated_area_factor: Positive,
+}
+
+fn one() -> Positive {
+    Positive::new(1.0)
 }
 
 fn default_factor() -> Positive {
@@ -85,7 +92,11 @@ impl SourcedRequest for EnlargementRequest {
         Ok(Checked {
             memory_bytes: source.memory_bytes(),
             quick: false,
-            input: Box::new(solve::SolverInput { source: source.clone(), factor: self.factor.get() }),
+            input: Box::new(solve::SolverInput {
+                source: source.clone(),
+                factor: self.factor.get(),
+                stated: self.stated_area_factor.get(),
+            }),
         })
     }
 }
@@ -97,6 +108,6 @@ fn objectives() -> Vec<Objective> {
         minimises: "deviation of each edge's length from the factor times its length in the source, which is 0",
         unit: "u",
         source: "Euclid, Elements VI, definition 1",
-        options: vec!["factor"],
+        options: vec!["factor", "stated_area_factor"],
     }]
 }

@@ -14,13 +14,15 @@ use serde_json::Value;
 pub(super) struct SolverInput {
     pub source: Source,
     pub factor: f64,
+    /// Factor of the stated area.
+    pub stated: f64,
 }
 
 /// Statistics of an enlargement.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct EnlargementStatistics {
     pub triangles: usize,
-    /// Area of the source in its statistics, times the square of the factor. Null if the statistics have no area.
+    /// Area of the source in its statistics, times the square of the factor and `stated_area_factor`. Null if the statistics have no area.
     pub area: Option<f64>,
     /// Middle of the bounding box.
     pub origin: Point,
@@ -28,7 +30,7 @@ pub struct EnlargementStatistics {
 
 impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
-        let Self { source, factor } = self;
+        let Self { source, factor, stated } = self;
         let given = source.archive().contents();
         exec.look(1)?;
         let vertices = given.mesh.vertices.iter().map(|&vertex| *factor * vertex).collect();
@@ -36,7 +38,7 @@ impl solved::SolverInput for SolverInput {
         let statistics: Value = serde_json::from_str(source.statistics()).unwrap_or_default();
         let statistics = to_json(&EnlargementStatistics {
             triangles: mesh.triangles.len(),
-            area: statistics["area"].as_f64().map(|area| factor * factor * area),
+            area: statistics["area"].as_f64().map(|area| stated * factor * factor * area),
             origin: origin(&mesh),
         })?;
         let archive = archive(Contents {
