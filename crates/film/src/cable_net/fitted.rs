@@ -7,7 +7,8 @@ use plateau_mesh::{DVec3, Error, Execution, Progress};
 pub const DAMPING: f64 = 1e-2;
 pub const LEAST_DAMPING: f64 = 1e-12;
 pub const LARGEST_DAMPING: f64 = 1e12;
-/// Factor of the damping after a poor step.
+/// Factors of the damping after a good step and after a poor one.
+pub const RELAXED: f64 = 0.2;
 pub const TIGHTENED: f64 = 3.0;
 /// Largest change of a logarithm of a density in one step: a factor of e².
 pub const LARGEST_STEP: f64 = 2.0;

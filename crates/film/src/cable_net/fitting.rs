@@ -38,7 +38,7 @@
 //!
 //! μ follows the ratio of the loss's fall to the fall that the linearised residuals promise (Madsen, Nielsen,
 //! Tingleff). A step v that raises the loss is halved a few times before μ grows, because a new μ costs a
-//! factorisation. A step that was kept after halving leaves μ as it is.
+//! factorisation.
 //!
 //! # Acceleration
 //!
@@ -58,7 +58,8 @@
 //! here.
 
 use super::fitted::{
-    DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, StopReason, TIGHTENED, refused, report,
+    DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, RELAXED, StopReason, TIGHTENED,
+    refused, report,
 };
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
@@ -70,12 +71,10 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption};
 /// one, as a fraction of it. Fitting never reaches zero: where the targets
 /// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
 const SLACK: f64 = 1e-3;
-/// Ratio of the loss's fall to the predicted one above which the damping is relaxed, the ratio below which it is
-/// tightened, and the factor of the first. On nets of 480 to 1,984 edges a factor of 0.1 takes 50 to 55 factorisations
-/// where 0.2 takes 60 to 65.
+/// Ratio of the loss's fall to the predicted one above which the damping is relaxed, and the ratio below which it is
+/// tightened.
 const GOOD: f64 = 0.75;
 const POOR: f64 = 0.25;
-const RELAXED: f64 = 0.1;
 /// Number of times that a step which raises the loss is halved.
 const HALVINGS: u32 = 3;
 /// Part h of a step at which the second derivative is measured, and the largest ratio 2 |a| / |v| at which it is
@@ -261,8 +260,7 @@ fn descend(
                 tried.find_map(|(part, moved)| {
                     let moved = moved.filter(|moved| moved.value < fit.value)?;
                     let ratio = (fit.value - moved.value) / direction.predicted(part);
-                    // A halved step says nothing of the damping.
-                    Some((if part < 1.0 { 0.5 } else { ratio }, moved))
+                    Some((if part < 1.0 { 0.0 } else { ratio }, moved))
                 })
             });
             let Some((ratio, moved)) = lower else {

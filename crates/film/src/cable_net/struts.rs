@@ -17,7 +17,8 @@
 //! is found is near them.
 
 use super::fitted::{
-    DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, StopReason, TIGHTENED, refused, report,
+    DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, RELAXED, StopReason, TIGHTENED,
+    refused, report,
 };
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
@@ -31,8 +32,6 @@ const STAGES: u32 = 9;
 const STAGE_FACTOR: f64 = 0.1;
 /// Fall of the merit below which a stage ends, as a fraction of it. The last stage has the caller's tolerance.
 const STAGE_TOLERANCE: f64 = 1e-2;
-/// Factor of the damping after a step that was kept.
-const RELAXED: f64 = 0.2;
 /// Largest number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 1000;
 /// Largest number of steps that remove unbalanced forces, and the fraction of the largest force that may remain.
