@@ -282,7 +282,9 @@ fn a_heavy_cable_hangs_in_a_catenary() {
             ends.push((reaction - end).abs() * scaled);
         }
         println!("{errors:?} {} {ends:?} {}", order(&errors), order(&ends));
-        assert!(order(&errors) > 1.9 && order(&ends) > 1.9, "{mode:?} {errors:?} {ends:?}");
+        // Where the weights are those of the found segments, the end's force is exact but for what the solver leaves.
+        let exact = ends.iter().all(|error| *error < 1e-5 * end);
+        assert!(order(&errors) > 1.9 && (exact || order(&ends) > 1.9), "{mode:?} {errors:?} {ends:?}");
         assert!(errors[2] < 5e-3, "{mode:?} {errors:?}");
     }
 }
