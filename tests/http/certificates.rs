@@ -16,6 +16,7 @@ fn check(proof: &[u8]) -> Output {
         .arg(root().join("scripts/check_certificate.py"))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
         .expect("python3 runs");
     script.stdin.take().unwrap().write_all(proof).unwrap();

@@ -1504,8 +1504,14 @@ export interface components {
             lines: components["schemas"]["MeshLines"][];
             /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
             origin: number[];
-            /** @description Numbers for each triangle. Only tensile structures have them. */
-            triangle_attributes?: components["schemas"]["TriangleAttributes"];
+            /**
+             * @description Numbers for each triangle, by name. Tensile structures have the stress of each triangle, with which the forces
+             *     balance at every vertex, in force per length of the request's units: `stress_min` and `stress_max`, the
+             *     principal stresses, and `stress_max_x`, `stress_max_y` and `stress_max_z`, the unit vector along the largest.
+             */
+            triangle_attributes?: {
+                [key: string]: number[];
+            };
             /** @description Three indices of vertices for each triangle, counted from 0. A cable net has none. */
             triangles: number[][];
             unit: components["schemas"]["Units"];
@@ -2998,20 +3004,6 @@ export interface components {
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";
-        /**
-         * @description The stress of each triangle, with which the forces balance at every vertex, in force per length of the request's
-         *     units.
-         */
-        TriangleAttributes: {
-            /** @description Largest principal stress. */
-            stress_max: number[];
-            /** @description Unit vector along the largest principal stress. */
-            stress_max_x: number[];
-            stress_max_y: number[];
-            stress_max_z: number[];
-            /** @description Least principal stress. */
-            stress_min: number[];
-        };
         /** @description A job: an accepted request and its state. */
         UniformMeshJob: {
             /** @description Time of submission (RFC 3339, UTC). */

@@ -897,8 +897,10 @@ class Mesh(TypedDict):
     lines: List[MeshLines]
     origin: List[float]
     """Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`."""
-    triangle_attributes: NotRequired[TriangleAttributes]
-    """Numbers for each triangle. Only tensile structures have them."""
+    triangle_attributes: NotRequired[Dict[str, List[float]]]
+    """Numbers for each triangle, by name. Tensile structures have the stress of each triangle, with which the forces
+    balance at every vertex, in force per length of the request's units: `stress_min` and `stress_max`, the
+    principal stresses, and `stress_max_x`, `stress_max_y` and `stress_max_z`, the unit vector along the largest."""
     triangles: List[List[int]]
     """Three indices of vertices for each triangle, counted from 0. A cable net has none."""
     unit: Units
@@ -1932,19 +1934,6 @@ class TensileStructureRequestWithKind(TypedDict):
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
     pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
-
-
-class TriangleAttributes(TypedDict):
-    """The stress of each triangle, with which the forces balance at every vertex, in force per length of the request's
-    units."""
-    stress_max: List[float]
-    """Largest principal stress."""
-    stress_max_x: List[float]
-    """Unit vector along the largest principal stress."""
-    stress_max_y: List[float]
-    stress_max_z: List[float]
-    stress_min: List[float]
-    """Least principal stress."""
 
 
 class UniformMeshJob(TypedDict):

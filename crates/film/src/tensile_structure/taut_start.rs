@@ -99,7 +99,7 @@ impl<'a> Network<'a> {
         self.holds[number] = hold;
     }
 
-    /// One pass over all points.
+    /// Passes over all points once.
     fn sweep(&mut self) {
         for v in 0..self.places.len() {
             if self.holds[v] == Hold::Fixed {
