@@ -200,8 +200,8 @@ fn too_large(error: LinearError) -> Error {
     Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
 }
 
-/// Finds the shape. The model's vertices become those of the shape. With a `coarse` mesh the structure travels: the mesh
-/// is renewed as the structure moves, and gets finer.
+/// Finds the shape. The model's vertices become those of the shape. With a `coarse` mesh the structure travels: the
+/// mesh is renewed as the structure moves, and gets finer.
 ///
 /// # Errors
 /// The cancel; [`Error::NoResult`] for a mesh that is too large.
