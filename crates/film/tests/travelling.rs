@@ -204,8 +204,8 @@ fn a_corner_that_nothing_ties_back_closes_and_is_named() {
     assert_eq!(reason, "no_equilibrium");
 }
 
-/// An outline of about `count` points with curved sides between held corners, and the outline of its corners alone, with
-/// the same cables.
+/// An outline of about `count` points with curved sides between held corners, and the outline of its corners alone,
+/// with the same cables.
 fn drawn_and_plain(seed: u64) -> (usize, Structure, Structure) {
     let mut random = SplitMix64::new(seed);
     let corners = 3 + random.below(4);

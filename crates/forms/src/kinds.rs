@@ -7,8 +7,8 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 
-/// Declares the module of each kind, a folder beside this file, and lists the kinds. Each kind is compiled only with its
-/// feature.
+/// Declares the module of each kind, a folder beside this file, and lists the kinds. Each kind is compiled only with
+/// its feature.
 macro_rules! kinds {
     ($($module:ident if $feature:literal,)*) => {
         $(#[cfg(feature = $feature)] pub mod $module;)*

@@ -1,10 +1,10 @@
 //! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
 //!
 //! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
-//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps, bold
-//! steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)), the gradient
-//! flow, and bold steps while the film's tension grows. Only if all attempts end with a part that closes or a vertex
-//! that runs away does that count as evidence that there is no equilibrium.
+//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps,
+//! bold steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)), the
+//! gradient flow, and bold steps while the film's tension grows. Only if all attempts end with a part that closes or a
+//! vertex that runs away does that count as evidence that there is no equilibrium.
 
 use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
@@ -576,7 +576,8 @@ impl Run<'_> {
         let joined = hubs.map(|(k, _)| Place::field("rings").at(k));
         let mut joined = joined.chain((0..structure.joints.len()).map(|k| Place::field("joints").at(k)));
         let free = || self.model.free.iter().position(|&own| own == v).map(|k| Place::field("free_points").at(k));
-        let slides = |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if self.model.input_vertex(point) == v);
+        let is_here = |point| self.model.input_vertex(point) == v;
+        let slides = |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if is_here(point));
         let sliding = || structure.sliding.iter().position(slides).map(|k| Place::field("supports").at(k));
         match in_the_air {
             Some(k) => joined.nth(k),

@@ -22,7 +22,8 @@ pub(super) struct SolverInput {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct EnlargementStatistics {
     pub triangles: usize,
-    /// Area of the source in its statistics, times the square of the factor and `stated_area_factor`. Null if the statistics have no area.
+    /// Area of the source in its statistics, times the square of the factor and `stated_area_factor`. Null if the
+    /// statistics have no area.
     pub area: Option<f64>,
     /// Middle of the bounding box.
     pub origin: Point,
