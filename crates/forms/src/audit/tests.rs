@@ -242,7 +242,10 @@ fn every_fault_in_a_tensile_structure_is_found() {
         "resolution": { "triangles": 200 }
     });
     let faults: [Fault; 11] = [
-        ("a lost triangle", |contents, _| remove_last(&mut contents.mesh.triangles)),
+        ("a lost triangle", |contents, _| {
+            remove_last(&mut contents.mesh.triangles);
+            contents.triangle_attributes.iter_mut().for_each(|attribute| remove_last(&mut attribute.values));
+        }),
         ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-3),
         ("an area of an earlier step", |_, statistics| add(statistics, "/area", 1e-6)),
         ("triangles of another layer", |_, statistics| add(statistics, "/layers/0/triangles", 1.0)),
