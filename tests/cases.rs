@@ -139,8 +139,8 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
     assert!(area - error <= 4.108_672 && area + error >= 4.108_0, "{area} {error}");
 }
 
-/// The outline lies in a plane to 1.3e-15. Seen from above its sides 1 and 31 cross, in exact arithmetic, at heights that
-/// differ by 4e-16.
+/// The outline lies in a plane to 1.3e-15. Exact arithmetic shows that its sides 1 and 31 cross as seen from above. Their
+/// heights differ there by 4e-16.
 #[test]
 fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
     let incoming = Incoming::read_with_kind(&body("film_canopy"), &LimitsConfig::default()).unwrap();
@@ -244,8 +244,8 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
     assert!(residual > 0.0 && residual < 1e-9, "{residual}");
 }
 
-/// Largest amount of work between two looks at the signal, in elementary operations: the benchmark of the audit times so
-/// many.
+/// Largest allowed amount of work between two looks at the signal, in elementary operations. `cargo bench -p
+/// plateau-forms --bench audit` prints how long the work between two looks takes.
 const MOST_WORK: u64 = 2_000_000;
 
 /// Hard cases of every kind, besides the files.
@@ -297,9 +297,11 @@ fn hard_cases() -> Vec<(String, Value)> {
 /// A solver that works for long without a look cannot be cancelled.
 #[test]
 fn no_solver_works_for_long_without_a_look_at_the_signal() {
-    let folder = std::fs::read_dir(format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"))).expect("the cases");
-    let mut cases: Vec<(String, Value)> = folder
-        .map(|entry| entry.expect("a case").path())
+    let files = ["tests/cases", "tests/cases/tensile"].into_iter().flat_map(|folder| {
+        let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_dir(folder).expect("the cases").map(|entry| entry.expect("a case").path())
+    });
+    let mut cases: Vec<(String, Value)> = files
         .filter(|path| path.is_file())
         .map(|path| {
             let value = serde_json::from_slice(&std::fs::read(&path).expect("a case")).expect("JSON");

@@ -217,8 +217,8 @@ fn caps() -> Vec<Case> {
     ]
 }
 
-/// The catenoid through circles of the radii `radius` at z = 0 and `other` at z = `height`: the radius c of its neck and
-/// its height z0 above the first circle.
+/// Returns the neck of the catenoid through two coaxial circles: its radius c, and its height z0 above the first circle.
+/// The first circle has the radius `radius` and lies at z = 0, the second has `other` and lies at `height`.
 fn neck(radius: f64, other: f64, height: f64) -> (f64, f64) {
     let middle = |c: f64| c * (radius / c).acosh();
     let c = root(|c| c * ((height - middle(c)) / c).cosh() - other, 0.7 * other, other);

@@ -39,8 +39,8 @@ fn document() -> Value {
         "info": {
             "title": "Plateau",
             "version": env!("CARGO_PKG_VERSION"),
-            "summary": "Form finding: minimal surfaces, optimal ruled strips and uniform meshes, as glTF meshes with statistics.",
-            "description": "Post boundary polylines or directrices to create a job. Follow the job, then fetch its mesh. Lengths are in \
+            "summary": "Form finding: minimal surfaces, optimal ruled strips, uniform meshes, tensile structures and cable nets, as glTF meshes with statistics.",
+            "description": "Post curves, a film with its cables, or a net to create a job. Follow the job, then fetch its mesh. Lengths are in \
                 the request's unit, and angles are in degrees. Every error is a problem document (RFC 9457). Results are deterministic.",
             "license": { "name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0" },
         },

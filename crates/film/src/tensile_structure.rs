@@ -26,17 +26,9 @@
 //!     axial_stiffness: None,
 //!     weight: 0.0,
 //! };
-//! let structure = Structure {
-//!     boundaries: vec![corners.to_vec()],
-//!     layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
-//!     cables: (0..4).map(cable).collect(),
-//!     free_points: Vec::new(),
-//!     sliding: Vec::new(),
-//!     rings: Vec::new(),
-//!     joints: Vec::new(),
-//!     chambers: Vec::new(),
-//!     up: DVec3::Z,
-//! };
+//! let film = FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 };
+//! let mut structure = Structure::new(vec![corners.to_vec()], vec![film]);
+//! structure.cables = (0..4).map(cable).collect();
 //! let sail = solve(&structure, &Options::new(Resolution::Triangles(500)), &Execution::default())?;
 //! assert!(sail.statistics.converged);
 //! assert!((sail.cables[0].length - 10.471976).abs() < 0.01);

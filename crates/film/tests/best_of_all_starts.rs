@@ -32,8 +32,8 @@ fn around(random: &mut SplitMix64, centre: DVec3, normal: DVec3, axes: [f64; 2])
     ellipse(16 + 2 * random.below(5), centre, u * axes[0], v * axes[1], random.between(0.0, TAU))
 }
 
-/// Loops of one of five kinds: coaxial rings, rings that nearly coincide, rings that face outwards on a sphere,
-/// ellipses anywhere, which may be linked, and Borromean rings.
+/// Returns loops of one of five kinds: coaxial rings, rings that nearly coincide, rings on a sphere, ellipses anywhere,
+/// Borromean rings. The ellipses may be linked.
 fn configuration(random: &mut SplitMix64) -> (&'static str, Vec<Vec<DVec3>>) {
     let count = 2 + random.below(5);
     match random.below(5) {
@@ -116,7 +116,7 @@ fn own_error(surface: &MinimalSurface) -> f64 {
     surface.statistics.extrapolated_area.map_or(0.0, |area| area.error_estimate)
 }
 
-/// The fault of `best` over one configuration, if it has one.
+/// Returns the faults of `best` over the configuration of a seed, in words.
 fn fault(seed: u64) -> Option<String> {
     let random = &mut SplitMix64::new(seed);
     let (kind, loops) = configuration(random);

@@ -7,17 +7,8 @@ use plateau_film::tensile_structure::{
 use plateau_mesh::{DVec3, Error, Execution};
 
 fn film(corners: &[(f64, f64, f64)], weight: f64) -> Structure {
-    Structure {
-        boundaries: vec![corners.iter().map(|&(x, y, z)| DVec3::new(x, y, z)).collect()],
-        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight }],
-        cables: Vec::new(),
-        free_points: Vec::new(),
-        sliding: Vec::new(),
-        rings: Vec::new(),
-        joints: Vec::new(),
-        chambers: Vec::new(),
-        up: DVec3::Z,
-    }
+    let corners = corners.iter().map(|&(x, y, z)| DVec3::new(x, y, z)).collect();
+    Structure::new(vec![corners], vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight }])
 }
 
 fn cable(course: Course, mode: CableMode, weight: f64) -> Cable {

@@ -5,7 +5,7 @@ use plateau_film::cable_net::{Edge, Net, Options, estimate, solve};
 use plateau_mesh::{DVec3, Execution};
 use std::process::Command;
 
-/// Variable that names the case that a process measures.
+/// Environment variable with the case that the process measures.
 const CASE: &str = "PLATEAU_TEST_MEMORY_CASE";
 
 /// Returns the peak of this process's resident memory in bytes.

@@ -25,17 +25,7 @@ fn direction(random: &mut Random) -> DVec3 {
 }
 
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
-    Structure {
-        boundaries,
-        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
-        cables: Vec::new(),
-        free_points: Vec::new(),
-        sliding: Vec::new(),
-        rings: Vec::new(),
-        joints: Vec::new(),
-        chambers: Vec::new(),
-        up: DVec3::Z,
-    }
+    Structure::new(boundaries, vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }])
 }
 
 fn cable(course: Course, mode: CableMode) -> Cable {
@@ -68,6 +58,13 @@ fn side(random: &mut Random, k: usize, count: usize, chord: f64, half: f64) -> C
     Cable { axial_stiffness, ..cable(course, mode) }
 }
 
+/// Returns a cable along each side of a polygon, for arcs of these half angles.
+fn cables(random: &mut Random, corners: &[DVec3], halves: &[f64]) -> Vec<Cable> {
+    let count = corners.len();
+    let chord = |k: usize| corners[k].distance(corners[(k + 1) % count]);
+    (0..count).map(|k| side(random, k, count, chord(k), halves[k])).collect()
+}
+
 /// 3 to 8 corners around a ring with cables between them. One to three corners are free and held by stays, or by a
 /// mast and stays, or slide on a line or surface; these are displaced.
 fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
@@ -80,11 +77,7 @@ fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let mut corners: Vec<DVec3> = (0..count).map(|k| corner(random, k)).collect();
     let halves = sides(random, &corners);
     let mut structure = film(Vec::new());
-    for k in 0..count {
-        let chord = corners[k].distance(corners[(k + 1) % count]);
-        let own = side(random, k, count, chord, halves[k]);
-        structure.cables.push(own);
-    }
+    structure.cables = cables(random, &corners, &halves);
     let force = |k: usize| {
         let chord = corners[k].distance(corners[(k + 1) % count]);
         0.5 * chord / halves[k].sin()
@@ -217,11 +210,7 @@ fn tent(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
         .collect();
     let halves = sides(random, &corners);
     let mut structure = film(Vec::new());
-    for k in 0..count {
-        let chord = corners[k].distance(corners[(k + 1) % count]);
-        let own = side(random, k, count, chord, halves[k]);
-        structure.cables.push(own);
-    }
+    structure.cables = cables(random, &corners, &halves);
     let height = random.between(0.8, 1.8);
     let rise = 6.0 * displaced * random.between(-0.8, 1.0);
     let mut ring = circle(16, random.between(0.6, 1.2), height + rise);

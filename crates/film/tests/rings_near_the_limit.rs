@@ -57,7 +57,7 @@ impl Case {
         solve(&rings, &Options::new(Resolution::Triangles(self.triangles)), &Execution::default())
     }
 
-    /// The fault of the case, if it has one.
+    /// Returns the fault of the case in words.
     fn fault(&self) -> Option<String> {
         let start = std::time::Instant::now();
         let solved = self.solved();

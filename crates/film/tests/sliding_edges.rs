@@ -17,16 +17,10 @@ fn circle(count: usize, radius: f64, height: f64) -> Vec<DVec3> {
 /// A film of tension 1 whose boundary of this number slides, at an angle in degrees.
 fn sliding(boundaries: Vec<Vec<DVec3>>, boundary: usize, on: Support, degrees: Option<f64>) -> Structure {
     let contact_angle = degrees.map(f64::to_radians);
+    let layers = vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }];
     Structure {
-        boundaries,
-        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
-        cables: Vec::new(),
-        free_points: Vec::new(),
         sliding: vec![Sliding { part: SlidingPart::Boundary(boundary), on, contact_angle }],
-        rings: Vec::new(),
-        joints: Vec::new(),
-        chambers: Vec::new(),
-        up: DVec3::Z,
+        ..Structure::new(boundaries, layers)
     }
 }
 

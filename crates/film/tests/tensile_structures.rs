@@ -19,17 +19,7 @@ fn edge(k: usize, mode: CableMode) -> Cable {
 }
 
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
-    Structure {
-        boundaries,
-        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
-        cables: Vec::new(),
-        free_points: Vec::new(),
-        sliding: Vec::new(),
-        rings: Vec::new(),
-        joints: Vec::new(),
-        chambers: Vec::new(),
-        up: DVec3::Z,
-    }
+    Structure::new(boundaries, vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }])
 }
 
 /// The space below a single film.

@@ -11,17 +11,7 @@ use plateau_mesh::{DVec3, Error, Execution};
 use std::f64::consts::TAU;
 
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
-    Structure {
-        boundaries,
-        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
-        cables: Vec::new(),
-        free_points: Vec::new(),
-        sliding: Vec::new(),
-        rings: Vec::new(),
-        joints: Vec::new(),
-        chambers: Vec::new(),
-        up: DVec3::Z,
-    }
+    Structure::new(boundaries, vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }])
 }
 
 fn plane(points: &[(f64, f64)]) -> Vec<DVec3> {

@@ -19,9 +19,9 @@ pub struct Mesh {
     /// Three indices of vertices for each triangle, counted from 0. A cable net has none.
     pub triangles: Vec<[u32; 3]>,
     pub attributes: MeshAttributes,
-    /// Numbers for each triangle, by name. Tensile structures have the stress of each triangle, with which the forces
-    /// balance at every vertex, in force per length of the request's units: `stress_min` and `stress_max`, the
-    /// principal stresses, and `stress_max_x`, `stress_max_y` and `stress_max_z`, the unit vector along the largest.
+    /// Numbers for each triangle, by name. Only tensile structures have them: the stress with which the forces balance
+    /// at every vertex. `stress_min` and `stress_max` are the principal stresses, a force per length in the request's
+    /// units. `stress_max_x`, `stress_max_y` and `stress_max_z` are the unit vector along the largest one.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub triangle_attributes: BTreeMap<String, Vec<f64>>,
     pub lines: Vec<MeshLines>,

@@ -314,7 +314,7 @@ fn a_large_fan_and_a_long_strip_take_little_more_than_linear_work() {
         work(&vertices, &triangles)
     };
     assert!(cone(20_000) < 2.0 * cone(1_000) + 10.0, "{} {}", cone(1_000), cone(20_000));
-    // A ramp around its vertex, which faces no direction.
+    // A spiral ramp around one vertex: no plane through that vertex has all triangles on one side.
     let spiral = |count: u32| {
         let angle = |k: u32| 9.0 * f64::from(k) / f64::from(count);
         let rim = (0..=count).map(|k| DVec3::new(angle(k).cos(), angle(k).sin(), 0.2 * angle(k)));

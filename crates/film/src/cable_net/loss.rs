@@ -47,7 +47,7 @@ pub(super) struct Loss<'a> {
     pub force: f64,
     pub length: f64,
     load_path: f64,
-    /// For each edge whether its density stays: it is held, or it is the least one and the gradient would lower it.
+    /// Edges whose density stays: a held density, or a density at its lower bound that the gradient would lower.
     stays: Vec<bool>,
 }
 

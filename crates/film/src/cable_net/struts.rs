@@ -155,6 +155,7 @@ fn descend(
         let members = members(loss, &state.densities, &state.at);
         let (_, squared_length) = mean_squares(net, state);
         let merit = state.merit(softness);
+        // The damping grows in every round that refuses a step, up to LARGEST_DAMPING.
         loop {
             match exec.look(200 * net.edges.len() as u64) {
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),

@@ -31,6 +31,24 @@ pub struct Structure {
     pub up: DVec3,
 }
 
+impl Structure {
+    /// A structure with these boundaries and layers and nothing else, whose z axis points up.
+    #[must_use]
+    pub fn new(boundaries: Vec<Vec<DVec3>>, layers: Vec<FilmStress>) -> Self {
+        Self {
+            boundaries,
+            layers,
+            cables: Vec::new(),
+            free_points: Vec::new(),
+            sliding: Vec::new(),
+            rings: Vec::new(),
+            joints: Vec::new(),
+            chambers: Vec::new(),
+            up: DVec3::Z,
+        }
+    }
+}
+
 /// The stress of the film and its weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmStress {

@@ -33,7 +33,7 @@ enum Hold {
 struct Link {
     ends: [usize; 2],
     force: f64,
-    /// The distance at which it holds its ends.
+    /// Distance between the two ends, if the cable or mast holds a length.
     length: Option<f64>,
 }
 
@@ -166,8 +166,8 @@ fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length:
     other + across + axis * squared.sqrt().copysign(along)
 }
 
-/// The structure with its corners, joints and hubs where its cables alone hold them, `forces` being theirs, and with
-/// straight sides. `None` if nothing moves, or if a cable shrinks to nothing.
+/// Returns the structure with straight sides, and with its corners, joints and hubs at the places where the cables alone
+/// are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, or if a cable shrinks to nothing.
 pub(super) fn taut(structure: &Structure, forces: &[f64]) -> Option<Structure> {
     let mut network = Network::new(structure, forces);
     let before = network.places.clone();

@@ -1,10 +1,15 @@
 //! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
 //!
 //! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
-//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape: bold steps,
-//! bold steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)), the
-//! gradient flow, and bold steps while the film's tension grows. Only if all attempts end with a part that closes or a
-//! vertex that runs away does that count as evidence that there is no equilibrium.
+//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape:
+//!
+//! 1. bold steps,
+//! 2. bold steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)),
+//! 3. the gradient flow,
+//! 4. bold steps while the film's tension grows.
+//!
+//! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there is
+//! no equilibrium.
 
 use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
@@ -68,7 +73,7 @@ const COUNT_TOLERANCE: f64 = 0.05;
 /// How an attempt goes on.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
-    /// Whether it begins from the taut start, if there is one.
+    /// Whether the attempt begins from the taut start, if the structure has a taut start.
     is_taut: bool,
     pace: Pace,
     /// First part of the film's tension, and the rounds in which it grows to all of it.
@@ -506,7 +511,7 @@ impl Run<'_> {
             let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
-                // A point that moves is named rather than the cable that it pulls in.
+                // The error names the end of the cable if that end moves, because its place is wrong, not the cable.
                 let chain = &self.model.chains[k];
                 let end = [chain[0], chain[chain.len() - 1]].into_iter().find_map(|v| self.place_of(v));
                 let own = match end {
@@ -557,7 +562,7 @@ impl Run<'_> {
                 "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
                 place(at[v as usize])
             );
-            // At a support it is the other end of one of its sides that has moved too far.
+            // A support does not move: the other end of one of its two sides has moved too far.
             let ends = self.model.chains.iter().map(|chain| [chain[0], chain[chain.len() - 1]]);
             let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
             let own = self
@@ -568,7 +573,8 @@ impl Run<'_> {
         })
     }
 
-    /// The place in the input of a point that moves by itself: a joint, a free point, a point that slides, a hub.
+    /// Returns the place in the input of a vertex that can move: a joint, a hub, a free point or a sliding point. `None` for
+    /// other vertices.
     fn place_of(&self, v: u32) -> Option<Place> {
         let structure = self.structure;
         let hubs = structure.rings.iter().enumerate().filter(|(_, ring)| ring.hub.is_some());

@@ -82,8 +82,8 @@ fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2])
 }
 
 /// Passes over folds that are certainly not the largest ones, because an arc tangent takes as long as the rest of a
-/// fold: one bound for all folds, one for those at bridges that are certainly not convex, and one for those at bridges
-/// that may not be.
+/// fold. There are three bounds: for all folds, for folds at bridges that are certainly not convex, and for folds at
+/// bridges that may not be convex.
 #[derive(Default)]
 struct FoldFilter([Option<[f64; 2]>; 3]);
 

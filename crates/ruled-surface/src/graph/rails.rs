@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
 ///
-/// Coordinates are divided by a power of two so that the largest is about 1 (exact), then centred at p_0, or at q_0 if
-/// Q is far smaller, then divided by a power of two again. Areas and lengths scale back exactly.
+/// Coordinates are divided by a power of two, which is exact, so that the largest is about 1. Then they are centred at
+/// p_0, or at q_0 if Q is far smaller, and divided by a power of two again. Areas and lengths scale back exactly.
 #[derive(Clone, Debug)]
 pub(crate) struct Rails {
     pub(crate) closed: bool,

@@ -496,7 +496,7 @@ impl<'a> SpanningProblem<'a> {
     }
 }
 
-/// Whether an initial mesh of this kind is the one that is asked for.
+/// Whether `start` asks for an initial mesh of this kind.
 fn is_of_kind(start: &InitialMesh, kind: InitialMeshKind) -> bool {
     match start {
         InitialMesh::Planar => kind == InitialMeshKind::Planar,

@@ -133,7 +133,7 @@ pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     }
     let mut aim = FIRST_TURNING;
     if has_fine_ends(film) {
-        while aim > 0.6 * largest {
+        while aim >= LAST_TURNING && aim > 0.6 * largest {
             aim *= 0.5;
         }
     }

@@ -171,7 +171,7 @@ impl<'a> Solve<'a> {
                 None => None,
             };
             let Some((pattern, direct, (mut stability, variation, state))) = found else {
-                // A refined mesh that does not hold the film shows that there is none.
+                // If the refined mesh does not hold the film, no such film exists.
                 let is_lost = looks > 0 && reason != StopReason::MaxIterations;
                 return Ok((if is_lost { StopReason::Collapsed } else { reason }, None));
             };
@@ -227,8 +227,8 @@ impl<'a> Solve<'a> {
         Ok(grows.then_some(finer))
     }
 
-    /// Converges from each of the ways out of an unstable film until one of them holds. If none does, the film is that
-    /// of the first way.
+    /// Converges from each of the `ways` out of an unstable film, of which there is at least one, until a film holds. If
+    /// none does, the film is that of the first way.
     fn leave(
         &mut self,
         film: &mut Film,
@@ -245,7 +245,7 @@ impl<'a> Solve<'a> {
             }
             first.get_or_insert_with(|| (film.clone(), reason, converged));
         }
-        let (before, reason, converged) = first.expect("there is a way out");
+        let (before, reason, converged) = first.expect("there is at least one way out");
         *film = before;
         Ok((reason, converged))
     }
