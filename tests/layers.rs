@@ -21,6 +21,7 @@ const CRATES: [(&str, &[&str]); 10] = [
         "mesh",
         &[
             "execution",
+            "codes",
             "error",
             "estimate",
             "random",

@@ -20,8 +20,9 @@ const FAILURES: &[(&str, &str)] = &[
 
 /// Returns the kinds of failed jobs with their titles, in the order of their names.
 #[must_use]
-pub fn failures() -> Vec<(&'static str, &'static str)> {
-    let mut failures: Vec<_> = FAILURES.iter().chain(report::FAILURES).copied().collect();
+pub fn failures() -> Vec<(String, &'static str)> {
+    let own = FAILURES.iter().map(|&(kind, title)| (kind.to_owned(), title));
+    let mut failures: Vec<_> = own.chain(report::failures()).collect();
     failures.sort_unstable();
     failures
 }

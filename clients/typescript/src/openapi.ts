@@ -1263,7 +1263,50 @@ export interface components {
         };
         /** @description A warning about the input or the result of a job that succeeded. */
         JobWarning: {
-            /** @description Stable name in snake case. */
+            /**
+             * @description Stable name in snake case:
+             *
+             *     - `apex_inside`: A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
+             *     - `beyond_support`: An edge or a point has slid beyond the border of its support, which counts as flat there: `support`, `distance`.
+             *     - `crossing_directrices`: Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
+             *     - `edge_length_missed`: The mean edge length differs from the wanted one: `mean_edge_length`, `edge_length`.
+             *     - `empty_triangles`: Triangles of a strip have no area: `strip`, `count`.
+             *     - `far_from_zero`: The mesh is so far from zero that an STL file cannot hold its coordinates and is relative to `origin`.
+             *     - `film`: A warning of the film on which a lattice was laid. The detail begins with its code, and the values are its own.
+             *     - `films_cross`: The films of the least topology pass through each other or themselves.
+             *     - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
+             *     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
+             *     - `junction_point`: Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.
+             *     - `large_area`: A strip has a much larger area than the strip of minimal area: `strip`, `factor`.
+             *     - `layers_cross`: A layer lies in front of the layer below it: `layer`, `volume`.
+             *     - `lengths_not_reached`: The members need more different lengths than were asked for: `lengths`, `deviation`.
+             *     - `mechanism`: Nothing resists a motion of the structure. The detail names the points that move.
+             *     - `merged_points`: Equal or nearly equal neighbouring points were merged: `count`, and `directrix` if there are several.
+             *     - `near_critical`: A slightly different boundary or a finer mesh may have no such film: `margin`.
+             *     - `no_certificate`: No lower bound was computed. The detail has the reason.
+             *     - `no_connected_film`: No film that connects all boundaries was found: `largest_gap_fraction`, if a film connects nearer ones.
+             *     - `no_lattice`: No lattice edge fits into the domain.
+             *     - `not_balanced`: The forces within the film could not be balanced, so that there are no reactions.
+             *     - `not_converged`: The result does not meet the tolerance. Films have `residual`, `tolerance`, `flipped_triangles` and `degenerate_triangles`, tensile structures have `residual`.
+             *     - `not_minimal`: The solver met its own rule, but the film is no minimal surface to the tolerance: `residual`, `tolerance`.
+             *     - `not_normalised`: An objective of a blend can be brought to zero on a strip, so that its term is not divided by its optimum.
+             *     - `opposite_directions`: Directrices run in opposite directions: `directrix`, the first of the two.
+             *     - `out_of_range`: Edges are outside the lengths that the lattice promises: `count`.
+             *     - `ponding`: Water would stand on the film: `depth`, `x`, `y`, `z`.
+             *     - `projected`: Points were projected onto their plane: `distance`.
+             *     - `refined`: A neck needed a finer mesh than was asked for: `triangles`.
+             *     - `repeated_bridge`: The path of a closed strip runs all the way round a directrix at one point of the other: `strip`.
+             *     - `self_intersections`: Triangles cross or touch each other: `pairs`, and the place `x`, `y`, `z` of a crossing.
+             *     - `shared_points`: Two boundaries have a point in common: `boundary`, `point`.
+             *     - `slack_cable`: A cable carries no force: `cable` of a structure, `count` of a net.
+             *     - `stress_deviates`: Warp and weft of a woven film have other stresses than required: `deviation_rms`.
+             *     - `strongly_bent`: A strip has much more bending energy than the strip that bends least: `strip`, `factor`.
+             *     - `targets_missed`: Edges of a net miss a target by more than half: `count`.
+             *     - `topology_changed`: The film came apart, so that its topology is not that of the initial mesh: `pinches`.
+             *     - `triangles_missed`: The mesh has far fewer or more triangles than were asked for: `triangles`, `asked`.
+             *     - `unclosed_directrices`: Open directrices end where they begin: `count`.
+             *     - `unstable`: The shape is stationary but no minimum: `morse_index`.
+             */
             code: string;
             detail: string;
             /**
@@ -1505,9 +1548,9 @@ export interface components {
             /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
             origin: number[];
             /**
-             * @description Numbers for each triangle, by name. Tensile structures have the stress of each triangle, with which the forces
-             *     balance at every vertex, in force per length of the request's units: `stress_min` and `stress_max`, the
-             *     principal stresses, and `stress_max_x`, `stress_max_y` and `stress_max_z`, the unit vector along the largest.
+             * @description Numbers for each triangle, by name. Only tensile structures have them: the stress with which the forces balance
+             *     at every vertex. `stress_min` and `stress_max` are the principal stresses, a force per length in the request's
+             *     units. `stress_max_x`, `stress_max_y` and `stress_max_z` are the unit vector along the largest one.
              */
             triangle_attributes?: {
                 [key: string]: number[];

@@ -34,6 +34,7 @@ mod struts;
 pub use fitted::StopReason;
 pub use options::{Edge, Net, Options};
 
+use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place, polyline};
 
 /// A net in equilibrium.
@@ -128,7 +129,7 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
     let magnitudes: f64 = reactions.iter().map(|reaction| reaction.length()).sum();
     let sum: DVec3 = reactions.iter().sum::<DVec3>() + loads;
     if !magnitudes.is_finite() || !at.iter().all(|p| p.is_finite()) || !forces.iter().all(|force| force.is_finite()) {
-        return Err(Error::no_result("no_equilibrium", "the loads and forces are too large for each other"));
+        return Err(Error::no_result(Reason::NoEquilibrium, "the loads and forces are too large for each other"));
     }
     refuse_collapsed(net, &lengths)?;
     let slack = fitting::slack_edges(net, options, &forces, &fitted.densities);
@@ -163,7 +164,7 @@ const NAMED_EDGES: usize = 50;
 const COLLAPSED: f64 = 1e-9;
 
 /// Fails with the edges that meet a condition, if there are any.
-fn refuse(reason: &'static str, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
+fn refuse(reason: Reason, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
     if edges.is_empty() {
         return Ok(());
     }
@@ -177,7 +178,7 @@ fn refuse_collapsed(net: &Net, lengths: &[f64]) -> Result<(), Error> {
     let least = COLLAPSED * polyline::radius(&net.vertices);
     let collapsed: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] <= least).collect();
     let detail = "the net collapses: nothing holds the ends of some cables apart; add supports or loads";
-    refuse("no_equilibrium", detail, &collapsed, "has no length in equilibrium")
+    refuse(Reason::NoEquilibrium, detail, &collapsed, "has no length in equilibrium")
 }
 
 /// Refuses a shape in which cables have no force because the targets would need them to push.
@@ -189,7 +190,7 @@ fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
     let slack: Vec<usize> = (0..slack.len()).filter(|&k| slack[k]).collect();
     let detail = "the targets leave some cables no force; change their targets, or give a least force density, which \
                   keeps every cable in tension";
-    refuse("slack_cable", detail, &slack, "would be slack")
+    refuse(Reason::SlackCable, detail, &slack, "would be slack")
 }
 
 /// Length of an edge above which a net runs away from its targets, as a multiple of the size of the net as it was
@@ -217,7 +218,7 @@ fn refuse_runaway(net: &Net, lengths: &[f64], deviations: &[f64]) -> Result<(), 
     }
     let long: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] > most).collect();
     let detail = "no net meets the targets: the nearer it comes to them, the longer some edges become, without limit";
-    refuse("targets_not_reached", detail, &long, "grows without limit")
+    refuse(Reason::TargetsNotReached, detail, &long, "grows without limit")
 }
 
 /// Checks the arguments of [`solve`] before any work: linear in the size of the net.

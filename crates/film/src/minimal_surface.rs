@@ -65,6 +65,7 @@ pub use statistics::{MeanCurvature, Statistics};
 
 use drivers::{best_topology, free_topology, nested};
 use outcome::finish;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::complex::has_junctions;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
@@ -166,7 +167,7 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
         statistics.boundary_loops
     );
     let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");
-    Err(Error::NoResult { reason: "no_connected_film", detail, places: vec![place] })
+    Err(Error::NoResult { reason: Reason::NoConnectedFilm, detail, places: vec![place] })
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.

@@ -353,7 +353,7 @@ fn targets_that_no_net_meets_fail_and_name_the_edges_that_grow() {
         match solve(&net(force), &Options::default(), &Execution::default()) {
             Err(Error::NoResult { reason, places, .. }) => {
                 let named: Vec<String> = places.iter().map(|place| place.place.to_string()).collect();
-                assert_eq!((reason, named), ("targets_not_reached", vec!["/edges/0".into(), "/edges/1".into()]));
+                assert_eq!((reason.name(), named), ("targets_not_reached", vec!["/edges/0".into(), "/edges/1".into()]));
             }
             other => panic!("{force}: {other:?}"),
         }

@@ -112,7 +112,11 @@ fn a_film_whose_weight_takes_its_tension_fails_and_names_it() {
         |weight: f64| solve(&film(&corners, weight), &Options::new(Resolution::Triangles(800)), &Execution::default());
     match solved(0.2) {
         Err(Error::NoResult { reason, places, detail }) => {
-            assert_eq!((reason, places[0].place.to_string()), ("no_equilibrium", "/film".to_owned()), "{detail}");
+            assert_eq!(
+                (reason.name(), places[0].place.to_string()),
+                ("no_equilibrium", "/film".to_owned()),
+                "{detail}"
+            );
         }
         other => panic!("{other:?}"),
     }

@@ -403,7 +403,7 @@ fn outcome(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> String 
             let kind = surface.statistics.initial_mesh.name();
             format!("{kind}, {}", if surface.statistics.converged { "converged" } else { "not converged" })
         }
-        Err(Error::NoResult { reason, .. }) => reason.to_owned(),
+        Err(Error::NoResult { reason, .. }) => reason.to_string(),
         Err(Error::Input(errors)) => errors[0].place.to_string(),
         Err(Error::Interrupted(_)) => panic!("nobody asked for it"),
     }

@@ -65,7 +65,7 @@ impl Case {
             Err(error) => format!("{error}"),
             Ok(surface) => {
                 let statistics = &surface.statistics;
-                let codes: Vec<&str> = surface.warnings.iter().map(|warning| warning.code).collect();
+                let codes: Vec<&str> = surface.warnings.iter().map(|warning| warning.code.name()).collect();
                 let (reason, triangles) = (statistics.stop_reason.name(), statistics.triangles);
                 format!("{reason} {triangles} triangles, {:?}, {codes:?}", statistics.stability)
             }

@@ -250,7 +250,7 @@ fn an_edge_that_slides_beyond_the_border_of_its_mesh_is_reported() {
     let structure = sliding(vec![circle(32, 1.0, 0.5), circle(32, 0.5, 0.0)], 1, mesh, None);
     let options = Options::new(Resolution::EdgeLength(0.2));
     let result = solve(&structure, &options, &Execution::default()).unwrap();
-    let codes: Vec<&str> = result.warnings.iter().map(|warning| warning.code).collect();
+    let codes: Vec<&str> = result.warnings.iter().map(|warning| warning.code.name()).collect();
     assert_eq!(codes, ["beyond_support"], "{:?}", result.warnings);
 }
 

@@ -1,7 +1,8 @@
 //! Reports of a solver besides its result: progress, warnings and the reason for a failure.
 
 use crate::rejection::FieldError;
-use schemars::JsonSchema;
+use plateau_mesh::codes::{Reason, WarningCode};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -22,7 +23,7 @@ pub struct Progress {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "JobWarning")]
 pub struct Warning {
-    /// Stable name in snake case.
+    #[schemars(schema_with = "code")]
     pub code: String,
     pub detail: String,
     /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
@@ -32,7 +33,14 @@ pub struct Warning {
 
 impl Warning {
     /// Code of the warning that STL files are not in the request's coordinates.
-    pub const FAR_FROM_ZERO: &str = "far_from_zero";
+    pub const FAR_FROM_ZERO: &str = WarningCode::FarFromZero.name();
+}
+
+/// Schema of a warning's code, whose description lists the codes with their meanings. A later version may have more.
+fn code(_: &mut SchemaGenerator) -> Schema {
+    let codes = WarningCode::ALL.iter().map(|code| format!("\n- `{code}`: {}.", code.meaning()));
+    let description: String = std::iter::once("Stable name in snake case:\n".to_owned()).chain(codes).collect();
+    json_schema!({ "type": "string", "description": description })
 }
 
 /// Reason for a failure: what was wrong with the geometry, and what to try.
@@ -47,37 +55,28 @@ pub struct SolveError {
     pub errors: Vec<FieldError>,
 }
 
-/// Kinds of failures: the last part of an error's `type`, and its title.
-pub const FAILURES: &[(&str, &str)] = &[
+/// Kinds of failures that are no [`Reason`] of a solver: the last part of an error's `type`, and its title.
+const FAILURES: &[(&str, &str)] = &[
     (SolveError::AUDIT_FAILED, "The figures of the result are not those of its mesh"),
     ("deadline", "The deadline passed"),
-    ("degenerate-boundary", "The boundary has no usable initial mesh"),
-    ("equilibrium-not-found", "No equilibrium was found"),
-    ("internal", "The server failed"),
     ("invalid-geometry", "The geometry is invalid"),
-    ("invalid-mesh", "The solver produced an invalid mesh"),
-    ("no-connected-film", "No minimal film connects the boundaries"),
-    ("no-equilibrium", "The structure has no equilibrium"),
-    ("no-initial-mesh", "The boundary has no initial mesh"),
-    ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
-    ("not-flattenable", "The surface cannot be flattened"),
-    ("self-intersecting-boundary", "The boundary crosses itself"),
-    ("slack-cable", "A cable would be slack"),
-    ("targets-not-reached", "No net meets the targets"),
-    ("too-large", "The mesh is too large"),
 ];
+
+/// Returns the kinds of failures: the last part of an error's `type`, and its title.
+pub fn failures() -> impl Iterator<Item = (String, &'static str)> {
+    let of_solvers = Reason::ALL.iter().map(|reason| (reason.name().replace('_', "-"), reason.meaning()));
+    FAILURES.iter().map(|&(kind, title)| (kind.to_owned(), title)).chain(of_solvers)
+}
 
 impl SolveError {
     /// Kind of the failure of a result whose stated figures are not those of its mesh.
     pub const AUDIT_FAILED: &str = "audit-failed";
 
-    /// Creates an error of one of the kinds of [`FAILURES`].
+    /// Creates an error of one of the kinds of [`failures`].
     #[must_use]
     pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
-        let title = FAILURES
-            .iter()
-            .find(|(name, _)| *name == kind)
-            .map_or("The solver found no valid mesh", |(_, title)| title);
+        let title =
+            failures().find(|(name, _)| *name == kind).map_or("The solver found no valid mesh", |(_, title)| title);
         Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
     }
 

@@ -6,6 +6,7 @@ use crate::report::{Progress, SolveError, Warning};
 use plateau_archive::archive::{Contents, middle};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, LineSet, Lines, Polyline};
+use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
 use serde::Serialize;
 use serde_json::Value;
@@ -116,7 +117,7 @@ impl From<Error> for Unsolved {
                 SolveError::new("invalid-geometry", causes(&fields), fields)
             }
             Error::NoResult { reason, detail, places } => {
-                SolveError::new(&reason.replace('_', "-"), detail, fields(&places))
+                SolveError::new(&reason.name().replace('_', "-"), detail, fields(&places))
             }
         })
     }
@@ -168,7 +169,8 @@ pub(crate) fn far_from_zero(archive: &Archive) -> Option<Warning> {
     let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its \
         coordinates: STL files are relative to `origin` of the statistics, unless they are asked for with \
         `origin=given`";
-    let warning = || Warning { code: Warning::FAR_FROM_ZERO.into(), detail: detail.into(), values: BTreeMap::new() };
+    let warning =
+        || Warning { code: WarningCode::FarFromZero.to_string(), detail: detail.into(), values: BTreeMap::new() };
     archive.contents().is_far_from_zero().then(warning)
 }
 
@@ -191,7 +193,7 @@ pub(crate) fn on_the_wire(progress: plateau_mesh::Progress) -> Progress {
 
 pub(crate) fn warnings(warnings: Vec<plateau_mesh::error::Warning>) -> Vec<Warning> {
     let on_the_wire = |plateau_mesh::error::Warning { code, detail, values }| Warning {
-        code: code.into(),
+        code: code.to_string(),
         detail,
         values: values.into_iter().map(|(name, value)| (name.into(), value)).collect(),
     };
@@ -215,11 +217,11 @@ pub(crate) fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
 /// Returns the statistics as JSON. A figure that is not finite would be a solver's defect and becomes null, because
 /// JSON cannot hold it.
 pub(crate) fn to_json(statistics: &impl Serialize) -> Result<String, Error> {
-    serde_json::to_string(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
+    serde_json::to_string(statistics).map_err(|error| Error::no_result(Reason::Internal, error.to_string()))
 }
 
 pub(crate) fn archive(contents: Contents) -> Result<Archive, Error> {
-    Archive::new(contents).map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))
+    Archive::new(contents).map_err(|defect| Error::no_result(Reason::InvalidMesh, defect.to_string()))
 }
 
 /// Length of the longest arrow of a reaction, as a fraction of the radius of the mesh.

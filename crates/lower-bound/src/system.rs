@@ -4,6 +4,7 @@ use super::dissection::{self, NONE};
 use super::element::{self, UNKNOWNS};
 use super::space::Space;
 use glam::DMat3;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use plateau_mesh::{DVec3, Error, Execution};
@@ -60,7 +61,9 @@ impl From<Stop> for Error {
     fn from(stop: Stop) -> Self {
         match stop {
             Stop::Interrupted(interruption) => interruption.into(),
-            Stop::Failed(_) => Self::no_result("internal", "the linear system of the lower bound could not be solved"),
+            Stop::Failed(_) => {
+                Self::no_result(Reason::Internal, "the linear system of the lower bound could not be solved")
+            }
         }
     }
 }

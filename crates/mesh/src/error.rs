@@ -1,5 +1,6 @@
 //! Errors, and the places in the input that caused them.
 
+use crate::codes::{Reason, WarningCode};
 use crate::execution::Interruption;
 use std::fmt;
 
@@ -74,8 +75,8 @@ pub enum Error {
     Input(Vec<InputError>),
     /// The input is well formed, but no valid mesh could be made.
     NoResult {
-        /// A short name of the reason, stable, in snake case: `self_intersecting_boundary`.
-        reason: &'static str,
+        /// The reason.
+        reason: Reason,
         /// Description of the fault in the geometry, and what to try.
         detail: String,
         /// The values that caused it, if they are known.
@@ -91,7 +92,7 @@ impl Error {
         Self::Input(vec![InputError::new(place, detail)])
     }
     /// [`Error::NoResult`] without places.
-    pub fn no_result(reason: &'static str, detail: impl Into<String>) -> Self {
+    pub fn no_result(reason: Reason, detail: impl Into<String>) -> Self {
         Self::NoResult { reason, detail: detail.into(), places: Vec::new() }
     }
 }
@@ -124,8 +125,8 @@ impl std::error::Error for Error {}
 /// A fact about the input or the result that the caller should know although the solve succeeded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
-    /// A stable name in snake case: `folds`, `merged_points`, `not_converged`.
-    pub code: &'static str,
+    /// The fact, for programs.
+    pub code: WarningCode,
     /// Description of the fact.
     pub detail: String,
     /// Finite figures of the description, by name. Indices count from 0, and lengths are in the unit of the
@@ -135,7 +136,7 @@ pub struct Warning {
 
 impl Warning {
     /// A warning of this code.
-    pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
+    pub fn new(code: WarningCode, detail: impl Into<String>) -> Self {
         Self { code, detail: detail.into(), values: Vec::new() }
     }
 
@@ -169,7 +170,7 @@ impl Warning {
         } else {
             format!("{count} points were merged with their neighbours, because they are equal or nearly equal")
         };
-        let warning = Self::new("merged_points", place + &merged).with_count("count", count);
+        let warning = Self::new(WarningCode::MergedPoints, place + &merged).with_count("count", count);
         directrix.into_iter().fold(warning, |warning, k| warning.with_count("directrix", k))
     }
 
@@ -179,6 +180,6 @@ impl Warning {
             "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in \
              the unit of the coordinates"
         );
-        Self::new("projected", detail).with("distance", distance)
+        Self::new(WarningCode::Projected, detail).with("distance", distance)
     }
 }

@@ -22,6 +22,7 @@
 #![warn(missing_docs)]
 
 pub mod check;
+pub mod codes;
 pub mod complex;
 #[doc(hidden)]
 pub mod crossing;
@@ -50,6 +51,7 @@ pub mod sparse;
 pub mod structured;
 pub mod topology;
 
+pub use codes::{Reason, WarningCode};
 pub use error::{Error, InputError, Place};
 pub use estimate::Estimate;
 pub use execution::{Execution, Interruption, Progress, Signal};

@@ -27,6 +27,7 @@ mod patches;
 mod predicates;
 mod soup;
 
+use crate::codes::WarningCode;
 use crate::error::Warning;
 use crate::{DVec3, Execution, Interruption, Mesh};
 pub use boxes::Order;
@@ -110,7 +111,9 @@ pub fn check(
              for example at ({}, {}, {})",
             found.pairs, place.x, place.y, place.z
         );
-        Warning::new("self_intersections", detail).with("pairs", found.pairs as f64).with_place(place.to_array())
+        Warning::new(WarningCode::SelfIntersections, detail)
+            .with("pairs", found.pairs as f64)
+            .with_place(place.to_array())
     });
     let check = SelfIntersectionCheck {
         pairs: found.complete.then_some(found.pairs),

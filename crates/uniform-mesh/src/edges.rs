@@ -1,5 +1,6 @@
 //! The edges of a triangle list.
 
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::Error;
 use plateau_mesh::topology::{NONE, Topology};
 use plateau_mesh::{DVec3, Mesh};
@@ -9,9 +10,9 @@ use plateau_mesh::{DVec3, Mesh};
 /// # Errors
 /// [`Error::NoResult`] (`invalid_mesh`).
 pub(super) fn topology(vertices: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Topology, Error> {
-    Mesh::new(vertices, triangles.to_vec())
-        .check()
-        .map_err(|defect| Error::no_result("invalid_mesh", format!("the triangulation is not a manifold: {defect}")))
+    Mesh::new(vertices, triangles.to_vec()).check().map_err(|defect| {
+        Error::no_result(Reason::InvalidMesh, format!("the triangulation is not a manifold: {defect}"))
+    })
 }
 
 /// The edges, each once.

@@ -6,6 +6,7 @@ use super::plane::mesh::PlaneMesh;
 use super::report::{OutOfRange, Statistics, UniformMesh, Why};
 use super::statistics::{self, Group, LengthHistogram, Stage};
 use plateau_mesh::Mesh;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::{Execution, Progress};
 use plateau_mesh::measure::{Spread, angle_range};
@@ -103,7 +104,7 @@ pub(super) fn assemble(
         reasons.sort_unstable();
         reasons.dedup();
         let detail = format!("{} edges are outside [ℓ, 2ℓ]: {}", out_of_range.len(), reasons.join(", "));
-        warnings.push(Warning::new("out_of_range", detail).with_count("count", out_of_range.len()));
+        warnings.push(Warning::new(WarningCode::OutOfRange, detail).with_count("count", out_of_range.len()));
     }
     UniformMesh {
         mesh,
@@ -133,18 +134,18 @@ pub(super) fn finish(
     result.warnings.splice(0..0, first);
     if interrupted {
         let detail = "the deadline passed: edges may be longer than 2ℓ, nodes not yet optimal";
-        result.warnings.push(Warning::new("not_converged", detail));
+        result.warnings.push(Warning::new(WarningCode::NotConverged, detail));
     } else if let Some(detail) = shortfall {
-        result.warnings.push(Warning::new("not_converged", detail));
+        result.warnings.push(Warning::new(WarningCode::NotConverged, detail));
     } else if options.objective == Objective::MostEqualEdges && result.statistics.lattice_edges.count == 0 {
         let detail = "no lattice edge fits: the domain is too narrow for this length";
-        result.warnings.push(Warning::new("no_lattice", detail));
+        result.warnings.push(Warning::new(WarningCode::NoLattice, detail));
     }
     if let (Optimise::Lengths { most }, Some(row)) = (options.optimise, result.shared_lengths.last())
         && 2.0 * row.deviation > result.statistics.length_tolerance
     {
         let detail = format!("{most} lengths stand for all members to {:.6e} only, see shared_lengths", row.deviation);
-        let warning = Warning::new("lengths_not_reached", detail);
+        let warning = Warning::new(WarningCode::LengthsNotReached, detail);
         result.warnings.push(warning.with_count("lengths", most).with("deviation", row.deviation));
     }
     execution.report(Progress {

@@ -15,6 +15,7 @@ use super::surface::nurbs::Nurbs;
 use super::surface::on_reference;
 use super::surface::reference::{Bond, Reference};
 use super::surface::transition::fit;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::{Error, Place, Warning};
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure;
@@ -157,7 +158,7 @@ fn flattened(
     let strain = (2.0 * outcome.energy / auxiliary_edges.len() as f64).sqrt();
     if strain.is_nan() || strain > LARGEST_STRAIN {
         let detail = "the surface cannot be laid into the plane with a bounded distortion";
-        return Err(Error::no_result("not_flattenable", detail));
+        return Err(Error::no_result(Reason::NotFlattenable, detail));
     }
     let locator = Rc::new(Locator::new(&plane, &auxiliary.mesh.triangles));
     let surface = auxiliary.surface(&plane, &locator);
@@ -170,7 +171,7 @@ fn flattened(
         let detail = "the surface folds over itself when it is laid into the plane: split it into several";
         match failure {
             Failure::Interrupted(interruption) => Error::Interrupted(interruption),
-            Failure::Tangle(_) => Error::no_result("not_flattenable", detail),
+            Failure::Tangle(_) => Error::no_result(Reason::NotFlattenable, detail),
         }
     })?;
     let boundary = boundaries.swap_remove(which);

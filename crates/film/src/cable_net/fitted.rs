@@ -1,5 +1,6 @@
 //! The end of a fit, and the numbers that the methods of fitting share.
 
+use plateau_mesh::codes::Reason;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Progress};
 
@@ -58,7 +59,7 @@ pub(super) struct Fitted {
 
 /// The failure of a net whose equations cannot be solved.
 pub(super) fn refused(error: LinearError) -> Error {
-    Error::no_result("no_equilibrium", format!("the net's equations have no trustworthy solution: {error:?}"))
+    Error::no_result(Reason::NoEquilibrium, format!("the net's equations have no trustworthy solution: {error:?}"))
 }
 
 /// Reports a step.

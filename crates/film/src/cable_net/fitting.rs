@@ -65,6 +65,7 @@ use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
 use super::step::{Change, Damping, Factor, Member, Step, gradients, members};
+use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
@@ -306,7 +307,7 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
     let stop_reason = if !loss.has_targets() || net.edges.iter().all(|edge| edge.held) {
         StopReason::NoTargets
     } else if !value.is_finite() {
-        return Err(Error::no_result("no_equilibrium", "the loads and targets are too large for each other"));
+        return Err(Error::no_result(Reason::NoEquilibrium, "the loads and targets are too large for each other"));
     } else if value == 0.0 {
         StopReason::Change
     } else {

@@ -24,6 +24,7 @@ use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
 use super::step::{Change, Damping, Member, Step, gradients, members};
+use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Number of stages, and the factor by which ε falls from each to the next. At the last stage the forces that are not
@@ -121,7 +122,7 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
     let loss = Loss::new(net, options, &densities, &net.vertices);
     let mut state = State::of(densities, net.vertices.clone(), &loss, &shape);
     if !state.merit(1.0).is_finite() {
-        return Err(Error::no_result("no_equilibrium", "the loads and targets are too large for each other"));
+        return Err(Error::no_result(Reason::NoEquilibrium, "the loads and targets are too large for each other"));
     }
     let limit = options.max_iterations.unwrap_or(DEFAULT_STEPS);
     let (mut iterations, mut stop_reason) = (0, StopReason::Change);
@@ -213,7 +214,7 @@ fn balance(state: &mut State, loss: &Loss, (shape, step): (&Shape, &mut Step), e
         let detail = format!(
             "no equilibrium was found near the given vertices and targets: forces of {left:e} remain unbalanced"
         );
-        return Err(Error::no_result("equilibrium_not_found", detail));
+        return Err(Error::no_result(Reason::EquilibriumNotFound, detail));
     }
     let now = members(loss, &state.densities, &state.at);
     let plain: Vec<Member> = now.iter().map(Member::without_residuals).collect();

@@ -27,7 +27,8 @@ pub struct Curvature {
 const ROUNDING: f64 = 8.0;
 
 impl Curvature {
-    /// Measures a film. The field `residual_felt` is the residual of [`film_state`], which also ends Newton's iteration.
+    /// Measures a film. The field `residual_felt` is the residual of [`film_state`], which also ends Newton's
+    /// iteration.
     pub(crate) fn of(film: &Film) -> Self {
         let (free, radius) = (FreeVertices::new(&film.fixed), film.radius());
         let FilmState { mass, residual: residual_felt, gradient: forces, .. } =

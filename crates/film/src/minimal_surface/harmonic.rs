@@ -12,6 +12,7 @@
 //! collapsing neck is therefore reported by the linear solver instead of giving an infinite entry.
 
 use crate::energy::dirichlet::laplacian;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
@@ -131,7 +132,10 @@ impl Dirichlet {
 
 /// The error for a mesh whose factor does not fit into memory.
 pub(crate) fn too_large(_: LinearError) -> Error {
-    Error::no_result("too_large", "the linear system of this mesh does not fit into memory; ask for fewer triangles")
+    Error::no_result(
+        Reason::TooLarge,
+        "the linear system of this mesh does not fit into memory; ask for fewer triangles",
+    )
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ use domain::{Shape, best_plane, largest_height};
 use first_point::turned_back;
 use pins::Pins;
 use plane_mesh::PlaneError;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::frame::Frame;
@@ -337,7 +338,7 @@ fn refusal(
             Error::input(Place::field("resolution"), detail)
         }
         PlaneError::NotSimple(_) if plane.is_some() => Error::NoResult {
-            reason: "self_intersecting_boundary",
+            reason: Reason::SelfIntersectingBoundary,
             detail:
                 "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
                      move the points apart, or ask for the initial mesh disk if the boundary is a curve in space"
@@ -352,7 +353,7 @@ fn refusal(
             },
         },
         PlaneError::NotSimple(_) => Error::no_result(
-            "degenerate_boundary",
+            Reason::DegenerateBoundary,
             "points of the boundary are so close together that they cannot be told apart",
         ),
     }

@@ -7,6 +7,7 @@ use super::request::Input;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
 use super::touching_boundaries::{JoinedLoops, own_boundaries};
+use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::polyline::position_key;
@@ -61,7 +62,7 @@ fn near_critical(statistics: &Statistics) -> Option<Warning> {
         "the film is near its limit (margin {margin:.3}, where a flat film has 1 and a film that is about to collapse \
          0): with a slightly different boundary or a finer mesh it may collapse"
     );
-    Some(Warning::new("near_critical", detail).with("margin", margin))
+    Some(Warning::new(WarningCode::NearCritical, detail).with("margin", margin))
 }
 
 /// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. A tolerance below
@@ -77,7 +78,7 @@ fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) ->
              {tolerance:.3e}: a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
             stop_reason.name()
         );
-        Warning::new("not_minimal", detail).with("residual", residual).with("tolerance", tolerance)
+        Warning::new(WarningCode::NotMinimal, detail).with("residual", residual).with("tolerance", tolerance)
     })
 }
 
@@ -95,7 +96,7 @@ fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
              with a finer mesh there it has {triangles} triangles and edges of the mean length {:.4e}",
             edge_lengths.mean
         );
-        Warning::new("refined", detail).with_count("triangles", *triangles)
+        Warning::new(WarningCode::Refined, detail).with_count("triangles", *triangles)
     })
 }
 
@@ -114,7 +115,7 @@ fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warn
         let detail = format!(
             "the mean edge is {mean:.4e} long, not {length:.4e}: {why}; ask for a number of triangles to be sure of it"
         );
-        Warning::new("edge_length_missed", detail).with("mean_edge_length", mean).with("edge_length", length)
+        Warning::new(WarningCode::EdgeLengthMissed, detail).with("mean_edge_length", mean).with("edge_length", length)
     })
 }
 
@@ -129,7 +130,7 @@ fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warnin
             "the mesh has {triangles} triangles, not {count}: the boundary's own points ask for more, or thin \
              triangles were removed on the way"
         );
-        let warning = Warning::new("triangles_missed", detail);
+        let warning = Warning::new(WarningCode::TrianglesMissed, detail);
         warning.with_count("triangles", triangles).with_count("asked", count)
     })
 }
@@ -184,11 +185,11 @@ pub(super) fn finish(
         }
     };
     let topology = film.mesh().check().map_err(|defect| {
-        Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
+        Error::no_result(Reason::InvalidMesh, format!("the solver left a mesh that is no oriented manifold ({defect})"))
     })?;
     // The statistics are those of the mesh that leaves only if every boundary point stands at its place already.
     if let Some(k) = input.centred.iter().flatten().zip(&film.vertices).position(|(point, vertex)| point != vertex) {
-        return Err(Error::no_result("invalid_mesh", format!("the solver moved boundary point {k} of the input")));
+        return Err(Error::no_result(Reason::InvalidMesh, format!("the solver moved boundary point {k} of the input")));
     }
     let measured = Curvature::of(&film);
     let statistics =
@@ -200,7 +201,8 @@ pub(super) fn finish(
             "the film came apart at {} places; its topology is not the initial mesh's",
             statistics.pinches.len()
         );
-        warnings.push(Warning::new("topology_changed", detail).with_count("pinches", statistics.pinches.len()));
+        warnings
+            .push(Warning::new(WarningCode::TopologyChanged, detail).with_count("pinches", statistics.pinches.len()));
     }
     if let Some(spanning) = &statistics.spanning {
         warnings.extend(spanning.warnings());
@@ -221,7 +223,7 @@ pub(super) fn finish(
             "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
             stability.morse_index
         );
-        warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
+        warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics));
     // The loops of a film over joined boundaries run from one of them to another where they touch.

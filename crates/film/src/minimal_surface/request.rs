@@ -2,6 +2,7 @@
 
 use super::initial_mesh::turned;
 use super::options::Options;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{InputError, Step, Warning};
 use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours, position_key};
 use plateau_mesh::{DVec3, Error, Place};
@@ -87,7 +88,7 @@ impl Input {
         let merged = (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None));
         let shared = self.shared().map(|([k, i], detail)| {
             let detail = format!("point {i} of boundary {k} {detail}");
-            Warning::new("shared_points", detail).with_count("boundary", k).with_count("point", i)
+            Warning::new(WarningCode::SharedPoints, detail).with_count("boundary", k).with_count("point", i)
         });
         merged.into_iter().chain(shared).collect()
     }

@@ -5,6 +5,7 @@ use super::initial_mesh::InitialMeshKind;
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Objective, Options, Solver};
 use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::{self, Spread};
@@ -118,7 +119,7 @@ impl Statistics {
             reasons.push(format!("{} triangles are degenerate", self.degenerate_triangles));
         }
         let detail = format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name());
-        Warning::new("not_converged", detail)
+        Warning::new(WarningCode::NotConverged, detail)
             .with("residual", self.residual)
             .with("tolerance", tolerance)
             .with_count("flipped_triangles", self.flipped_triangles)

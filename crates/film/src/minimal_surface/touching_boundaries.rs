@@ -4,6 +4,7 @@ use super::initial_mesh::plane_of;
 use super::options::{InitialMesh, Options};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
@@ -149,7 +150,7 @@ pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<V
             }
             if here != target {
                 let detail = format!("the film's border does not lead from point {k} of a boundary to the next one");
-                return Err(Error::no_result("invalid_mesh", detail));
+                return Err(Error::no_result(Reason::InvalidMesh, detail));
             }
         }
         first += count;
@@ -164,7 +165,7 @@ fn crossing([first, second]: [PointOf; 2]) -> Error {
         InputError::new(Place::field("boundaries").at(k).at(i), detail)
     };
     Error::NoResult {
-        reason: "self_intersecting_boundary",
+        reason: Reason::SelfIntersectingBoundary,
         detail: "the boundaries lie in one plane and cross there, or share a piece of a side, so that they bound no \
                  region; move the points apart, or ask for topology best if each boundary has a film of its own"
             .into(),

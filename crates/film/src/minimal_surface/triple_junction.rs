@@ -29,6 +29,7 @@ use crate::energy::area::Facet;
 use crate::equilibrium::newton::{Direct, Equations, State, iterate};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, stability};
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::complex::{Complex, VertexKind};
 use plateau_mesh::error::{InputError, Warning};
 use plateau_mesh::measure::{self, Spread};
@@ -97,7 +98,7 @@ pub(super) fn solve(
              The film is stationary under motions of its vertices, but splitting the point may lower its area",
             split.len()
         );
-        let warning = Warning::new("junction_point", detail);
+        let warning = Warning::new(WarningCode::JunctionPoint, detail);
         warnings.push(warning.with_count("junctions", meeting).with_count("points", split.len()));
     }
     let mut mesh = Mesh::new(film.vertices, film.complex.triangles);

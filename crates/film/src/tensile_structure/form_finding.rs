@@ -22,6 +22,7 @@ use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volu
 use crate::equilibrium::newton::{State, keeps_orientation};
 use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
 use crate::minimal_surface::StopReason;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{double_area_vector, normals};
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
@@ -197,7 +198,7 @@ impl From<Error> for Stop {
 }
 
 fn too_large(error: LinearError) -> Error {
-    Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
+    Error::no_result(Reason::TooLarge, format!("the linear system is too large: {error:?}"))
 }
 
 /// Finds the shape. The model's vertices become those of the shape. With a `coarse` mesh the structure travels: the
@@ -544,7 +545,7 @@ impl Run<'_> {
         };
         let report = body
             .relax(&settings, self.exec, &mut |_, _| {})
-            .map_err(|defect| Stop::Failed(Error::no_result("invalid_mesh", defect.to_string())))?;
+            .map_err(|defect| Stop::Failed(Error::no_result(Reason::InvalidMesh, defect.to_string())))?;
         if let Outcome::Interrupted(interruption) = report.outcome {
             return Err(Error::Interrupted(interruption).into());
         }

@@ -12,6 +12,7 @@ use crate::energy::cable::{self, CableCondition, Equation, Law};
 use crate::energy::{Load, Term, Volume, Weight};
 use crate::equilibrium::{Body, Constraint, Contact, Determined, Freedom, Support};
 use crate::minimal_surface::{self, Constraints, Method};
+use plateau_mesh::codes::Reason;
 use plateau_mesh::complex::Complex;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
@@ -166,8 +167,8 @@ impl Model {
         let warnings = surface.warnings.into_iter().filter(|warning| warning.code == "merged_points").collect();
         // The numbers of the input's vertices count through all boundaries.
         let input_vertices = surface.input_vertices;
-        let invalid = || Error::no_result("invalid_mesh", "the initial mesh is no oriented manifold");
-        let lost = || Error::no_result("invalid_mesh", "a cable across the film has no edges in the initial mesh");
+        let invalid = || Error::no_result(Reason::InvalidMesh, "the initial mesh is no oriented manifold");
+        let lost = || Error::no_result(Reason::InvalidMesh, "a cable across the film has no edges in the initial mesh");
         let mut mesh = surface.mesh;
         if structure.layers.len() > 1 {
             split_chords(&mut mesh, &surface.boundaries);
@@ -565,7 +566,7 @@ impl Model {
     /// The body with the terms of the structure, first those of the layers. `grown` is the part of the chambers' given
     /// volumes that they are to have.
     pub fn body(&self, structure: &Structure, grown: f64, stage: Stage) -> Result<Body, Error> {
-        let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
+        let invalid = |defect| Error::no_result(Reason::InvalidMesh, format!("the film's mesh is damaged: {defect}"));
         let complex =
             |layer: &Layer| Complex::build(layer.film.triangles().to_vec(), layer.film.vertices.len()).map_err(invalid);
         let first = complex(&self.layers[0])?;
@@ -677,7 +678,7 @@ impl Model {
                     .map_or(Place::field("cables"), |k| chamber_place(structure, by_volume[k])),
                 "cannot be told from an empty one; move the boundaries or change it",
             ),
-            other => Error::no_result("invalid_mesh", other.to_string()),
+            other => Error::no_result(Reason::InvalidMesh, other.to_string()),
         })?;
         Ok(body)
     }

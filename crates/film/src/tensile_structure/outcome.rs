@@ -11,6 +11,7 @@ use super::shape::{CableResult, ChamberResult, LayerResult, Stability, Statistic
 use super::stress::{of_all, of_triangles, stress};
 use super::warnings::warn;
 use crate::minimal_surface::StopReason;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{self, Spread, double_area_vector};
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
@@ -49,7 +50,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
             "give the edge cables larger forces"
         };
         let detail = format!("no shape in equilibrium is reached: {detail}; {remedy}");
-        Error::NoResult { reason: "no_equilibrium", detail, places }
+        Error::NoResult { reason: Reason::NoEquilibrium, detail, places }
     };
     match &found.ending {
         Some(Ending::RunsAway(detail, own) | Ending::Collapses(detail, own)) => named(detail, own.as_ref()),
@@ -58,14 +59,14 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
                 "no shape in equilibrium was found, which does not say that there is none: {detail}; start nearer to \
                  the shape, or try another resolution"
             );
-            Error::NoResult { reason: "equilibrium_not_found", detail, places }
+            Error::NoResult { reason: Reason::EquilibriumNotFound, detail, places }
         }
         // The form finding on a mesh that stays gives no evidence but that of cables that are too weak.
         None if !places.is_empty() => named("the film pulls the edge cables in without end", None),
         None => {
             let detail = "no shape in equilibrium was found, which does not say that there is none; try larger cable \
                           forces, a smaller pressure, or supports nearer to each other";
-            Error::NoResult { reason: "equilibrium_not_found", detail: detail.into(), places }
+            Error::NoResult { reason: Reason::EquilibriumNotFound, detail: detail.into(), places }
         }
     }
 }
@@ -84,7 +85,7 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
         "is longer than the film pulls it: the cable would be slack",
     );
     let detail = format!("cable {} would be slack at this length", structure.cables[k].name);
-    Some(Error::NoResult { reason: "slack_cable", detail, places: vec![place] })
+    Some(Error::NoResult { reason: Reason::SlackCable, detail, places: vec![place] })
 }
 
 /// A film of one tension whose weight takes more tension from its lowest point than it has. A film cannot push.
@@ -97,7 +98,7 @@ fn pushing_film(structure: &Structure, layers: &[LayerResult]) -> Option<Error> 
         least(&layers[k])
     );
     let place = InputError::new(layer_place(structure, k), "is too heavy for its tension at this height");
-    Some(Error::NoResult { reason: "no_equilibrium", detail, places: vec![place] })
+    Some(Error::NoResult { reason: Reason::NoEquilibrium, detail, places: vec![place] })
 }
 
 /// Measures the shape and moves it back to the position of the input.
@@ -201,7 +202,7 @@ fn measure_layers(
     let (mut layers, mut lengths, mut first) = (Vec::new(), Vec::new(), 0);
     for (layer, film) in model.layers.iter().zip(&structure.layers) {
         let mesh = layer.film.mesh();
-        let topology = mesh.check().map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+        let topology = mesh.check().map_err(|defect| Error::no_result(Reason::InvalidMesh, defect.to_string()))?;
         lengths.extend(measure::edge_lengths(&mesh, &topology));
         let triangles: Vec<[u32; 3]> = layer.triangles().collect();
         let of_balance = |balance| stress(balance, film, model, first, &triangles, at);

@@ -7,6 +7,7 @@ use super::ponding::Ponding;
 use super::shape::{CableResult, ChamberResult, Statistics, WeaveStress};
 use crate::equilibrium::Support;
 use plateau_mesh::DVec3;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 
 /// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
@@ -38,7 +39,7 @@ pub(super) fn warn(
     for (k, (cable, result)) in structure.cables.iter().zip(cables).enumerate() {
         if result.slack {
             let detail = format!("cable {} carries no force: it is longer than the shape needs", cable.name);
-            warnings.push(Warning::new("slack_cable", detail).with_count("cable", k));
+            warnings.push(Warning::new(WarningCode::SlackCable, detail).with_count("cable", k));
         }
     }
     if !statistics.converged {
@@ -47,17 +48,17 @@ pub(super) fn warn(
             statistics.residual,
             statistics.stop_reason.name()
         );
-        warnings.push(Warning::new("not_converged", detail).with("residual", statistics.residual));
+        warnings.push(Warning::new(WarningCode::NotConverged, detail).with("residual", statistics.residual));
     } else if statistics.balance.is_none() {
         let detail =
             "the forces within the film could not be balanced, so there are no reactions; try another resolution";
-        warnings.push(Warning::new("not_balanced", detail));
+        warnings.push(Warning::new(WarningCode::NotBalanced, detail));
     }
     warnings.extend(beyond_their_mesh(model));
     if let Some(weave) = statistics.stress.and_then(|stress| stress.weave)
         && weave.deviation_rms > DEVIATES
     {
-        let warning = Warning::new("stress_deviates", deviating_stress(&weave, structure));
+        let warning = Warning::new(WarningCode::StressDeviates, deviating_stress(&weave, structure));
         warnings.push(warning.with("deviation_rms", weave.deviation_rms));
     }
     if let Some(Ponding { depth, place: DVec3 { x, y, z }, .. }) = statistics.ponding {
@@ -65,7 +66,7 @@ pub(super) fn warn(
             "water would stand up to {depth:.4} deep on the film, deepest at ({x:.4}, {y:.4}, {z:.4}), because it \
              cannot run off over an edge; its weight would deepen the hollow (ponding)"
         );
-        warnings.push(Warning::new("ponding", detail).with("depth", depth).with_place([x, y, z]));
+        warnings.push(Warning::new(WarningCode::Ponding, detail).with("depth", depth).with_place([x, y, z]));
     }
     for (chamber, ChamberResult { volume, .. }) in structure.chambers.iter().zip(&statistics.chambers) {
         let next = chamber.below + 1;
@@ -75,19 +76,20 @@ pub(super) fn warn(
                  on each other here as they would in fact; change the pressures",
                 chamber.below
             );
-            warnings.push(Warning::new("layers_cross", detail).with_count("layer", next).with("volume", *volume));
+            warnings
+                .push(Warning::new(WarningCode::LayersCross, detail).with_count("layer", next).with("volume", *volume));
         }
     }
     if let Some(stability) = statistics.stability {
         let radius = plateau_mesh::polyline::radius(&model.mesh().vertices);
         if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
-            warnings.push(Warning::new("mechanism", mechanism(model, found)));
+            warnings.push(Warning::new(WarningCode::Mechanism, mechanism(model, found)));
         } else if !stability.stable {
             let detail = format!(
                 "the shape is in equilibrium but no minimum of the energy (Morse index {}): it would leave it",
                 stability.morse_index
             );
-            warnings.push(Warning::new("unstable", detail).with_count("morse_index", stability.morse_index));
+            warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
         }
     }
     warnings
@@ -105,7 +107,7 @@ fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
                 "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on \
                  flat there; make the mesh larger"
             );
-            Warning::new("beyond_support", detail).with_count("support", number).with("distance", farthest)
+            Warning::new(WarningCode::BeyondSupport, detail).with_count("support", number).with("distance", farthest)
         })
     };
     model.supports.iter().enumerate().filter_map(beyond).collect()

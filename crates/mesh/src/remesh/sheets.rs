@@ -2,6 +2,7 @@
 //! by sheet.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::codes::Reason;
 use crate::complex::{Complex, VertexKind};
 use crate::film::Film;
 use crate::measure;
@@ -59,7 +60,7 @@ pub fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u32, exec
     }
     if flips > 0 {
         *complex = Complex::build(triangles, vertices.len())
-            .map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+            .map_err(|defect| Error::no_result(Reason::InvalidMesh, defect.to_string()))?;
     }
     Ok(flips)
 }

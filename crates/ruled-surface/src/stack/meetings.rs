@@ -2,6 +2,7 @@
 
 use super::prepare::Prepared;
 use plateau_mesh::DVec3;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
@@ -26,7 +27,7 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
         if is_same(p, q, tolerance) {
             let detail =
                 format!("directrices {k} and {next} are the same polyline, so the strip between them has no area");
-            warnings.push(Warning::new("identical_directrices", detail).with_count("directrix", k));
+            warnings.push(Warning::new(WarningCode::IdenticalDirectrices, detail).with_count("directrix", k));
         } else if let Some(contact) = meeting(p, q, prepared.closed, tolerance, execution)? {
             let [from, to] = [contact.first, contact.first + 1].map(|k| k % p.len());
             let [from, to] = [from, to].map(|index| prepared.directrices[k].input_point(index));
@@ -34,7 +35,7 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
                 "directrices {k} and {next} cross or touch between the points {from} and {to} of directrix {k}: the \
                  strip is pinched there"
             );
-            let warning = Warning::new("crossing_directrices", detail).with_count("directrix", k);
+            let warning = Warning::new(WarningCode::CrossingDirectrices, detail).with_count("directrix", k);
             warnings.push(warning.with_count("from", from).with_count("to", to));
         }
     }
@@ -60,7 +61,7 @@ fn unclosed(prepared: &Prepared) -> Option<Warning> {
     };
     let detail =
         format!("{which}, but the strips are open: set closed for loops, so that each strip is joined to itself");
-    Some(Warning::new("unclosed_directrices", detail).with_count("count", loops.len()))
+    Some(Warning::new(WarningCode::UnclosedDirectrices, detail).with_count("count", loops.len()))
 }
 
 /// Whether two polylines have the same points in the same or the opposite order.
@@ -87,13 +88,14 @@ fn meeting(
 #[cfg(test)]
 mod tests {
     use crate::{Options, solve};
-    use plateau_mesh::{DVec3, Execution};
+    use plateau_mesh::{DVec3, Execution, WarningCode};
 
-    fn codes(directrices: &[&[[f64; 3]]], closed: bool) -> Vec<(&'static str, String)> {
+    fn codes(directrices: &[&[[f64; 3]]], closed: bool) -> Vec<(WarningCode, String)> {
         let directrices: Vec<Vec<DVec3>> =
             directrices.iter().map(|points| points.iter().copied().map(DVec3::from).collect()).collect();
         let solved = solve(&directrices, &Options { closed, ..Options::default() }, &Execution::default()).unwrap();
-        let named = ["identical_directrices", "crossing_directrices", "unclosed_directrices"];
+        let named =
+            [WarningCode::IdenticalDirectrices, WarningCode::CrossingDirectrices, WarningCode::UnclosedDirectrices];
         let warnings = solved.warnings.into_iter().filter(|warning| named.contains(&warning.code));
         warnings.map(|warning| (warning.code, warning.detail)).collect()
     }

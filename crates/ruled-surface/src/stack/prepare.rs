@@ -5,6 +5,7 @@ use super::options::{Caps, DirectionCriterion, Options};
 use super::sampling::{self, Sampling};
 use crate::graph::rails::{Given, Rails};
 use crate::strip::check::{MOST_ERRORS, TOO_FEW_CLOSED, goal_errors, shape_errors, value_errors};
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Warning};
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::{DVec3, polyline};
@@ -130,7 +131,7 @@ pub(crate) fn prepare(
         }
         if count == 1 && k > 0 && k + 1 < directrices.len() {
             let detail = format!("directrix {k} is a single point between two strips: the surface is pinched there");
-            prepared.warnings.push(Warning::new("apex_inside", detail).with_count("directrix", k));
+            prepared.warnings.push(Warning::new(WarningCode::ApexInside, detail).with_count("directrix", k));
         }
         offset += count;
         prepared.directrices.push(directrix);

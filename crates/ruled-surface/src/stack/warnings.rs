@@ -9,6 +9,7 @@ use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::{least, least_bending_within};
 use crate::strip::statistics::Statistics;
 use plateau_mesh::DVec3;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::measure::is_degenerate;
 
@@ -39,7 +40,8 @@ pub(crate) fn of_strip(
     if statistics.folds_back() {
         let degrees = statistics.largest_fold.to_degrees();
         let detail = format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°");
-        warnings.push(Warning::new("folds", detail).with_count("strip", k).with("largest_fold_deg", degrees));
+        warnings
+            .push(Warning::new(WarningCode::Folds, detail).with_count("strip", k).with("largest_fold_deg", degrees));
     }
     let triangles = strip.triangles_along(path);
     let empty = triangles.iter().filter(|&&triangle| is_degenerate(strip.corners(triangle))).count();
@@ -50,11 +52,12 @@ pub(crate) fn of_strip(
             triangles.len(),
             k + 1
         );
-        warnings.push(Warning::new("empty_triangles", detail).with_count("strip", k).with_count("count", empty));
+        warnings
+            .push(Warning::new(WarningCode::EmptyTriangles, detail).with_count("strip", k).with_count("count", empty));
     }
     if strip.closed && repeats_a_bridge(path) {
         let detail = format!("strip {k}: the path runs all the way round one directrix at one point of the other");
-        warnings.push(Warning::new("repeated_bridge", detail).with_count("strip", k));
+        warnings.push(Warning::new(WarningCode::RepeatedBridge, detail).with_count("strip", k));
     }
     if strip.has_apex() {
         return Ok(warnings);
@@ -68,13 +71,13 @@ pub(crate) fn of_strip(
             }
         };
         let detail = format!("directrices {k} and {} run in opposite directions: {reason}", k + 1);
-        warnings.push(Warning::new("opposite_directions", detail).with_count("directrix", k));
+        warnings.push(Warning::new(WarningCode::OppositeDirections, detail).with_count("directrix", k));
     }
     if goal.objective != Objective::MinimalArea {
         let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, counter)?;
         if factor > LARGE {
             let detail = format!("strip {k}: {factor:.2} times the area of the strip of minimal area");
-            warnings.push(Warning::new("large_area", detail).with_count("strip", k).with("factor", factor));
+            warnings.push(Warning::new(WarningCode::LargeArea, detail).with_count("strip", k).with("factor", factor));
         }
     }
     let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
@@ -89,9 +92,12 @@ pub(crate) fn of_strip(
             let warning = if least > rounding {
                 let factor = statistics.bending_energy / least;
                 let detail = format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least");
-                Warning::new("strongly_bent", detail).with("factor", factor)
+                Warning::new(WarningCode::StronglyBent, detail).with("factor", factor)
             } else {
-                Warning::new("strongly_bent", format!("strip {k}: it bends, although it could be laid without bending"))
+                Warning::new(
+                    WarningCode::StronglyBent,
+                    format!("strip {k}: it bends, although it could be laid without bending"),
+                )
             };
             warnings.push(warning.with_count("strip", k));
         }

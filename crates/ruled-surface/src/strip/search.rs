@@ -13,6 +13,7 @@ use crate::graph::layers::{
 use crate::graph::rails::Rails;
 use crate::graph::strip_arrays::StripArrays;
 use crate::graph::sweep::{Region, cost_within};
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::Interruption;
 use std::marker::PhantomData;
@@ -164,7 +165,7 @@ fn normalised(
         } else {
             let name = objective.name();
             warnings.push(Warning::new(
-                "not_normalised",
+                WarningCode::NotNormalised,
                 format!("{name} can be brought to zero on a strip, so its term is not divided by its optimum there"),
             ));
         }

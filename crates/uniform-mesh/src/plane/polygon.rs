@@ -3,6 +3,7 @@
 
 use super::mesh::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Warning};
 use plateau_mesh::execution::{Execution, Signal};
 use plateau_mesh::plane::flatness::Flatness;
@@ -78,7 +79,7 @@ impl Polygon {
         }
         let dropped: usize = merged.iter().map(|m| m.dropped()).sum();
         if dropped > 0 {
-            let warning = Warning::new("merged_points", format!("{dropped} repeated points were merged"));
+            let warning = Warning::new(WarningCode::MergedPoints, format!("{dropped} repeated points were merged"));
             warnings.push(warning.with_count("count", dropped));
         }
 

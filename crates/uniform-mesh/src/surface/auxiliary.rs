@@ -19,6 +19,7 @@ use crate::options::Options;
 use crate::plane::mesh::Outline;
 use crate::plane::sides::{Division, Sides, is_sharp, pieces};
 use plateau_film::minimal_surface;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Step, Warning};
 use plateau_mesh::execution::Execution;
 use plateau_mesh::measure;
@@ -211,8 +212,8 @@ impl Auxiliary {
             sides.push(paths.collect());
         }
         let said = |w: Warning| match w.code {
-            "merged_points" => w,
-            code => Warning { values: w.values, ..Warning::new("film", format!("{code}: {}", w.detail)) },
+            WarningCode::MergedPoints => w,
+            code => Warning { values: w.values, ..Warning::new(WarningCode::Film, format!("{code}: {}", w.detail)) },
         };
         let warnings = film.warnings.into_iter().map(said).collect();
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })

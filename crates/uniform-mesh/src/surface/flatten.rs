@@ -12,6 +12,7 @@
 
 use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
 use crate::edges::edges;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 use plateau_mesh::plane::frame::Frame;
@@ -119,7 +120,7 @@ pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Erro
 fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let failed = || {
         Error::no_result(
-            "not_flattenable",
+            Reason::NotFlattenable,
             "the surface cannot be laid into the plane without folds: split it into several",
         )
     };

@@ -27,6 +27,7 @@ use crate::minimal_surface::run::{
 };
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;
+use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::crossing::films_cross;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
@@ -67,7 +68,8 @@ impl SpanningComparison {
     pub(crate) fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.connected_film_exists {
-            let mut warning = Warning::new("no_connected_film", "no film that connects all boundaries was found");
+            let mut warning =
+                Warning::new(WarningCode::NoConnectedFilm, "no film that connects all boundaries was found");
             if let Some(fraction) = self.largest_gap_fraction {
                 warning.detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
                 warning = warning.with("largest_gap_fraction", fraction);
@@ -77,7 +79,7 @@ impl SpanningComparison {
         if self.topologies.first().is_some_and(|least| least.films_cross) {
             let detail =
                 "the films of the least topology pass through each other or themselves; soap films would join there";
-            warnings.push(Warning::new("films_cross", detail));
+            warnings.push(Warning::new(WarningCode::FilmsCross, detail));
         }
         warnings
     }
@@ -128,7 +130,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     let films: Vec<(Vec<usize>, &SolvedFilm)> =
         compared[0].films.iter().map(|films| as_given(films)).zip(chosen.iter().copied()).collect();
     let film = together(given, &films)
-        .ok_or_else(|| Error::no_result("invalid_mesh", "the films of the chosen topology do not fit together"))?;
+        .ok_or_else(|| Error::no_result(Reason::InvalidMesh, "the films of the chosen topology do not fit together"))?;
     let mut run = Run::new(Solver::Newton);
     for part in &chosen {
         run.append(part.run.clone());

@@ -9,8 +9,8 @@ use std::cmp::Ordering;
 /// Lengths that differ by less than this fraction of the radius of all boundaries are equal. It is above rounding.
 const EQUAL_LENGTH: f64 = 1e-9;
 
-/// Returns the boundaries sorted by length, then by radius, then by the sum of the distances to all others. This order is
-/// the same after a motion, a scaling and another order of the list. Boundaries that are equal in all three keep the
+/// Returns the boundaries sorted by length, then by radius, then by the sum of the distances to all others. This order
+/// is the same after a motion, a scaling and another order of the list. Boundaries that are equal in all three keep the
 /// client's order.
 pub(super) fn order_of(boundaries: &[Vec<DVec3>]) -> Vec<usize> {
     let means: Vec<DVec3> = boundaries.iter().map(|points| polyline::mean(points)).collect();

@@ -2,6 +2,7 @@
 //! their Delaunay triangulation.
 
 use super::polygon_domain::{PlaneLoop, domain_of, snapped};
+use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::polygon::contains;
 use plateau_mesh::plane::triangulation::{Border, Constraint, triangles_inside};
@@ -50,7 +51,7 @@ pub(crate) fn candidate_mesh(
         }
     }
     Err(last.unwrap_or_else(|| {
-        Error::no_result("no_initial_mesh", "The loop has no triangulation in its best plane nor in a disk.")
+        Error::no_result(Reason::NoInitialMesh, "The loop has no triangulation in its best plane nor in a disk.")
     }))
 }
 
@@ -66,7 +67,7 @@ fn triangulate(
     let m = boundary.len() as u32;
     let sides: Vec<Constraint> =
         (0..m).map(|k| Constraint { from: k, to: (k + 1) % m, border: Border::Outline }).collect();
-    let failed = |detail: &str| Error::no_result("no_initial_mesh", detail);
+    let failed = |detail: &str| Error::no_result(Reason::NoInitialMesh, detail);
     let triangles =
         triangles_inside(&points, &sides).map_err(|_| failed("The loop's image crosses or touches itself."))?;
     execution.look(points.len() as u64)?;
@@ -123,7 +124,7 @@ fn candidates(
     }
     if found.len() < wanted {
         let detail = format!("Only {} candidate points lie inside the boundary; ask for fewer.", found.len());
-        return Err(Error::NoResult { reason: "no_room_for_interior_vertices", detail, places: Vec::new() });
+        return Err(Error::NoResult { reason: Reason::NoRoomForInteriorVertices, detail, places: Vec::new() });
     }
     Ok(found)
 }

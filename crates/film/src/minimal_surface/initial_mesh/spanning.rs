@@ -19,6 +19,7 @@ use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::harmonic::Dirichlet;
 use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use glam::DVec2;
+use plateau_mesh::codes::Reason;
 use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
@@ -713,11 +714,12 @@ fn harmonic(
         .and_then(|symbolic| symbolic.factorise(&matrix).and_then(|factorisation| factorisation.solve(&mut solution)));
     solved.map_err(|error| match error {
         LinearError::TooLarge => {
-            Error::no_result("too_large", "the mesh is too large to factorise; ask for fewer triangles")
+            Error::no_result(Reason::TooLarge, "the mesh is too large to factorise; ask for fewer triangles")
         }
-        _ => {
-            Error::no_result("degenerate_boundary", "the boundary's points lie so that its initial mesh is degenerate")
-        }
+        _ => Error::no_result(
+            Reason::DegenerateBoundary,
+            "the boundary's points lie so that its initial mesh is degenerate",
+        ),
     })?;
     for (row, &v) in pattern.free.vertex.iter().enumerate() {
         vertices[v as usize] = DVec3::new(solution[row], solution[n + row], solution[2 * n + row]);

@@ -5,6 +5,7 @@ use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::Solver;
 use crate::minimal_surface::run::{Record, Run, StopReason};
+use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::delaunay::flip_to_delaunay;
 use plateau_mesh::{Error, Execution, Interruption};
@@ -33,7 +34,7 @@ pub(crate) fn run_once(film: &mut Film, exec: &Execution) -> Result<Run, Error> 
     if moves {
         dirichlet.step(film).map_err(|_| {
             let detail = "the initial mesh is degenerate, so that its harmonic map cannot be computed";
-            Error::no_result("degenerate_boundary", detail)
+            Error::no_result(Reason::DegenerateBoundary, detail)
         })?;
         record.iteration("pinkall_polthier", film.area(), Curvature::of(film).residual_felt, 1.0);
     }

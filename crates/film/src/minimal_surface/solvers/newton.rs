@@ -227,8 +227,8 @@ impl<'a> Solve<'a> {
         Ok(grows.then_some(finer))
     }
 
-    /// Converges from each of the `ways` out of an unstable film, of which there is at least one, until a film holds. If
-    /// none does, the film is that of the first way.
+    /// Converges from each of the `ways` out of an unstable film, of which there is at least one, until a film holds.
+    /// If none does, the film is that of the first way.
     fn leave(
         &mut self,
         film: &mut Film,

@@ -7,6 +7,7 @@ use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::cable_net;
+use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::{Error, Execution, Mesh};
 
@@ -66,13 +67,16 @@ fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
             "the net is in equilibrium, but the loss still fell when the solver stopped ({}): allow more iterations",
             found.stop_reason.name()
         );
-        warnings.push(Warning::new("not_converged", detail));
+        warnings.push(Warning::new(WarningCode::NotConverged, detail));
     }
     let missed = edges_where(&found.missed, "these edges miss a target by more than half");
-    warnings.extend(missed.map(|(detail, count)| Warning::new("targets_missed", detail).with_count("count", count)));
+    warnings.extend(
+        missed.map(|(detail, count)| Warning::new(WarningCode::TargetsMissed, detail).with_count("count", count)),
+    );
     let slack = "the targets leave these edges no force; least_force_density keeps a force in them";
     let slack = edges_where(&found.slack, slack);
-    warnings.extend(slack.map(|(detail, count)| Warning::new("slack_cable", detail).with_count("count", count)));
+    warnings
+        .extend(slack.map(|(detail, count)| Warning::new(WarningCode::SlackCable, detail).with_count("count", count)));
     warnings
 }
 

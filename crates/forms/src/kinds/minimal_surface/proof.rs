@@ -9,6 +9,7 @@ use plateau_archive::archive::LOWER_BOUND_SLACK;
 use plateau_film::minimal_surface::MinimalSurface;
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{Field, LowerBound};
+use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Error, Execution};
 use serde::Serialize;
@@ -32,7 +33,7 @@ pub(super) fn search(
 ) -> Result<Proof, Error> {
     let mut without = |reason: &str| {
         let detail = format!("no lower bound was computed: {reason}");
-        film.warnings.push(Warning::new("no_certificate", detail));
+        film.warnings.push(Warning::new(WarningCode::NoCertificate, detail));
         Ok(Proof::default())
     };
     if film.statistics.junctions.is_some() {
@@ -87,7 +88,7 @@ fn gap(area: f64, bound: f64) -> Result<Option<f64>, Error> {
     match area / bound - 1.0 {
         _ if bound <= 0.0 => Ok(None),
         gap if gap.is_finite() && gap >= -ROUNDED => Ok(Some(gap.max(0.0))),
-        _ => Err(Error::no_result("internal", format!("the area {area} is below the proven bound {bound}"))),
+        _ => Err(Error::no_result(Reason::Internal, format!("the area {area} is below the proven bound {bound}"))),
     }
 }
 
@@ -210,7 +211,7 @@ mod tests {
         assert_eq!(gap(1.0 - 1e-9, 1.0).unwrap(), Some(0.0));
         assert_eq!(gap(1.0, 0.0).unwrap(), None);
         for area in [0.999_99, 0.0, f64::NAN] {
-            assert!(matches!(gap(area, 1.0), Err(Error::NoResult { reason: "internal", .. })), "{area}");
+            assert!(matches!(gap(area, 1.0), Err(Error::NoResult { reason: Reason::Internal, .. })), "{area}");
         }
     }
 }
