@@ -6,6 +6,7 @@ mod flips;
 pub mod isotropic;
 pub mod moving;
 pub mod sheets;
+pub mod sliding;
 pub mod small_angles;
 pub mod subdivision;
 pub mod thin_triangles;

@@ -101,7 +101,7 @@ fn least([a, b, c]: [DVec3; 3]) -> f64 {
     libm::atan(least_tangent([a, b, c]))
 }
 
-fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
+pub(super) fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
     let (u, v, w) = (b - a, c - b, a - c);
     let double_area = u.cross(w).length();
     if double_area == 0.0 {

@@ -33,6 +33,7 @@ use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, NARROW, So
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 use plateau_mesh::remesh::isotropic::BoundaryEdges;
+use plateau_mesh::remesh::sliding::slide;
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::remesh::subdivision::subdivided_inside;
 use plateau_mesh::sparse::multigrid::{self, Hierarchy, Parents, parents_of};
@@ -166,6 +167,10 @@ fn climb(
         pattern = Pattern::new(film.triangles(), &film.fixed);
         let parents = parents_of(&coarse_unknown, &pattern.free.vertex, &midpoints);
         solve.exec.look(work)?;
+        if last {
+            // The correction that follows makes the motion along the normals good, too.
+            slide(film, solve.radius, solve.exec)?;
+        }
         let Some(mut corrected) = correct(film, &pattern, parents, &hierarchy, tolerance, solve)? else {
             return Ok(None);
         };

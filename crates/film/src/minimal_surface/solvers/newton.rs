@@ -5,7 +5,8 @@
 //! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, flips of edges
 //!    that reduce the area open their folds, and it starts again. If triangles are still flipped, or it stalls, step 1
 //!    starts again. If it converges with small angles, these are widened where they are, and it starts again from
-//!    there.
+//!    there. In the end the vertices slide along the film to where its triangles have less area
+//!    ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects it once more.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
 //!    left along its lowest mode.
 //! 4. *Look again* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
@@ -26,6 +27,7 @@ use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
+use plateau_mesh::remesh::sliding::slide;
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
@@ -64,6 +66,9 @@ pub(crate) const NARROW: f64 = 0.384;
 pub(crate) const WIDE: f64 = 0.489;
 /// Largest number of rounds of widening and solving. A larger value helps films whose angles a solve shrinks again.
 pub(crate) const WIDENINGS: u32 = 4;
+/// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less. With a
+/// larger value more films stay as they were.
+const LEAST_SLID_ANGLE: f64 = 0.349_066;
 /// Largest number of rounds of flips that open folds. A larger value helps films whose folds a solve closes again.
 const OPENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
@@ -309,7 +314,9 @@ impl<'a> Solve<'a> {
             }
             reason = match outcome {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
-                    return Ok((StopReason::Residual, Some(self.widen(film, pattern, direct)?)));
+                    let (pattern, mut direct) = self.widen(film, pattern, direct)?;
+                    self.slide(film, &pattern, &mut direct)?;
+                    return Ok((StopReason::Residual, Some((pattern, direct))));
                 }
                 StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
                 _ if collapsed => return Ok((StopReason::Collapsed, None)),
@@ -371,6 +378,34 @@ impl<'a> Solve<'a> {
             (*film, pattern, direct) = (widened, new_pattern, solver);
         }
         Ok((pattern, direct))
+    }
+
+    /// Lets the vertices of a converged film slide along it to where its triangles have less area, and corrects it
+    /// along the normals. The film stays as it was if it does not converge again, if its area rises, or if an angle
+    /// gets too small.
+    fn slide(&mut self, film: &mut Film, pattern: &Pattern, direct: &mut Direct) -> Result<(), Error> {
+        let before = film.vertices.clone();
+        let (rows, iterations) = (self.record.history.len(), self.record.iterations);
+        let (area, angle, flipped) = (film.area(), smallest_angle(film), film.flipped_triangles());
+        let slid = slide(film, self.radius, self.exec);
+        if slid.is_ok() && film.vertices == before {
+            return Ok(());
+        }
+        let outcome = match slid {
+            Ok(()) => self.newton(film, pattern, direct, Aim::Stationary),
+            Err(interruption) => Err(interruption.into()),
+        };
+        let keeps = |film: &Film| {
+            film.area() <= area
+                && film.flipped_triangles() <= flipped
+                && smallest_angle(film) >= angle.min(LEAST_SLID_ANGLE)
+        };
+        if !matches!(outcome, Ok(StopReason::Residual)) || !keeps(film) {
+            film.vertices = before;
+            self.record.history.truncate(rows);
+            self.record.iterations = iterations;
+        }
+        outcome.map(|_| ())
     }
 
     /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a

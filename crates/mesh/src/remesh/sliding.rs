@@ -1,0 +1,84 @@
+//! Vertices that slide along a film until the gradient of its area has hardly any part along the surface.
+//!
+//! A film whose area no motion along its normals lowers is a minimal surface, but how its triangles lie on the surface
+//! still changes the area a little. Chen, Cai and Zheng ("Constructing triangular meshes of minimal area", section 3)
+//! measure the whole gradient, in which the layout of the triangles shows.
+
+use super::small_angles::least_tangent;
+use crate::film::Film;
+use crate::{DVec3, Execution, Interruption};
+use glam::DMat3;
+
+// Tunables. The figures in docs/papers/chen-cai-zheng.md were obtained with these values.
+
+/// Number of sweeps over the vertices. A larger value lowers the largest gradient further and makes angles smaller.
+const SWEEPS: u32 = 4;
+/// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane. A larger
+/// value gives shorter steps.
+const DAMPING: f64 = 3e-3;
+/// Longest step as a part of the shortest edge of the ring at the vertex. A larger value lets triangles turn over.
+const REACH: f64 = 0.25;
+/// Gradient by area, times the radius of the boundary, below which a vertex stays.
+const NEGLIGIBLE: f64 = 3e-3;
+/// Tangent of the angle (21 degrees) below which no step takes an angle. Films keep angles of 20 degrees, and the
+/// normal heights that follow take some back.
+const LEAST_TANGENT: f64 = 0.383_864;
+/// Parts of a step that are tried, the first that keeps the angles is taken.
+const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
+
+/// Lets the free vertices of a film slide to where the area of their rings is least, one after the other, in sweeps that
+/// run forwards and backwards in turn. The connectivity stays.
+///
+/// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative
+/// Σ |e|²/(4A) n nᵀ, where n and A are the normal and the area of a triangle and e is its edge opposite to x. A sweep
+/// takes a damped step of Newton's method. No step takes an angle below 21 degrees, or below the ring's smallest angle
+/// if that is less. `radius` is the radius of the boundary.
+///
+/// # Errors
+/// The interruptions of `exec`, between two sweeps.
+pub fn slide(film: &mut Film, radius: f64, exec: &Execution) -> Result<(), Interruption> {
+    let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
+    let mut ring = Vec::new();
+    for sweep in 0..SWEEPS {
+        exec.look(4 * film.triangles().len() as u64)?;
+        for k in 0..free.len() {
+            let v = free[if sweep % 2 == 0 { k } else { free.len() - 1 - k }];
+            let edges = film.topology.outgoing_half_edges(v);
+            ring.clear();
+            ring.extend(
+                edges.map(|h| [film.topology.to(h), film.topology.opposite(h)].map(|w| film.vertices[w as usize])),
+            );
+            film.vertices[v as usize] = slid(film.vertices[v as usize], &ring, radius);
+        }
+    }
+    Ok(())
+}
+
+/// The place of a vertex after one step, given the edges opposite to it in its triangles.
+fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> DVec3 {
+    let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
+    let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);
+    for &[from, to] in ring {
+        let edge = to - from;
+        let normal = edge.cross(here - from);
+        let doubled = normal.length();
+        if doubled == 0.0 {
+            return here;
+        }
+        let normal = normal / doubled;
+        let weight = edge.length_squared() / doubled;
+        gradient += normal.cross(edge);
+        second += DMat3::from_cols(weight * normal.x * normal, weight * normal.y * normal, weight * normal.z * normal);
+        trace += weight;
+        double_area += doubled;
+        shortest = shortest.min(from.distance_squared(here));
+        smallest = smallest.min(least_tangent([here, from, to]));
+    }
+    if gradient.length() * radius < NEGLIGIBLE * 2.0 * double_area {
+        return here;
+    }
+    let step = -((second + DMat3::from_diagonal(DVec3::splat(DAMPING * trace))).inverse() * gradient);
+    let step = step * (REACH * shortest.sqrt() / step.length()).min(1.0);
+    let keeps = |place: DVec3| ring.iter().all(|&[from, to]| least_tangent([place, from, to]) >= smallest);
+    PARTS.iter().map(|part| here + *part * step).find(|&place| keeps(place)).unwrap_or(here)
+}
