@@ -38,6 +38,11 @@ const SETTLED: f64 = 0.05;
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// A mesh with a larger angle (radians, 137°) is renewed once Newton's method has converged on it.
 const WORN: f64 = 2.4;
+/// A cable of given force below this length, in spans, that is shorter than this fraction of its length before counts
+/// as shrinking. Its forces cannot balance before it has shrunk to nothing or found its length, so that a failure of
+/// Newton's method meanwhile says nothing.
+const SHORT: f64 = 0.2;
+const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Rounds between two tries of Newton's method.
@@ -106,6 +111,9 @@ struct Watch {
     necks: u32,
     last_neck: Option<Neck>,
     compressed: u32,
+    /// The length of the shortest cable of given force in the air, and whether it is shrinking.
+    shortest: f64,
+    shrinks: bool,
 }
 
 /// The narrowest place between two sides of the film.
@@ -331,7 +339,7 @@ impl Run<'_> {
                 StopReason::Residual | StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations
                     if failures < MAX_FAILURES =>
                 {
-                    failures += 1;
+                    failures += u32::from(!watch.shrinks);
                     wait = rounds + WAIT;
                     *self.model = before;
                     settler.restart();
@@ -468,6 +476,8 @@ impl Run<'_> {
             necks: 0,
             last_neck: None,
             compressed: 0,
+            shortest: f64::INFINITY,
+            shrinks: false,
         }
     }
 
@@ -506,8 +516,12 @@ impl Run<'_> {
                 format!("the film pinches off at a neck of girth {:.4} near {}", neck.girth, place(neck.place));
             return Some(Ending::Collapses(detail, None));
         }
+        let mut shortest = f64::INFINITY;
         for (k, cable) in self.structure.cables.iter().enumerate() {
             let length = self.model.cables[k].length(&at);
+            if matches!(cable.course, Course::Air(_)) && !self.model.holds_length(k) {
+                shortest = shortest.min(length);
+            }
             let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
@@ -521,6 +535,8 @@ impl Run<'_> {
                 return Some(Ending::Collapses(detail, Some(own)));
             }
         }
+        watch.shrinks = shortest < (SHRINKS * watch.shortest).min(SHORT * watch.span);
+        watch.shortest = shortest;
         let area = self.model.layers[0].film.area();
         if area < 1e-4 * watch.area {
             return Some(Ending::Collapses(format!("the film shrinks to an area of {area:.3e}"), None));
