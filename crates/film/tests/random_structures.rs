@@ -353,8 +353,8 @@ fn bad_starts_end_in_the_shape_of_the_good_one_on_every_mesh() {
                         }
                     }
                     Ok(other) => println!(
-                        "{seed} {kind} {displaced} {triangles}: another shape: {} for {}, error {own:.1e}, energy {} for \
-                         {}, rings travel {:?} and {:?}",
+                        "{seed} {kind} {displaced} {triangles}: another shape: {} for {}, error {own:.1e}, \
+                         energy {} for {}, rings travel {:?} and {:?}",
                         other.area, shape.area, other.energy, shape.energy, other.travels, shape.travels
                     ),
                     Err(error) => {

@@ -196,9 +196,9 @@ fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length:
     other + across + axis * squared.sqrt().copysign(along)
 }
 
-/// Returns the structure with straight sides, and with its corners, joints and hubs at the places where the cables alone
-/// are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, if a cable shrinks to nothing, or
-/// if masts are to stand upright and there are none.
+/// Returns the structure with straight sides, and with its corners, joints and hubs at the places where the cables
+/// alone are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, if a cable shrinks to
+/// nothing, or if masts are to stand upright and there are none.
 pub(super) fn taut(structure: &Structure, forces: &[f64], masts: Masts) -> Option<Structure> {
     let mut network = Network::new(structure, forces);
     let before = network.places.clone();

@@ -9,8 +9,8 @@
 //! 4. the gradient flow,
 //! 5. bold steps while the film's tension grows.
 //!
-//! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there is
-//! no equilibrium.
+//! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there
+//! is no equilibrium.
 
 use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
@@ -604,8 +604,8 @@ impl Run<'_> {
         })
     }
 
-    /// Returns the place in the input of a vertex that can move: a joint, a hub, a free point or a sliding point. `None` for
-    /// other vertices.
+    /// Returns the place in the input of a vertex that can move: a joint, a hub, a free point or a sliding point. `None`
+    /// for other vertices.
     fn place_of(&self, v: u32) -> Option<Place> {
         let structure = self.structure;
         let hubs = structure.rings.iter().enumerate().filter(|(_, ring)| ring.hub.is_some());
