@@ -15,6 +15,7 @@ enum End {
     Refused(Vec<String>),
     /// The job fails, with the name of the problem and its pointers.
     Failed(String, Vec<String>),
+    /// The statistics, with the warnings as their member `warnings`.
     Solved(Value),
 }
 
@@ -32,7 +33,11 @@ fn end(request: &Value) -> End {
         Err(Rejection::Malformed(detail)) => panic!("{detail}"),
     };
     match incoming.request.solve(&|| Signal::Continue, &|_| {}) {
-        Ok(solved) => End::Solved(serde_json::from_str(&solved.statistics).expect("statistics are JSON")),
+        Ok(solved) => {
+            let mut statistics: Value = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
+            statistics["warnings"] = serde_json::to_value(&solved.warnings).expect("warnings are JSON");
+            End::Solved(statistics)
+        }
         Err(Unsolved::Failed(failure)) => End::Failed(
             failure.kind.replace("/problems/", ""),
             failure.errors.into_iter().map(|error| error.pointer).collect(),
@@ -127,7 +132,17 @@ fn fails(name: &str, problem: &str, pointer: &str) {
 #[test]
 fn structures_without_an_equilibrium_name_the_point_that_moves() {
     fails("free_corner_without_stay", "no-equilibrium", "/free_points/0");
-    assert!(matches!(end(&request("joint_of_unequal_cables")), End::Failed(..)));
+    fails("joint_of_unequal_cables", "no-equilibrium", "/joints/0");
+}
+
+#[test]
+fn a_cable_or_mast_through_the_film_is_named() {
+    let statistics = found("cable_and_mast_through_the_film");
+    let warnings: Vec<&Value> = statistics["warnings"].as_array().unwrap().iter().collect();
+    let names = |what: &str, number: f64| {
+        warnings.iter().any(|warning| warning["code"] == "pierces_film" && warning["values"][what] == number)
+    };
+    assert!(warnings.len() == 2 && names("cable", 4.0) && names("mast", 0.0), "{warnings:?}");
 }
 
 #[test]

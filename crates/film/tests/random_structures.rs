@@ -273,6 +273,8 @@ fn structure(seed: u64, displaced: f64) -> (&'static str, Structure) {
 
 struct Ended {
     area: f64,
+    energy: f64,
+    travels: Vec<f64>,
     iterations: u32,
     angles: (f64, f64),
 }
@@ -282,7 +284,13 @@ fn ended(structure: &Structure, triangles: usize) -> Result<Ended, String> {
         Ok(shape) if shape.statistics.converged && shape.statistics.stability.is_none_or(|s| s.stable) => {
             let statistics = &shape.statistics;
             let angles = (statistics.angles.0.to_degrees(), statistics.angles.1.to_degrees());
-            Ok(Ended { area: statistics.area, iterations: statistics.iterations, angles })
+            Ok(Ended {
+                area: statistics.area,
+                energy: statistics.energy,
+                travels: shape.ring_travels.clone(),
+                iterations: statistics.iterations,
+                angles,
+            })
         }
         Ok(shape) => Err(format!("not converged or unstable: {:?}", shape.statistics.stop_reason)),
         Err(Error::NoResult { reason, detail, places }) => Err(format!("{reason}: {detail} {places:?}")),
@@ -345,8 +353,9 @@ fn bad_starts_end_in_the_shape_of_the_good_one_on_every_mesh() {
                         }
                     }
                     Ok(other) => println!(
-                        "{seed} {kind} {displaced} {triangles}: another shape: {} for {}, error {own:.1e}",
-                        other.area, shape.area
+                        "{seed} {kind} {displaced} {triangles}: another shape: {} for {}, error {own:.1e}, \
+                         energy {} for {}, rings travel {:?} and {:?}",
+                        other.area, shape.area, other.energy, shape.energy, other.travels, shape.travels
                     ),
                     Err(error) => {
                         denied += usize::from(error.contains("no_equilibrium"));

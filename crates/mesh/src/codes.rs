@@ -103,6 +103,8 @@ names! {
         OppositeDirections = "opposite_directions",
         /// Edges are outside the lengths that the lattice promises: `count`.
         OutOfRange = "out_of_range",
+        /// A cable or a mast passes through the film: `cable` or `mast`, and the place `x`, `y`, `z`.
+        PiercesFilm = "pierces_film",
         /// Water would stand on the film: `depth`, `x`, `y`, `z`.
         Ponding = "ponding",
         /// Points were projected onto their plane: `distance`.

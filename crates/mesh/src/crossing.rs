@@ -1,8 +1,8 @@
-//! Whether two films pass through each other.
+//! Whether two films pass through each other, and where a segment passes through a film.
 
 use crate::film::Film;
-use crate::self_intersections::surfaces_cross;
-use crate::{Execution, Interruption};
+use crate::self_intersections::{passes_through, surfaces_cross};
+use crate::{DVec3, Execution, Interruption};
 
 /// Whether an edge of one film pierces the inside of a triangle of the other ([`surfaces_cross`]).
 ///
@@ -12,10 +12,40 @@ pub fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool
     surfaces_cross((&first.vertices, first.triangles()), (&second.vertices, second.triangles()), exec)
 }
 
+/// Triangles between two looks at the signal.
+const LOOK: usize = 1 << 16;
+
+/// Returns a point of the first triangle through which a segment passes from one side to the other. A segment that ends
+/// on a triangle does not pass through it. The answer is exact, its place is rounded.
+///
+/// # Errors
+/// The interruptions of `exec`.
+pub fn passage(
+    [p, q]: [DVec3; 2],
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
+    exec: &Execution<'_>,
+) -> Result<Option<DVec3>, Interruption> {
+    let (low, high) = (p.min(q), p.max(q));
+    for some in triangles.chunks(LOOK) {
+        exec.look(some.len() as u64)?;
+        for triangle in some {
+            let corners @ [a, b, c] = triangle.map(|v| vertices[v as usize]);
+            let apart = a.min(b).min(c).cmpgt(high).any() || a.max(b).max(c).cmplt(low).any();
+            if apart || !passes_through([p, q], &corners) {
+                continue;
+            }
+            let normal = (b - a).cross(c - a);
+            let [before, after] = [p, q].map(|end| normal.dot(end - a).abs());
+            return Ok(Some(p.lerp(q, before / (before + after).max(f64::MIN_POSITIVE))));
+        }
+    }
+    Ok(None)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::DVec3;
     use crate::structured::{cylinder, patch};
 
     fn cross(a: &Film, b: &Film) -> bool {
@@ -37,5 +67,20 @@ mod tests {
     fn films_in_one_plane_do_not_cross() {
         let square = |reach: f64| patch(5, 5, |u, v| DVec3::new((u - 0.5) * reach, (v - 0.5) * reach, 0.0));
         assert!(!cross(&square(1.0), &square(3.0)));
+    }
+
+    #[test]
+    fn a_segment_passes_through_the_inside_an_edge_and_a_corner_but_not_where_it_ends() {
+        let square = patch(3, 3, |u, v| DVec3::new(u, v, 0.0));
+        let place = |from: [f64; 3], to: [f64; 3]| {
+            let ends = [DVec3::from(from), DVec3::from(to)];
+            passage(ends, &square.vertices, square.triangles(), &Execution::default()).unwrap()
+        };
+        assert_eq!(place([0.3, 0.2, -1.0], [0.3, 0.2, 3.0]), Some(DVec3::new(0.3, 0.2, 0.0)));
+        assert_eq!(place([0.5, 0.5, -1.0], [0.5, 0.5, 1.0]), Some(DVec3::new(0.5, 0.5, 0.0)));
+        assert_eq!(place([0.5, 0.2, -1.0], [0.5, 0.2, 1.0]), Some(DVec3::new(0.5, 0.2, 0.0)));
+        let none = [([0.3, 0.2, 0.0], [0.3, 0.2, 1.0]), ([1.2, 0.2, -1.0], [1.2, 0.2, 1.0])];
+        assert!(none.into_iter().all(|(from, to)| place(from, to).is_none()));
+        assert_eq!(place([-1.0, 0.3, 0.0], [2.0, 0.3, 0.0]), None, "within the plane");
     }
 }

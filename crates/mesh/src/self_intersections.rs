@@ -32,6 +32,7 @@ use crate::error::Warning;
 use crate::{DVec3, Execution, Interruption, Mesh};
 pub use boxes::Order;
 use boxes::{Leaves, Tree, Visits};
+pub(crate) use predicates::passes_through;
 use predicates::{meet_apart, overlap_beside_edge, pierces, segment_meets_triangle};
 use soup::{NONE, Soup};
 use std::ops::ControlFlow;

@@ -9,7 +9,7 @@ use super::ponding::{self, Ponding, Roof};
 use super::reactions::{Hold, contact_angles, holds, reactions, sums};
 use super::shape::{CableResult, ChamberResult, LayerResult, Stability, Statistics, TensileStructure};
 use super::stress::{of_all, of_triangles, stress};
-use super::warnings::warn;
+use super::warnings::{piercing, warn};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
@@ -164,6 +164,7 @@ pub(super) fn finish(
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
+    warnings.extend(piercing(&model, structure, exec)?);
     let mut vertices = mesh.vertices;
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
         // Backwards, so that of merged points the first gives the place.

@@ -4,6 +4,8 @@
 //! moves to the mean of the other ends of its cables with the weights F / ℓ (Weiszfeld, *Sur le point pour lequel la
 //! somme des distances de n points donnés est minimum*, 1937), then to its support, and to the length of its masts. The
 //! film pulls corners further in, so that the film's own form finding begins from a wide, taut shape.
+//!
+//! A mast on a support can lean to several sides. Another start has such masts upright, however they are drawn.
 
 use super::options::{BoundaryPoint, CableMode, Course, SlidingPart, Structure, stretch};
 use plateau_mesh::DVec3;
@@ -16,6 +18,15 @@ const SWEEPS: u32 = 300;
 const SHORTEST: f64 = 1e-2;
 /// Least motion of a point, as a fraction of the radius, that makes another start.
 const LEAST_MOTION: f64 = 1e-6;
+
+/// How masts on supports stand in a taut start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Masts {
+    /// Where the cables hold them.
+    Lean,
+    /// Along the direction up.
+    Upright,
+}
 
 /// How a point is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,6 +110,25 @@ impl<'a> Network<'a> {
         self.holds[number] = hold;
     }
 
+    /// Sets the free tops of masts upright on their supports, where they stay. Returns whether there is one.
+    fn set_masts_upright(&mut self) -> bool {
+        let up = self.structure.up;
+        let mut any = false;
+        for (cable, link) in self.structure.cables.iter().zip(&self.links) {
+            let ends = link.ends;
+            for [foot, top] in [ends, [ends[1], ends[0]]] {
+                if cable.course.is_mast() && (self.holds[foot], self.holds[top]) == (Hold::Fixed, Hold::Free) {
+                    let length = link.length.unwrap_or_else(|| self.places[foot].distance(self.places[top]));
+                    self.places[top] = self.places[foot] + length * up;
+                    self.holds[top] = Hold::Fixed;
+                    any = true;
+                    break;
+                }
+            }
+        }
+        any
+    }
+
     /// Passes over all points once.
     fn sweep(&mut self) {
         for v in 0..self.places.len() {
@@ -167,11 +197,14 @@ fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length:
 }
 
 /// Returns the structure with straight sides, and with its corners, joints and hubs at the places where the cables
-/// alone are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, or if a cable shrinks to
-/// nothing.
-pub(super) fn taut(structure: &Structure, forces: &[f64]) -> Option<Structure> {
+/// alone are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, if a cable shrinks to
+/// nothing, or if masts are to stand upright and there are none.
+pub(super) fn taut(structure: &Structure, forces: &[f64], masts: Masts) -> Option<Structure> {
     let mut network = Network::new(structure, forces);
     let before = network.places.clone();
+    if masts == Masts::Upright && !network.set_masts_upright() {
+        return None;
+    }
     for _ in 0..SWEEPS {
         network.sweep();
     }

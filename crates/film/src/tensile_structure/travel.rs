@@ -4,9 +4,10 @@
 //! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape:
 //!
 //! 1. bold steps,
-//! 2. bold steps from a start in which the cables alone hold corners and joints ([`taut_start`](super::taut_start)),
-//! 3. the gradient flow,
-//! 4. bold steps while the film's tension grows.
+//! 2. bold steps from a start with upright masts, if masts stand on supports ([`taut_start`](super::taut_start)),
+//! 3. bold steps from a start in which the cables alone hold corners and joints,
+//! 4. the gradient flow,
+//! 5. bold steps while the film's tension grows.
 //!
 //! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there
 //! is no equilibrium.
@@ -15,7 +16,7 @@ use super::form_finding::{Coarse, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
 use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
 use super::remeshing::Fineness;
-use super::taut_start::taut;
+use super::taut_start::{Masts, taut};
 use crate::equilibrium::settling::{Pace, Settler, energy};
 use crate::equilibrium::{Body, Determined, Support};
 use crate::minimal_surface::StopReason;
@@ -38,6 +39,11 @@ const SETTLED: f64 = 0.05;
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// A mesh with a larger angle (radians, 137°) is renewed once Newton's method has converged on it.
 const WORN: f64 = 2.4;
+/// A cable of given force below this length, in spans, that is shorter than this fraction of its length before counts
+/// as shrinking. Its forces cannot balance before it has shrunk to nothing or found its length, so that a failure of
+/// Newton's method meanwhile says nothing.
+const SHORT: f64 = 0.2;
+const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Rounds between two tries of Newton's method.
@@ -51,12 +57,13 @@ const CLOSING: u32 = 10;
 const CLOSES: f64 = 3.0;
 const CLOSED: f64 = 0.2;
 const STAYS_CLOSED: u32 = 3;
-/// The attempts. Those from the taut start and those with growing tension are made without pressure only.
-const ATTEMPTS: [Attempt; 4] = [
-    Attempt { is_taut: false, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { is_taut: false, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { is_taut: true, pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+/// The attempts. Those from a taut start and those with growing tension are made without pressure only.
+const ATTEMPTS: [Attempt; 5] = [
+    Attempt { from: None, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Some(Masts::Upright), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Some(Masts::Lean), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: None, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Some(Masts::Lean), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
 ];
 /// A vertex runs away beyond this distance from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
@@ -73,8 +80,8 @@ const COUNT_TOLERANCE: f64 = 0.05;
 /// How an attempt goes on.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
-    /// Whether the attempt begins from the taut start, if the structure has a taut start.
-    is_taut: bool,
+    /// The taut start from which the attempt begins; `None` for the given one.
+    from: Option<Masts>,
     pace: Pace,
     /// First part of the film's tension, and the rounds in which it grows to all of it.
     first_tension: f64,
@@ -106,6 +113,9 @@ struct Watch {
     necks: u32,
     last_neck: Option<Neck>,
     compressed: u32,
+    /// The length of the shortest cable of given force in the air, and whether it is shrinking.
+    shortest: f64,
+    shrinks: bool,
 }
 
 /// The narrowest place between two sides of the film.
@@ -123,20 +133,20 @@ impl Run<'_> {
         let start = self.model.clone();
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
-        let mut taut = None;
         let mut first = None;
-        for (number, attempt) in ATTEMPTS.into_iter().filter(|attempt| plain || attempt.tension_rounds == 0).enumerate()
-        {
+        let possible = |attempt: &Attempt| plain || attempt.from.is_none() && attempt.tension_rounds == 0;
+        for (number, attempt) in ATTEMPTS.into_iter().filter(possible).enumerate() {
             if number > 0 {
                 self.more_solves();
             }
-            if number == 1 && plain {
-                taut = self.taut_model(coarse, &start)?;
-            }
-            *self.model = match &taut {
-                Some(taut) if attempt.is_taut => taut.clone(),
-                None if attempt.is_taut && attempt.tension_rounds == 0 => continue,
-                _ => start.clone(),
+            let taut = match attempt.from {
+                Some(masts) => self.taut_model(coarse, &start, masts)?,
+                None => None,
+            };
+            *self.model = match taut {
+                Some(taut) => taut,
+                None if attempt.from.is_some() && attempt.tension_rounds == 0 => continue,
+                None => start.clone(),
             };
             let Some((ending, last)) = self.attempt_at(attempt, found)? else {
                 found.ending = None;
@@ -158,9 +168,9 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The first mesh of the taut start, if there is one.
-    fn taut_model(&self, coarse: Coarse, start: &Model) -> Result<Option<Model>, Stop> {
-        let Some(structure) = taut(self.structure, &start.start_forces) else { return Ok(None) };
+    /// The first mesh of a taut start, if there is one.
+    fn taut_model(&self, coarse: Coarse, start: &Model, masts: Masts) -> Result<Option<Model>, Stop> {
+        let Some(structure) = taut(self.structure, &start.start_forces, masts) else { return Ok(None) };
         match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
             Ok(mut model) => {
                 (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
@@ -310,7 +320,8 @@ impl Run<'_> {
                         settler.restart();
                         continue;
                     }
-                    let is_worn = || measure::angle_range(&self.model.layers[0].film.mesh()).1 > WORN;
+                    let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
+                    let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
                     if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
                         // Newton's method moves vertices along the normals, which wears triangles out.
                         failures += 3;
@@ -323,6 +334,10 @@ impl Run<'_> {
                         fresh = true;
                         continue;
                     }
+                    if let Some(neck) = watch.last_neck {
+                        // A tube of three edges around is held by the mesh alone.
+                        return Ok(Some((self.pinched(neck), self.model.clone())));
+                    }
                     self.model.order_input_first(self.structure);
                     let again = self.newton(found, tolerance)?;
                     found.stop_reason = again;
@@ -331,7 +346,7 @@ impl Run<'_> {
                 StopReason::Residual | StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations
                     if failures < MAX_FAILURES =>
                 {
-                    failures += 1;
+                    failures += u32::from(!watch.shrinks);
                     wait = rounds + WAIT;
                     *self.model = before;
                     settler.restart();
@@ -468,6 +483,8 @@ impl Run<'_> {
             necks: 0,
             last_neck: None,
             compressed: 0,
+            shortest: f64::INFINITY,
+            shrinks: false,
         }
     }
 
@@ -502,12 +519,14 @@ impl Run<'_> {
         if watch.necks >= 6
             && let Some(neck) = watch.last_neck
         {
-            let detail =
-                format!("the film pinches off at a neck of girth {:.4} near {}", neck.girth, place(neck.place));
-            return Some(Ending::Collapses(detail, None));
+            return Some(self.pinched(neck));
         }
+        let mut shortest = f64::INFINITY;
         for (k, cable) in self.structure.cables.iter().enumerate() {
             let length = self.model.cables[k].length(&at);
+            if matches!(cable.course, Course::Air(_)) && !self.model.holds_length(k) {
+                shortest = shortest.min(length);
+            }
             let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
@@ -521,6 +540,8 @@ impl Run<'_> {
                 return Some(Ending::Collapses(detail, Some(own)));
             }
         }
+        watch.shrinks = shortest < (SHRINKS * watch.shortest).min(SHORT * watch.span);
+        watch.shortest = shortest;
         let area = self.model.layers[0].film.area();
         if area < 1e-4 * watch.area {
             return Some(Ending::Collapses(format!("the film shrinks to an area of {area:.3e}"), None));
@@ -539,6 +560,16 @@ impl Run<'_> {
             }
         }
         None
+    }
+
+    /// The ending of a film that closes at a neck.
+    fn pinched(&self, neck: Neck) -> Ending {
+        let DVec3 { x, y, z } = neck.place + self.model.centre;
+        let girth = neck.girth;
+        Ending::Collapses(
+            format!("the film pinches off at a neck of girth {girth:.4} near ({x:.4}, {y:.4}, {z:.4})"),
+            None,
+        )
     }
 
     /// Whether the film closes at a corner.

@@ -2,13 +2,14 @@
 
 use super::form_finding::Found;
 use super::model::Model;
-use super::options::{Structure, Weave, WeaveHold};
+use super::options::{Course, Structure, Weave, WeaveHold, cable_place};
 use super::ponding::Ponding;
 use super::shape::{CableResult, ChamberResult, Statistics, WeaveStress};
 use crate::equilibrium::Support;
-use plateau_mesh::DVec3;
 use plateau_mesh::codes::WarningCode;
+use plateau_mesh::crossing::passage;
 use plateau_mesh::error::Warning;
+use plateau_mesh::{DVec3, Error, Execution};
 
 /// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
 /// between cables is about 1 to 10.
@@ -93,6 +94,38 @@ pub(super) fn warn(
         }
     }
     warnings
+}
+
+/// A warning for each cable or mast in the air that passes through the film.
+pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -> Result<Vec<Warning>, Error> {
+    let (at, triangles) = (model.vertices(), model.triangles());
+    let mut warnings = Vec::new();
+    for (k, cable) in structure.cables.iter().enumerate() {
+        if !matches!(cable.course, Course::Air(_) | Course::Mast(_)) {
+            continue;
+        }
+        for ends in model.chains[k].windows(2) {
+            let ends = [ends[0], ends[1]].map(|v| at[v as usize]);
+            if let Some(place) = passage(ends, &at, &triangles, exec)? {
+                let DVec3 { x, y, z } = place + model.centre;
+                let is_mast = cable.course.is_mast();
+                let what = if is_mast { "mast" } else { "cable" };
+                let before = &structure.cables[..k];
+                let number = before.iter().filter(|other| other.course.is_mast() == is_mast).count();
+                let detail = format!(
+                    "{what} {} passes through the film at ({x:.4}, {y:.4}, {z:.4}), where neither bears on the other \
+                     here; move its ends, or give the film an opening ({})",
+                    cable.name,
+                    cable_place(structure, k)
+                );
+                warnings.push(
+                    Warning::new(WarningCode::PiercesFilm, detail).with_count(what, number).with_place([x, y, z]),
+                );
+                break;
+            }
+        }
+    }
+    Ok(warnings)
 }
 
 /// A warning for each mesh beyond whose border an edge has slid.

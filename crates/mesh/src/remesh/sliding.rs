@@ -23,11 +23,11 @@ const NEGLIGIBLE: f64 = 3e-3;
 /// Tangent of the angle (21 degrees) below which no step takes an angle. Films keep angles of 20 degrees, and the
 /// normal heights that follow take some back.
 const LEAST_TANGENT: f64 = 0.383_864;
-/// Parts of a step that are tried, the first that keeps the angles is taken.
+/// Parts of a step that are tried, of which the first that keeps the angles is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
-/// Lets the free vertices of a film slide to where the area of their rings is least, one after the other, in sweeps that
-/// run forwards and backwards in turn. The connectivity stays.
+/// Lets the free vertices of a film slide to where the area of their rings is least, one after the other, in sweeps
+/// that run forwards and backwards in turn. The connectivity stays.
 ///
 /// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative
 /// Σ |e|²/(4A) n nᵀ, where n and A are the normal and the area of a triangle and e is its edge opposite to x. A sweep

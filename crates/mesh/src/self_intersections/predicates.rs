@@ -67,6 +67,17 @@ fn segment_meets_in_plane(p: DVec3, q: DVec3, triangle: &[DVec3; 3]) -> Option<D
     })
 }
 
+/// Whether a segment passes from one side of a triangle to the other through its inside, an edge or a corner.
+pub(crate) fn passes_through([p, q]: [DVec3; 2], triangle: &[DVec3; 3]) -> bool {
+    let [a, b, c] = *triangle;
+    let (above, below) = (volume(triangle, p), volume(triangle, q));
+    if !(above > 0.0 && below < 0.0 || above < 0.0 && below > 0.0) {
+        return false;
+    }
+    let turns = [volume(&[p, q, a], b), volume(&[p, q, b], c), volume(&[p, q, c], a)];
+    turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
+}
+
 /// Whether an edge of `edges` runs through the inside of `triangle`.
 pub(super) fn pierces(edges: &[DVec3; 3], triangle: &[DVec3; 3]) -> bool {
     let [a, b, c] = *triangle;
