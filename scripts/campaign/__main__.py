@@ -30,8 +30,11 @@ from relations import RELATIONS, agree  # noqa: E402
 # run. A family leaves this table with the change that mends its fault.
 KNOWN = {
     "fault_two_near_rings": "a narrow annulus of few triangles has up to five times the area of the strip between the rings, or is not found",
-    "fault_rings_beyond_the_limit": "a thin neck of few edges counts as converged where no film exists",
 }
+
+
+# Share of the cases that are submitted once more and cancelled, and the longest time in seconds until a job has ended after it.
+CANCELLED, CANCEL_SECONDS = 0.1, 1.0
 
 
 def draw(seed, family, number):
@@ -48,6 +51,8 @@ def judged(host, seed, family, number):
     if outcome.succeeded:
         wrong += judge.faults(case.request, outcome.statistics, outcome.mesh, outcome.warnings)
     wrong += [sentence for check in case.checks for sentence in [check(outcome)] if sentence]
+    if random.random() < CANCELLED and (took := host.cancelled(case.request, random.uniform(0, outcome.seconds))) > CANCEL_SECONDS:
+        wrong.append(f"ends {took:.2f} s after it is cancelled")
     if case.relations and not wrong:
         name = random.choice(case.relations)
         other, factor = RELATIONS[name](random, case.request)
@@ -86,7 +91,7 @@ def main():
     budget = options.seconds or (3600 if options.long else 60)
     print(f"seed {seed}, {len(names)} families, budget {budget:.0f} s")
     started, rows, number, total = time.monotonic(), {name: Counter() for name in names}, 0, 0
-    slowest, reasons, failed = {name: 0.0 for name in names}, Counter(), 0
+    slowest, refused, failed = {name: 0.0 for name in names}, {}, 0
     while time.monotonic() - started < budget and (options.cases is None or total < options.cases):
         for name in names:
             if time.monotonic() - started >= budget or (options.cases is not None and total >= options.cases):
@@ -98,7 +103,9 @@ def main():
             row["solved" if outcome.succeeded else "refused"] += 1
             slowest[name] = max(slowest[name], outcome.seconds)
             if not outcome.succeeded:
-                reasons[(name, outcome.error)] += 1
+                kind = draw(seed, name, number).request["kind"]
+                detail = next((line for line in outcome.detail.splitlines() if line.strip()), "")
+                refused.setdefault((kind, outcome.error), (Counter(), detail))[0][name] += 1
             if wrong:
                 row["wrong"] += 1
                 failed += name not in KNOWN
@@ -114,9 +121,10 @@ def main():
         print(f"{name:44} {row['cases']:6} {row['solved']:7} {row['refused']:8} {row['wrong']:6} {slowest[name]:10.2f}")
     sums = sum(rows.values(), Counter())
     print(f"{'all':44} {sums['cases']:6} {sums['solved']:7} {sums['refused']:8} {sums['wrong']:6} {max(slowest.values()):10.2f}")
-    print("\nrefused:")
-    for (name, reason), count in sorted(reasons.items()):
-        print(f"  {name}: {reason} {count}")
+    print("\nrefused, by kind and error, with the first detail and the families:")
+    for (kind, error), (families, detail) in sorted(refused.items()):
+        print(f"  {kind} {error} {sum(families.values())}: {detail[:200]}")
+        print("    " + ", ".join(f"{name} {count}" for name, count in sorted(families.items())))
     print(f"\n{total} cases in {time.monotonic() - started:.0f} s of {budget:.0f} s; {failed} wrong outside the known families")
     return 1 if failed else 0
 

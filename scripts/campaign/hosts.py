@@ -74,11 +74,28 @@ class Service:
         return outcome
 
 
+    def cancelled(self, request, delay):
+        """Submits a request and cancels it after `delay` seconds. Returns the seconds until the job has ended."""
+        status, job = self.call("POST", PATHS[request["kind"]], request)
+        if status >= 400:
+            return 0.0
+        time.sleep(delay)
+        started = time.monotonic()
+        self.call("POST", f"/v1/jobs/{job['id']}/cancel")
+        while job["status"] in ("queued", "running") and time.monotonic() - started < self.patience:
+            _, job = self.call("GET", f"/v1/jobs/{job['id']}", headers={"Prefer": "wait=1"})
+        return time.monotonic() - started
+
+
 class Program:
     """`plateau solve`."""
 
     def __init__(self, path, patience=60):
         self.path, self.patience = path, patience
+
+    def cancelled(self, request, delay):
+        """A program has no jobs, and is ended by a signal."""
+        return 0.0
 
     def solve(self, request):
         with tempfile.TemporaryDirectory() as folder:

@@ -14,7 +14,7 @@
 
 use super::symmetry::Mirrors;
 use glam::DVec4;
-use plateau_mesh::DVec3;
+use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
 /// A map with keys of vertex numbers.
@@ -301,11 +301,16 @@ impl BisectionMesh {
     }
 
     /// Bisects the given leaves, and the further leaves that keep the mesh conforming. The fields stay the same
-    /// functions; the multipliers are interpolated.
-    pub fn bisect(&mut self, marked: &[u32]) {
+    /// functions; the multipliers are interpolated. Ends after as many passes as there are levels at most, because each
+    /// pass bisects the leaves that hang, and no leaf lies deeper than the neighbour for which it was bisected.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`, for which each pass over the leaves looks.
+    pub fn bisect(&mut self, marked: &[u32], exec: &Execution<'_>) -> Result<(), Interruption> {
         let mut open: Vec<u32> = marked.iter().map(|&leaf| self.leaves[leaf as usize]).collect();
         open.retain(|&node| u32::from(self.nodes[node as usize].level) < 3 * self.cell.ilog2());
         while !open.is_empty() {
+            exec.look(self.leaves.len() as u64)?;
             for node in std::mem::take(&mut open) {
                 if self.nodes[node as usize].children == 0 {
                     self.split(node);
@@ -319,6 +324,7 @@ impl BisectionMesh {
                 }
             }
         }
+        Ok(())
     }
 
     /// Circulations of the fields along an edge of the mesh, from `a` to `b`.

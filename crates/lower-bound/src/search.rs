@@ -53,7 +53,7 @@ pub(super) fn refine_first_mesh(mesh: &mut BisectionMesh, film: &Samples, exec: 
             .filter(|leaf| can_follow_film(leaf) && mesh.leaf_level(*leaf) == least)
             .map(|leaf| leaf as u32)
             .collect();
-        mesh.bisect(&marked);
+        mesh.bisect(&marked, exec)?;
     }
     Ok(())
 }
@@ -247,7 +247,7 @@ impl BisectionMesh {
             if marked.is_empty() {
                 break;
             }
-            self.bisect(&marked);
+            self.bisect(&marked, exec)?;
             added = (self.leaf_count() - before) as f64 / marked.len() as f64;
         }
         Ok(())

@@ -5,7 +5,7 @@ use super::proof::scale_to_one;
 use super::rigorous;
 use super::space::Space;
 use super::symmetry::Mirrors;
-use plateau_mesh::DVec3;
+use plateau_mesh::{DVec3, Execution};
 use std::f64::consts::TAU;
 
 /// A deterministic sequence of numbers in [0, 1).
@@ -26,7 +26,7 @@ fn random_mesh(rounds: usize, seed: &mut u64) -> BisectionMesh {
     let mut mesh = BisectionMesh::around(ring().into_iter(), Mirrors::default()).unwrap();
     for _ in 0..rounds {
         let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(seed) < 0.1).collect();
-        mesh.bisect(&marked);
+        mesh.bisect(&marked, &Execution::default()).unwrap();
     }
     mesh
 }
@@ -85,7 +85,7 @@ fn bisection_leaves_the_field_as_it_is() {
     let before = [BEST, CENTRAL].map(|which| circulation(&mesh, which));
     for _ in 0..4 {
         let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(&mut seed) < 0.2).collect();
-        mesh.bisect(&marked);
+        mesh.bisect(&marked, &Execution::default()).unwrap();
     }
     let space = Space::of(&mesh);
     for which in [BEST, CENTRAL] {
@@ -178,7 +178,7 @@ fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, Bisectio
     let mut mesh = BisectionMesh::around(loops.iter().flatten().copied(), mirrors).unwrap();
     for _ in 0..rounds {
         let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(seed) < 0.1).collect();
-        mesh.bisect(&marked);
+        mesh.bisect(&marked, &Execution::default()).unwrap();
     }
     (loops, mesh)
 }
@@ -380,7 +380,7 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     let currents = vec![[DVec3::ZERO; 4]; mesh.leaf_count()];
     mesh.carry(&space, &fields, &currents, &duals);
     let all: Vec<u32> = (0..mesh.leaf_count() as u32).collect();
-    mesh.bisect(&all);
+    mesh.bisect(&all, &Execution::default()).unwrap();
     let (cold, _, _, from_centre) = solve(&mesh, false);
     let (warm, _, _, from_iterate) = solve(&mesh, true);
     assert!(warm[0] < 0.5 * cold[0], "{warm:?} and {cold:?}");

@@ -32,7 +32,7 @@ pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], r
                 // Rounding decides about every figure at the corner of a triangle without area.
                 return AtVertex { full: 0.0, normal: 0.0, tolerance: f64::INFINITY };
             }
-            AtVertex { full, normal, tolerance: rounding / (ring.altitude * ring.altitude) }
+            AtVertex { full, normal, tolerance: rounding * ring.steepness * ring.steepness }
         })
         .collect();
     let free = || found.iter().zip(is_fixed).filter(|(_, fixed)| !**fixed).map(|(at, _)| at);

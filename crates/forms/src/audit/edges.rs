@@ -39,12 +39,14 @@ impl Edges {
         for v in 0..count {
             start[v + 1] += start[v];
         }
-        // For each side its larger end, and in the lowest bit whether it runs back.
+        // For each side its larger end, and in the lowest bit whether it runs back. There is no memory for so many
+        // vertices that the ends need the highest bit.
+        assert!(count <= 1 << 31, "the numbers of the vertices have 31 bits");
         let mut places = start.clone();
-        let mut halves = vec![0u64; 3 * triangles.len()];
+        let mut halves = vec![0u32; 3 * triangles.len()];
         for [a, b] in sides() {
             let place = &mut places[a.min(b) as usize];
-            halves[*place as usize] = u64::from(a.max(b)) << 1 | u64::from(a > b);
+            halves[*place as usize] = a.max(b) << 1 | u32::from(a > b);
             *place += 1;
         }
         let mut list = Vec::with_capacity(halves.len() / 2 + 1);
@@ -53,10 +55,16 @@ impl Edges {
             first.push(list.len() as u32);
             let own = &mut halves[start[v] as usize..start[v + 1] as usize];
             own.sort_unstable();
-            for side in own.chunk_by(|a, b| a >> 1 == b >> 1) {
-                let backward = side.iter().filter(|half| **half & 1 == 1).count() as u32;
-                let forward = side.len() as u32 - backward;
-                list.push(Edge { ends: [v as u32, (side[0] >> 1) as u32], forward, backward });
+            let mut end = None;
+            for &half in &*own {
+                if end != Some(half >> 1) {
+                    end = Some(half >> 1);
+                    list.push(Edge { ends: [v as u32, half >> 1], forward: 0, backward: 0 });
+                }
+                if let Some(edge) = list.last_mut() {
+                    edge.backward += half & 1;
+                    edge.forward += 1 - (half & 1);
+                }
             }
         }
         first.push(list.len() as u32);

@@ -1,7 +1,6 @@
 //! The figures of one strip between two directrices, from its bridges: the formulas of DEFINITIONS, each written anew.
 
 use super::figure::{Largest, Least, Measured, RELATIVE, Sum};
-use super::surface::{Sides, corners};
 use plateau_mesh::DVec3;
 
 /// A cross product below this fraction of the product of the lengths counts as zero.
@@ -81,55 +80,63 @@ fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2])
     tangent.normalize_or_zero()
 }
 
-/// Passes over folds that are certainly not the largest ones, because an arc tangent takes as long as the rest of a
-/// fold. There are three bounds: for all folds, for folds at bridges that are certainly not convex, and for folds at
-/// bridges that may not be convex.
-#[derive(Default)]
-struct FoldFilter([Option<[f64; 2]>; 3]);
-
-/// Margin of the filter in radians. Folds whose tolerance is larger are never passed over.
+/// Margin in radians within which a fold may be the largest one. Folds whose tolerance is larger are always measured.
 const MARGIN: f64 = 1e-6;
 
-impl FoldFilter {
-    /// Returns whether a fold with this sine and cosine may be larger than those that were reached.
-    fn may_count(&self, counts: [bool; 3], [sine, cosine]: [f64; 2], tolerance: f64) -> bool {
-        // Whether the angle is less than the bound: both lie between 0 and π.
-        let is_below = |bound: &Option<[f64; 2]>| bound.is_some_and(|[s, c]| sine * c - cosine * s < 0.0);
-        let certain = tolerance < MARGIN && sine * sine + cosine * cosine > 0.5;
-        !certain || self.0.iter().zip(counts).any(|(bound, counts)| counts && !is_below(bound))
-    }
+/// The fold at a bridge.
+struct Fold {
+    cosine: f64,
+    sine_squared: f64,
+    tolerance: f64,
+    /// Whether it counts for all folds, for those at bridges that certainly are not convex, and for those at bridges
+    /// that may not be convex.
+    counts: [bool; 3],
+}
 
-    fn reached(&mut self, counts: [bool; 3], angle: f64) {
-        let bound = angle - 2.0 * MARGIN;
-        if bound <= 0.0 {
-            return;
-        }
-        let (sine, cosine) = libm::sincos(bound);
-        for (known, _) in self.0.iter_mut().zip(counts).filter(|(_, counts)| *counts) {
-            let is_larger = known.is_none_or(|[s, c]| sine * c - cosine * s > 0.0);
-            if is_larger {
-                *known = Some([sine, cosine]);
-            }
-        }
+impl Fold {
+    fn angle(&self) -> f64 {
+        libm::atan2(self.sine_squared.sqrt(), self.cosine)
     }
 }
 
-/// Returns the unit vector of a cross product, or zero if the product counts as zero. The third value says that
-/// rounding decides about it.
-fn unit_cross((a, length): (DVec3, f64), b: DVec3, step: f64) -> (DVec3, f64, bool) {
-    let (cross, other) = (a.cross(b), b.length());
+/// Returns the largest of the folds that count in one way. Only folds near the one with the least cosine are measured,
+/// because an arc tangent takes as long as the rest of a fold.
+fn largest_fold(folds: &[Fold], which: usize) -> Largest {
+    let counted = || folds.iter().filter(|fold| fold.counts[which]);
+    let known = counted().filter(|fold| fold.tolerance < MARGIN);
+    let widest = known.min_by(|a, b| a.cosine.total_cmp(&b.cosine)).map_or(0.0, Fold::angle);
+    // Rounding of a cosine changes its angle by far less than the margin, apart from angles that the margin covers.
+    let limit = libm::cos((widest - 2.0 * MARGIN).max(0.0)) + 4.0 * f64::EPSILON;
+    let mut largest = Largest::NONE;
+    for fold in counted().filter(|fold| fold.cosine <= limit || fold.tolerance >= MARGIN) {
+        largest.add(fold.angle(), fold.tolerance);
+    }
+    largest
+}
+
+/// Returns the unit vector of the cross product of a vector with its length and a unit vector, or zero if the product
+/// counts as zero, and the angle by which a step of rounding turns it. The third value says that rounding decides
+/// whether it counts.
+fn unit_cross((a, length): (DVec3, f64), unit: DVec3, step: f64) -> (DVec3, f64, bool) {
+    let cross = a.cross(unit);
     let across = cross.length();
-    let sine = across / (length * other);
+    let sine = across / length;
     if sine.is_nan() || sine <= PARALLEL / UNDECIDED {
         return (DVec3::ZERO, 0.0, false);
     }
-    let shortest = length.min(other);
-    let turn = 2.0 * step / (shortest * sine) + 4.0 * f64::EPSILON / sine;
-    (if sine > PARALLEL { cross / across } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
+    let inverse = 1.0 / across;
+    let turn = (2.0 * step + 4.0 * f64::EPSILON * length) * inverse;
+    (if sine > PARALLEL { cross * inverse } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
 }
 
-fn is_thin(sides: &Sides) -> bool {
-    sides.altitude().is_nan() || sides.altitude() <= PARALLEL * UNDECIDED * sides.longest
+/// A triangle between two bridges.
+struct Facet {
+    normal: DVec3,
+    double_area: f64,
+    /// The angle by which rounding of a corner turns its normal.
+    turn: f64,
+    /// Whether it has hardly any area, so that rounding decides about its normal.
+    is_thin: bool,
 }
 
 impl Strip<'_> {
@@ -178,6 +185,9 @@ impl Strip<'_> {
         if length == 0.0 {
             return [false, true];
         }
+        if let Some(clear) = self.clear_convexity(axis, length, ends, tolerance) {
+            return [clear; 2];
+        }
         let axis = axis / length;
         let (mut directions, mut turns, mut count) = ([DVec3::ZERO; 4], [0.0f64; 4], 0);
         let mut undecided = false;
@@ -215,6 +225,41 @@ impl Strip<'_> {
         [certain || count == 0, possible || count == 0]
     }
 
+    /// Returns whether a bridge is locally convex if neither rounding nor the tolerance can change it. The triple product
+    /// of two offsets and the bridge has the sign of the sine between their directions, seen along the bridge.
+    fn clear_convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> Option<bool> {
+        let (mut offsets, mut count, mut longest) = ([(DVec3::ZERO, 0.0); 4], 0, length);
+        for end in ends {
+            for (offset, offset_length) in end.to.iter().zip(end.lengths) {
+                let Some(offset) = *offset else { continue };
+                offsets[count] = (offset, offset_length);
+                longest = longest.max(offset_length);
+                count += 1;
+            }
+        }
+        let slack = tolerance + CONVEXITY;
+        let rounding = 2.0 * (self.step + 32.0 * f64::EPSILON * longest) * length;
+        // Whether no other direction is to the right of this one.
+        let mut is_rightmost = [true; 4];
+        for k in 1..count {
+            for other in 0..k {
+                let ((a, a_length), (b, b_length)) = (offsets[k], offsets[other]);
+                let triple = a.cross(b).dot(axis);
+                // The sine is at least the triple product over the product of the lengths, and a direction turns by at
+                // most its rounding over its distance from the bridge's line, which is at least the triple product over
+                // the lengths of the other two vectors.
+                let whole = a_length * b_length * length;
+                let least = triple.abs() * whole * slack + rounding * a_length.max(b_length) * whole;
+                let is_clear = triple * triple > least;
+                if !is_clear {
+                    return None;
+                }
+                is_rightmost[if triple < 0.0 { k } else { other }] = false;
+            }
+        }
+        (count > 1).then(|| is_rightmost[..count].contains(&true))
+    }
+
     /// Measures the strip. O(bridges).
     #[must_use]
     pub fn figures(&self) -> Figures {
@@ -234,88 +279,131 @@ impl Strip<'_> {
             concave_bending: [Sum::default(); 2],
             concave_curvature: [Sum::default(); 2],
         };
-        let steps = if self.closed { count } else { count - 1 };
-        let triangles: Vec<Sides> = (0..steps).map(|k| Sides::of(corners(self.at, self.triangle(k)))).collect();
-        for sides in &triangles {
-            figures.area.add(0.5 * sides.double_area, 0.5 * self.step * sides.perimeter);
-        }
-        let mut curvatures: Vec<Rounded> = Vec::with_capacity(count);
-        let mut convexities = Vec::with_capacity(count);
+        let steps = self.steps();
         let chords = [0, 1].map(|side| self.chords(side));
-        let tolerance_sine = libm::sin(self.convexity_tolerance);
-        let mut folds = FoldFilter::default();
-        for (k, &bridge) in self.bridges.iter().enumerate() {
+        let axis = |&bridge: &[usize; 2]| {
             let axis = self.bridge(bridge);
-            let length = axis.length();
+            (axis, axis.length())
+        };
+        let axes: Vec<(DVec3, f64)> = self.bridges.iter().map(axis).collect();
+        let mut facets = Vec::with_capacity(steps);
+        for k in 0..steps {
+            let (facet, perimeter) = self.facet(k, &axes, &chords);
+            figures.area.add(0.5 * facet.double_area, 0.5 * self.step * perimeter);
+            facets.push(facet);
+        }
+        let tolerance_sine = libm::sin(self.convexity_tolerance);
+        let mut folds = Vec::with_capacity(count);
+        // The curvature of the bridge before, and that of the first bridge, with their rounding.
+        let (mut before, mut first): (Option<Rounded>, Option<(Rounded, [bool; 2])>) = (None, None);
+        for (k, &bridge) in self.bridges.iter().enumerate() {
+            let (axis, length) = axes[k];
             figures.shortest.add(length, RELATIVE * length + 2.0 * self.step);
             figures.longest.add(length, RELATIVE * length + 2.0 * self.step);
             let ends = [&chords[0][bridge[0]], &chords[1][bridge[1]]];
-            let [certain, possible] = self.convexity(axis, length, ends, tolerance_sine);
-            convexities.push([certain, possible]);
-            figures.convex[0] += usize::from(certain);
-            figures.convex[1] += usize::from(possible);
+            let convex = self.convexity(axis, length, ends, tolerance_sine);
+            figures.convex[0] += usize::from(convex[0]);
+            figures.convex[1] += usize::from(convex[1]);
             self.add_twist(&mut figures, bridge, (axis, length), ends);
             let left = if k > 0 { Some(k - 1) } else { self.closed.then(|| count - 1) };
-            let right = Some(k).filter(|&k| k < steps);
-            let Some((left, right)) = left.zip(right) else {
-                curvatures.push((DVec3::ZERO, 0.0));
-                continue;
+            let sides = left.zip(Some(k).filter(|&k| k < steps)).map(|(left, right)| [&facets[left], &facets[right]]);
+            let curvature = match sides {
+                Some(sides) => self.add_fold(&mut figures, &mut folds, (axis, length), sides, convex),
+                None => (DVec3::ZERO, 0.0),
             };
-            let (left, right) = (&triangles[left], &triangles[right]);
-            // Where a triangle has hardly any area, rounding decides whether the fold counts.
-            let thin = is_thin(left) || is_thin(right);
-            let (a, b) = (left.double_area_vector.normalize_or_zero(), right.double_area_vector.normalize_or_zero());
-            let (sine, cosine) = (a.cross(b).length(), a.dot(b));
-            let turn = RELATIVE + self.step / left.altitude() + self.step / right.altitude();
-            let tolerance = if thin { f64::INFINITY } else { turn };
-            let counts = [true, !possible, !certain];
-            if folds.may_count(counts, [sine, cosine], tolerance) {
-                let angle = libm::atan2(sine, cosine);
-                let [least, most] = &mut figures.concave_fold;
-                for (fold, counts) in [&mut figures.fold, least, most].into_iter().zip(counts) {
-                    if counts {
-                        fold.add(angle, tolerance);
-                    }
-                }
-                if tolerance < MARGIN {
-                    folds.reached(counts, angle);
-                }
+            match before {
+                Some(before) => figures.add_curvature(before, curvature, convex),
+                None => first = Some((curvature, convex)),
             }
-            let squared = length * length;
-            let strength = if cosine < 0.0 { 2.0 - sine * sine } else { sine * sine };
-            let area = 0.5 * (left.double_area + right.double_area);
-            // A s / L² with L = 2 A / |e|.
-            let factor = squared / (4.0 * area);
-            let (term, error) = if thin {
-                (0.0, if area > 0.0 { 2.0 * factor } else { f64::INFINITY })
-            } else {
-                (factor * strength, 0.0)
-            };
-            let error = error + if thin { 0.0 } else { (2.0 * factor + 4.0 * term) * turn.min(2.0) };
-            figures.bending.add(term, error);
-            let curvature = if thin { DVec3::ZERO } else { axis.cross(a - b) };
-            let rounding = length * if thin { 4.0 } else { 2.0 * turn.min(2.0) };
-            curvatures.push((curvature, rounding));
-            if !possible {
-                figures.concave_bending[0].add(term, error);
-            }
-            if !certain {
-                figures.concave_bending[1].add(term, error);
-            }
+            before = Some(curvature);
         }
-        let entered = |k: usize| curvatures[(k + count - 1) % count];
-        for k in usize::from(!self.closed)..count {
-            let ((before, a), (now, b)) = (entered(k), curvatures[k]);
-            let (term, error) = ((now - before).length(), a + b);
-            figures.curvature_variation.add(term, error);
-            if !convexities[k][1] {
-                figures.concave_curvature[0].add(term, error);
-            }
-            if !convexities[k][0] {
-                figures.concave_curvature[1].add(term, error);
-            }
+        if let (true, Some(last), Some((curvature, convex))) = (self.closed, before, first) {
+            figures.add_curvature(last, curvature, convex);
         }
+        figures.fold = largest_fold(&folds, 0);
+        figures.concave_fold = [1, 2].map(|which| largest_fold(&folds, which));
         figures
+    }
+
+    /// Number of triangles.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.bridges.len() - usize::from(!self.closed)
+    }
+
+    /// Returns whether each step of the strip goes to the next point of one rail, and all steps together pass every
+    /// point of both.
+    #[must_use]
+    pub fn follows_its_rails(&self) -> bool {
+        let mut taken = [0; 2];
+        for k in 0..self.steps() {
+            let (now, next) = (self.bridges[k], self.bridges[(k + 1) % self.bridges.len()]);
+            let side = usize::from(!self.steps_along_first(k));
+            let count = self.count(side);
+            let after = if self.closed { (now[side] + 1) % count } else { now[side] + 1 };
+            if next[side] != after || next[1 - side] != now[1 - side] {
+                return false;
+            }
+            taken[side] += 1;
+        }
+        let all = |side: usize| match self.count(side) {
+            1 => 0,
+            count => count - usize::from(!self.closed),
+        };
+        taken == [all(0), all(1)] && (self.closed || self.bridges[0] == [0, 0])
+    }
+
+    /// Returns the triangle between bridge k and the next one, and its perimeter.
+    fn facet(&self, k: usize, axes: &[(DVec3, f64)], chords: &[Vec<Chords>; 2]) -> (Facet, f64) {
+        let ([i, j], along_first) = (self.bridges[k], self.steps_along_first(k));
+        let from = if along_first { &chords[0][i] } else { &chords[1][j] };
+        let (chord, chord_length) = (from.to[1].unwrap_or_default(), from.lengths[1]);
+        let ((axis, length), (_, next)) = (axes[k], axes[(k + 1) % axes.len()]);
+        // Wound as the strip is: from the bridge's first end along the chord to the other end.
+        let vector = chord.cross(axis);
+        let double_area = vector.length();
+        let longest = length.max(next).max(chord_length);
+        let is_thin = double_area.is_nan() || double_area <= PARALLEL * UNDECIDED * longest * longest;
+        let inverse = if double_area > 0.0 { 1.0 / double_area } else { 0.0 };
+        let turn = if double_area > 0.0 { self.step * longest * inverse } else { f64::INFINITY };
+        (Facet { normal: vector * inverse, double_area, turn, is_thin }, length + next + chord_length)
+    }
+
+    /// Adds the fold and the bending energy at a bridge between two triangles. Returns its curvature vector.
+    fn add_fold(
+        &self,
+        figures: &mut Figures,
+        folds: &mut Vec<Fold>,
+        (axis, length): (DVec3, f64),
+        [left, right]: [&Facet; 2],
+        [certain, possible]: [bool; 2],
+    ) -> Rounded {
+        // Where a triangle has hardly any area, rounding decides whether the fold counts.
+        let thin = left.is_thin || right.is_thin;
+        let (a, b) = (left.normal, right.normal);
+        let (sine_squared, cosine) = (a.cross(b).length_squared(), a.dot(b));
+        let turn = RELATIVE + left.turn + right.turn;
+        let tolerance = if thin { f64::INFINITY } else { turn };
+        folds.push(Fold { cosine, sine_squared, tolerance, counts: [true, !possible, !certain] });
+        let strength = if cosine < 0.0 { 2.0 - sine_squared } else { sine_squared };
+        let area = 0.5 * (left.double_area + right.double_area);
+        // A s / L² with L = 2 A / |e|.
+        let factor = length * length / (4.0 * area);
+        let (term, error) = if !thin {
+            let term = factor * strength;
+            (term, (2.0 * factor + 4.0 * term) * turn.min(2.0))
+        } else {
+            (0.0, if area > 0.0 { 2.0 * factor } else { f64::INFINITY })
+        };
+        figures.bending.add(term, error);
+        if !possible {
+            figures.concave_bending[0].add(term, error);
+        }
+        if !certain {
+            figures.concave_bending[1].add(term, error);
+        }
+        let curvature = if thin { DVec3::ZERO } else { axis.cross(a - b) };
+        (curvature, length * if thin { 4.0 } else { 2.0 * turn.min(2.0) })
     }
 
     fn add_twist(&self, figures: &mut Figures, [i, j]: [usize; 2], axis: (DVec3, f64), ends: [&Chords; 2]) {
@@ -350,6 +438,19 @@ impl Strip<'_> {
         let vertex = |side: usize, index: usize| self.rails[side].vertices[index];
         let [p, q] = [vertex(0, i), vertex(1, j)];
         if self.steps_along_first(k) { [p, vertex(0, next), q] } else { [p, vertex(1, other), q] }
+    }
+}
+
+impl Figures {
+    fn add_curvature(&mut self, (before, a): Rounded, (now, b): Rounded, [certain, possible]: [bool; 2]) {
+        let (term, error) = ((now - before).length(), a + b);
+        self.curvature_variation.add(term, error);
+        if !possible {
+            self.concave_curvature[0].add(term, error);
+        }
+        if !certain {
+            self.concave_curvature[1].add(term, error);
+        }
     }
 }
 

@@ -31,18 +31,17 @@ pub(crate) struct Ring {
     /// Gradient of the area.
     pub gradient: DVec3,
     pub double_area: f64,
-    /// The shortest altitude.
-    pub altitude: f64,
+    /// The largest reciprocal of an altitude.
+    pub steepness: f64,
     /// Whether rounding decides about the figures of a triangle.
     pub is_degenerate: bool,
 }
 
-/// Lengths of the sides of a triangle and twice its area.
+/// The longest side of a triangle and twice its area.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sides {
     pub double_area_vector: DVec3,
     pub double_area: f64,
-    pub perimeter: f64,
     pub longest: f64,
 }
 
@@ -50,9 +49,14 @@ impl Sides {
     #[must_use]
     pub fn of([a, b, c]: [DVec3; 3]) -> Self {
         let double_area_vector = (b - a).cross(c - a);
-        let [u, v, w] = [b - a, c - b, a - c].map(DVec3::length);
-        let double_area = double_area_vector.length();
-        Self { double_area_vector, double_area, perimeter: u + v + w, longest: u.max(v).max(w) }
+        let [u, v, w] = [b - a, c - b, a - c].map(DVec3::length_squared);
+        Self { double_area_vector, double_area: double_area_vector.length(), longest: u.max(v).max(w).sqrt() }
+    }
+
+    /// Returns an upper bound of the perimeter, which takes one root in place of three.
+    #[must_use]
+    pub fn perimeter(&self) -> f64 {
+        3.0 * self.longest
     }
 
     /// Returns the shortest altitude.
@@ -80,7 +84,7 @@ impl Surface {
                     rounding: 0.0,
                     gradient: DVec3::ZERO,
                     double_area: 0.0,
-                    altitude: f64::INFINITY,
+                    steepness: 0.0,
                     is_degenerate: false,
                 };
                 vertices.len()
@@ -96,13 +100,15 @@ impl Surface {
             let at = corners(vertices, triangle);
             let sides = Sides::of(at);
             found.sides.push(sides);
-            found.area.add(0.5 * sides.double_area, 0.5 * step * sides.perimeter);
+            found.area.add(0.5 * sides.double_area, 0.5 * step * sides.perimeter());
             let [a, b, c] = at;
             // Each side lies opposite the corner of its number.
             let opposite = [c - b, a - c, b - a];
             let dots = [1, 2, 0].map(|k: usize| -opposite[k].dot(opposite[(k + 1) % 3]));
-            let altitude = sides.altitude();
-            let tolerance = RELATIVE + step / altitude;
+            // A triangle without area has no altitude, and 0 / 0 stands for no angle at all.
+            let inverse = 1.0 / sides.double_area;
+            let steepness = sides.longest * inverse;
+            let tolerance = RELATIVE + step * steepness;
             let (greatest, least) = (dots[0].max(dots[1]).max(dots[2]), dots[0].min(dots[1]).min(dots[2]));
             if smallest.may_count(greatest, sides.double_area, tolerance) {
                 found.smallest_angle.add(libm::atan2(sides.double_area, greatest), tolerance);
@@ -112,14 +118,12 @@ impl Surface {
                 found.largest_angle.add(libm::atan2(sides.double_area, least), tolerance);
                 largest.reached(std::f64::consts::PI - found.largest_angle.measured().low);
             }
-            let (limit, error) = (DEGENERATE * sides.longest * sides.longest, step * sides.perimeter);
+            let (limit, error) = (DEGENERATE * sides.longest * sides.longest, step * sides.perimeter());
             found.degenerate[0] += usize::from(sides.double_area + error < limit * (1.0 - RELATIVE));
             found.degenerate[1] += usize::from(sides.double_area <= limit * (1.0 + RELATIVE) + error);
-            let is_degenerate = altitude.is_nan() || altitude <= DEGENERATE * sides.longest;
-            let half_unit = match sides.double_area {
-                double_area if double_area > 0.0 => sides.double_area_vector * (0.5 / double_area),
-                _ => DVec3::ZERO,
-            };
+            let is_degenerate = sides.double_area.is_nan() || sides.double_area <= limit;
+            let half_unit =
+                if sides.double_area > 0.0 { sides.double_area_vector * (0.5 * inverse) } else { DVec3::ZERO };
             for (v, opposite) in triangle.into_iter().zip(opposite) {
                 let ring = &mut found.rings[v as usize];
                 ring.normal += sides.double_area_vector;
@@ -127,26 +131,27 @@ impl Surface {
                 // The area grows fastest away from the opposite side, by half its length.
                 ring.gradient += half_unit.cross(opposite);
                 ring.double_area += sides.double_area;
-                ring.altitude = ring.altitude.min(altitude);
+                ring.steepness = ring.steepness.max(steepness);
                 ring.is_degenerate |= is_degenerate;
             }
         }
         let unit = |ring: &Ring| {
             let length = ring.normal.length();
-            let unit = if length > 0.0 { ring.normal / length } else { DVec3::ZERO };
-            (unit, RELATIVE + ring.rounding / length)
+            let inverse = 1.0 / length;
+            let unit = if length > 0.0 { ring.normal * inverse } else { DVec3::ZERO };
+            (unit, RELATIVE + ring.rounding * inverse)
         };
         let units: Vec<(DVec3, f64)> = found.rings.iter().map(unit).collect();
         for (triangle, sides) in triangles.iter().zip(&found.sides) {
             let [a, b, c] = triangle.map(|v| units[v as usize]);
-            let cosine = sides.double_area_vector.dot(a.0 + b.0 + c.0) / sides.double_area;
+            // The sum of three cosines times the double area.
+            let facing = sides.double_area_vector.dot(a.0 + b.0 + c.0);
             // Each unit normal moves by its own rounding, and the triangle's normal turns by the step over its
             // altitude.
-            let turn = RELATIVE + step / sides.altitude();
-            let tolerance = a.1 + b.1 + c.1 + 3.0 * turn;
-            found.flipped[0] += usize::from(cosine < -tolerance);
+            let turned = (a.1 + b.1 + c.1 + 3.0 * RELATIVE) * sides.double_area + 3.0 * step * sides.longest;
+            found.flipped[0] += usize::from(facing < -turned);
             // A triangle without area has neither a normal nor a cosine, and may count.
-            let certainly_upright = cosine >= tolerance;
+            let certainly_upright = facing >= turned && sides.double_area > 0.0;
             found.flipped[1] += usize::from(!certainly_upright);
         }
         found

@@ -86,6 +86,10 @@ impl Rails {
         }
     }
 
+    /// The same strip seen from the other side: P and Q change places.
+    pub(crate) fn exchanged(&self) -> Self {
+        Self { p: self.q.clone(), q: self.p.clone(), ..*self }
+    }
     pub(crate) fn m(&self) -> usize {
         self.p.points.len()
     }

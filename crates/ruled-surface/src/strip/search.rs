@@ -186,8 +186,39 @@ pub(crate) fn optimal_path(
         // The only triangulation there is.
         return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
     }
-    let path = found(strip, asked, lanes, counter)?.path;
-    Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
+    let is_exchanged = is_better_exchanged(strip, asked.goal);
+    let path = if is_exchanged {
+        let asked = SearchGoal { sign: -asked.sign, ..asked };
+        found(&strip.exchanged(), asked, lanes, counter)?.path.into_iter().map(|[j, i]| [i, j]).collect()
+    } else {
+        found(strip, asked, lanes, counter)?.path
+    };
+    if !strip.closed {
+        return Ok(path);
+    }
+    let mut path: Vec<[u32; 2]> = path.into_iter().map(|[i, j]| [i % m, j % n]).collect();
+    if is_exchanged {
+        // A closed path starts at the bridge that a step from p_{m-1} to p_0 leads to.
+        let count = path.len();
+        let start = (0..count).find(|&k| path[k][0] == 0 && path[(k + count - 1) % count][0] == m - 1);
+        path.rotate_left(start.unwrap_or(0));
+    }
+    Ok(path)
+}
+
+/// Number of times that Q must have more points than P for the two to be exchanged.
+const FAR_MORE: usize = 8;
+
+/// Whether a closed strip is searched with its directrices exchanged. Divide and conquer takes a search for each point
+/// of Q, and each search follows a path of m + n bridges, so that it is best to have few points there. The graphs of
+/// more than one layer are searched in another way.
+fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
+    let has_one_layer = match goal.objective {
+        Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
+        Objective::MaximalConvexity => goal.secondary.is_none(),
+        _ => false,
+    };
+    strip.closed && has_one_layer && strip.n() > FAR_MORE * strip.m()
 }
 
 /// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its
@@ -346,5 +377,45 @@ mod tests {
             let cells = (execution.work() - before) as f64;
             assert!(cells < share * 1e6, "{factor}: {cells} of 1e6");
         }
+    }
+
+    #[test]
+    fn a_closed_strip_with_few_points_on_p_is_searched_from_there_and_has_the_same_optimum() {
+        let ring = |count: usize, radius: f64, height: f64| -> Vec<DVec3> {
+            let point = |k: usize| {
+                let angle = std::f64::consts::TAU * k as f64 / count as f64 + 0.3 * height;
+                let wave = radius * (1.0 + 0.1 * libm::sin(5.0 * angle));
+                DVec3::new(wave * libm::cos(angle), wave * libm::sin(angle), height + 0.1 * libm::cos(3.0 * angle))
+            };
+            (0..count).map(point).collect()
+        };
+        let execution = Execution::default();
+        let mut counter = CellCounter::new(&execution, 1);
+        let test = ConvexityTest::Within(1e-8);
+        for (m, n) in [(2, 17), (3, 25), (3, 400), (7, 100)] {
+            let strip = Rails::new(ring(m, 0.5, 0.0)[..].into(), ring(n, 1.0, 1.0)[..].into(), true);
+            for objective in [Objective::MinimalArea, Objective::MinimalTwist, Objective::MaximalConvexity] {
+                let asked = SearchGoal::plainly(Goal::single(objective), test);
+                assert!(is_better_exchanged(&strip, asked.goal));
+                let path = optimal_path(&strip, asked, Widest::get(), &mut counter).unwrap();
+                assert!(path[0][0] == 0 && path[path.len() - 1][0] == m as u32 - 1 && path.len() == m + n);
+                let plain = found(&strip, asked, Widest::get(), &mut counter).unwrap().path;
+                let plain: Vec<[u32; 2]> = plain.into_iter().map(|[i, j]| [i % m as u32, j % n as u32]).collect();
+                let value = |path: &[[u32; 2]]| {
+                    let evaluation = evaluate(&strip, path, test, Widest::get(), &execution).unwrap();
+                    figures(&evaluation, asked.goal, None, false, 1.0).objective_value
+                };
+                let (one, other) = (value(&path), value(&plain));
+                assert!((one - other).abs() <= 1e-12 * other.abs(), "{objective:?} {m} x {n}: {one} and {other}");
+            }
+        }
+        let strip = Rails::new(ring(3, 0.5, 0.0)[..].into(), ring(3000, 1.0, 1.0)[..].into(), true);
+        counter.last_look().unwrap();
+        let before = execution.work();
+        let asked = SearchGoal::plainly(Goal::single(Objective::MinimalTwist), test);
+        optimal_path(&strip, asked, Widest::get(), &mut counter).unwrap();
+        counter.last_look().unwrap();
+        let cells = execution.work() - before;
+        assert!(cells < 100 * 3 * 3000, "{cells}");
     }
 }

@@ -2,7 +2,6 @@
 
 use super::solve::SolverInput;
 use crate::audit::comparison::Audit;
-use crate::audit::edges::Edges;
 use crate::audit::figure::{Largest, Least, Measured, Sum};
 use crate::audit::points;
 use crate::audit::strip::{Figures, Rail, Strip, between};
@@ -46,20 +45,8 @@ impl SolverInput {
             || format!("{} directrices make {} strips", rails.len(), rails.len() - 1),
             || strips.to_string(),
         );
-        let rims = points::polylines(contents, "directrices");
-        let edges = Edges::of(triangles, vertices.len());
         if !audit.goes_on(triangles.len()) {
             return;
-        }
-        for rim in rims {
-            let pairs = rim.windows(2).map(|pair| [pair[0], pair[1]]);
-            let closing = self.options.closed.then(|| [rim[rim.len() - 1], rim[0]]);
-            let off = pairs.chain(closing).find(|[a, b]| edges.between(*a, *b).is_none());
-            audit.require(
-                off.is_none(),
-                || "the directrices run along edges of the mesh".into(),
-                || format!("{off:?} is no edge"),
-            );
         }
         let (mut first_bridge, mut first_triangle) = (0usize, 0usize);
         let mut total: Option<Total> = None;
@@ -77,14 +64,18 @@ impl SolverInput {
                 );
                 return;
             };
-            let steps = if strip.closed { own.len() } else { own.len() - 1 };
+            audit.require(
+                strip.follows_its_rails(),
+                || format!("strip {k} passes every point of its directrices in order"),
+                || "it does not".into(),
+            );
+            let steps = strip.steps();
             audit.equal(&format!("{pointer}/triangles"), steps);
             let listed = triangles.get(first_triangle..first_triangle + steps).unwrap_or_default();
             first_triangle += listed.len();
             let differs = (0..steps).find(|&t| {
-                let mut sides = [strip.triangle(t), listed.get(t).copied().unwrap_or_default()];
-                sides.iter_mut().for_each(|corners| corners.sort_unstable());
-                sides[0] != sides[1]
+                let (own, listed) = (strip.triangle(t), listed.get(t).copied().unwrap_or_default());
+                !own.iter().all(|v| listed.contains(v)) || !listed.iter().all(|v| own.contains(v))
             });
             audit.require(
                 differs.is_none(),
@@ -115,7 +106,7 @@ impl SolverInput {
         let mut area = total.area;
         for &triangle in &triangles[first_triangle..] {
             let sides = Sides::of(corners(vertices, triangle));
-            area.add(0.5 * sides.double_area, 0.5 * audit.step * sides.perimeter);
+            area.add(0.5 * sides.double_area, 0.5 * audit.step * sides.perimeter());
         }
         audit.figure("/area", area.measured());
         audit.figure("/total_normal_twist", total.twist.measured());
