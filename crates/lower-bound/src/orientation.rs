@@ -147,8 +147,8 @@ impl<'a> Border<'a> {
     }
 }
 
-/// Returns the numbers of the loops, loop 0 first and then always the loop whose centre is nearest to the centres before
-/// it, because a surface that joins a few loops joins neighbours. The search directs the loops in this order.
+/// Returns the numbers of the loops, loop 0 first and then always the loop whose centre is nearest to the centres
+/// before it, because a surface that joins a few loops joins neighbours. The search directs the loops in this order.
 pub(super) fn near_first(loops: &[Vec<DVec3>]) -> Vec<usize> {
     let centre = |points: &Vec<DVec3>| points.iter().sum::<DVec3>() / points.len() as f64;
     let centres: Vec<DVec3> = loops.iter().map(centre).collect();
