@@ -64,16 +64,17 @@ struct Chords {
     lengths: [f64; 2],
     /// The directrix's direction.
     tangent: DVec3,
+    /// Reciprocal of the shorter length.
+    steepness: f64,
 }
 
 /// Returns the derivative at the middle of the quadratic through three neighbours, whose parameter is the length of the
 /// chords (Wang-Tang, eq. 13 and 14), as a unit vector.
 fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2]) -> DVec3 {
     let tangent = match (before.map(|chord| -chord), after) {
-        (Some(before), Some(after)) => {
-            let alpha = if a == 0.0 || b == 0.0 { 0.5 } else { a / (a + b) };
-            before * ((1.0 - alpha) / alpha) + after * (alpha / (1.0 - alpha))
-        }
+        (Some(before), Some(after)) if a == 0.0 || b == 0.0 => before + after,
+        // Times the product of both lengths, which does not change the direction.
+        (Some(before), Some(after)) => before * (b * b) + after * (a * a),
         (Some(chord), None) | (None, Some(chord)) => chord,
         (None, None) => DVec3::ZERO,
     };
@@ -120,13 +121,17 @@ fn largest_fold(folds: &[Fold], which: usize) -> Largest {
 fn unit_cross((a, length): (DVec3, f64), unit: DVec3, step: f64) -> (DVec3, f64, bool) {
     let cross = a.cross(unit);
     let across = cross.length();
-    let sine = across / length;
-    if sine.is_nan() || sine <= PARALLEL / UNDECIDED {
+    let is_certain = across > PARALLEL / UNDECIDED * length;
+    if !is_certain {
         return (DVec3::ZERO, 0.0, false);
     }
     let inverse = 1.0 / across;
     let turn = (2.0 * step + 4.0 * f64::EPSILON * length) * inverse;
-    (if sine > PARALLEL { cross * inverse } else { DVec3::ZERO }, turn, sine < PARALLEL * UNDECIDED)
+    (
+        if across > PARALLEL * length { cross * inverse } else { DVec3::ZERO },
+        turn,
+        across < PARALLEL * UNDECIDED * length,
+    )
 }
 
 /// A triangle between two bridges.
@@ -162,14 +167,17 @@ impl Strip<'_> {
 
     /// Returns the chords at each point of a directrix, and its direction there.
     fn chords(&self, side: usize) -> Vec<Chords> {
+        let with_length = |chord: Option<DVec3>| (chord, chord.map_or(f64::INFINITY, DVec3::length));
+        // Each chord is measured once, as the one to the point after.
+        let mut last = with_length(self.neighbour(side, 0, false).map(|other| other - self.point(side, 0)));
         let of = |index: usize| {
             let point = self.point(side, index);
-            let before = self.neighbour(side, index, false).map(|other| other - point);
-            let after = self.neighbour(side, index, true).map(|other| other - point);
-            let lengths = [before, after].map(|chord| chord.map_or(f64::INFINITY, DVec3::length));
-            let fitted = || fitted_tangent(before, after, lengths);
+            let (before, after) = (last, with_length(self.neighbour(side, index, true).map(|other| other - point)));
+            last = (after.0.map(|chord| -chord), after.1);
+            let lengths = [before.1, after.1];
+            let fitted = || fitted_tangent(before.0, after.0, lengths);
             let tangent = self.rails[side].tangents.get(index).copied().unwrap_or_else(fitted);
-            Chords { to: [before, after], lengths, tangent }
+            Chords { to: [before.0, after.0], lengths, tangent, steepness: 1.0 / before.1.min(after.1) }
         };
         (0..self.count(side)).map(of).collect()
     }
@@ -225,8 +233,8 @@ impl Strip<'_> {
         [certain || count == 0, possible || count == 0]
     }
 
-    /// Returns whether a bridge is locally convex if neither rounding nor the tolerance can change it. The triple product
-    /// of two offsets and the bridge has the sign of the sine between their directions, seen along the bridge.
+    /// Returns whether a bridge is locally convex if neither rounding nor the tolerance can change it. The triple
+    /// product of two offsets and the bridge has the sign of the sine between their directions, seen along the bridge.
     fn clear_convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> Option<bool> {
         let (mut offsets, mut count, mut longest) = ([(DVec3::ZERO, 0.0); 4], 0, length);
         for end in ends {
@@ -410,8 +418,7 @@ impl Strip<'_> {
         let turned = |end: &Chords| {
             // The tangent's own rounding is that of its shorter chord.
             let (normal, turn, undecided) = unit_cross(axis, end.tangent, self.step);
-            let chord = end.lengths[0].min(end.lengths[1]);
-            (normal, turn + turn * (axis.1 / chord).min(1e6), undecided)
+            (normal, turn + turn * (axis.1 * end.steepness).min(1e6), undecided)
         };
         let ((p, a, unclear_p), (q, b, unclear_q)) = (turned(ends[0]), turned(ends[1]));
         let unclear = if unclear_p || unclear_q { 2.0 } else { 0.0 };

@@ -367,15 +367,23 @@ impl Line {
     /// Number of pieces by the division, or fewer where a chord would get shorter than ℓ in the plane or in space.
     fn pieces(&self, surface: &Surface, division: Division) -> u32 {
         let mut count = pieces(self.length(), division);
+        // The middle of the piece that was too short, as a fraction of the line. At a sharp bend it stays too short for
+        // many counts, so that the piece there is tried first.
+        let mut bend = 0.0;
+        // Each round takes a piece away.
         while count > 1 {
-            let nodes: Vec<(DVec2, DVec3)> = (0..=count)
-                .map(|k| self.at(self.length() * f64::from(k) / f64::from(count)))
-                .map(|(p, q)| (p, surface.evaluate(q)[0]))
-                .collect();
-            let chord = |pair: &[(DVec2, DVec3)]| pair[0].0.distance(pair[1].0).min(pair[0].1.distance(pair[1].1));
-            if nodes.windows(2).all(|pair| chord(pair) >= 1.0) {
-                break;
-            }
+            let node = |k: u32| {
+                let (p, q) = self.at(self.length() * f64::from(k) / f64::from(count));
+                (p, surface.evaluate(q)[0])
+            };
+            let is_short = |k: &u32| {
+                let (from, to) = (node(*k), node(*k + 1));
+                let is_long = from.0.distance(to.0).min(from.1.distance(to.1)) >= 1.0;
+                !is_long
+            };
+            let there = (bend * f64::from(count)) as u32;
+            let Some(short) = Some(there).filter(is_short).or_else(|| (0..count).find(is_short)) else { break };
+            bend = (f64::from(short) + 0.5) / f64::from(count);
             count -= 1;
         }
         count

@@ -174,7 +174,8 @@ impl SolverInput {
             let sides = Sides::of(corners);
             let [a, b, c] = corners.map(|p| p - origin);
             let reach = a.length().max(b.length()).max(c.length());
-            walls.add(sign * a.dot(b.cross(c)) / 6.0, audit.step * (sides.double_area + reach * sides.perimeter()) / 2.0);
+            let rounding = audit.step * (sides.double_area + reach * sides.perimeter()) / 2.0;
+            walls.add(sign * a.dot(b.cross(c)) / 6.0, rounding);
         };
         let mut volumes = Vec::new();
         for (number, &Chamber { below, .. }) in self.structure.chambers.iter().enumerate() {
