@@ -37,7 +37,7 @@ fn a_moved_film_is_the_minimal_surface_of_its_boundary() {
     let moved = film.move_to(&there, &Execution::default()).unwrap().unwrap();
     let solved = solve(&there, &Options::new(Resolution::Triangles(2000)), &Execution::default()).unwrap();
     assert!(moved.residual <= 1e-4);
-    assert!((moved.area / solved.statistics.area - 1.0).abs() < 1e-4, "{} {}", moved.area, solved.statistics.area);
+    assert!((moved.area / solved.statistics.area - 1.0).abs() < 1e-3, "{} {}", moved.area, solved.statistics.area);
     assert_eq!(vertices(&film)[..32], there[0][..]);
 }
 
