@@ -58,6 +58,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "minimal_surface/extrapolation",
             "minimal_surface/harmonic",
             "minimal_surface/initial_mesh",
+            "minimal_surface/kept_film",
             "minimal_surface/solved_film",
             "minimal_surface/touching_boundaries",
             "minimal_surface/solvers",

@@ -118,6 +118,44 @@ for (const folder of ['/page', '/isolated/page']) {
   });
 }
 
+test('a film follows a drag without a network, and the released film has the bits of a solve', async () => {
+  const { page, faults } = await open('/page/empty.html');
+  await page.evaluate(async (SADDLE) => {
+    const { createSolvers } = await import('/page/index.mjs');
+    window.solvers = createSolvers();
+    window.first = await window.solvers.solve(SADDLE);
+  }, SADDLE);
+  await page.context().setOffline(true);
+  const seen = await page.evaluate(async (SADDLE) => {
+    const at = (height) => ({ ...SADDLE, boundaries: [[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, 1]]] });
+    const moves = [];
+    for (let step = 1; step <= 20; step += 1) moves.push(await window.solvers.drag(at(1 - 0.02 * step)));
+    const released = await window.solvers.solve(at(0.6));
+    const fresh = await window.solvers.solve(at(0.6));
+    const strip = { kind: 'ruled_surface', directrices: [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 1]]] };
+    const cold = await window.solvers.drag(strip);
+    const wrong = await window.solvers.drag(at(null)).catch((error) => [error.ending, error.errors[0].pointer]);
+    const last = moves.at(-1);
+    return {
+      previews: moves.filter(({ moved }) => moved !== null).length,
+      sameTriangles: String(last.mesh.triangles) === String(window.first.mesh.triangles),
+      height: last.mesh.vertices[5],
+      residual: last.moved.residual,
+      close: Math.abs(last.moved.area / released.statistics.area - 1),
+      equal: String(released.mesh.vertices) === String(fresh.mesh.vertices),
+      cold: [cold.moved, cold.statistics.triangles > 0],
+      wrong,
+    };
+  }, SADDLE);
+  const { residual, close, ...rest } = seen;
+  assert.ok(residual <= 1e-4 && close < 1e-3, `${residual} ${close}`);
+  assert.deepEqual(rest, {
+    previews: 20, sameTriangles: true, height: 0.6, equal: true, cold: [null, true], wrong: ['refused', '/boundaries/0/1/2'],
+  });
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test('a page of forty lines drags a film without a server', async () => {
   const { page, faults } = await open('/page/example/index.html');
   await page.waitForFunction(() => document.title.startsWith('film 1:'));

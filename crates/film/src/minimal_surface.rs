@@ -38,6 +38,7 @@ mod extrapolation;
 mod harmonic;
 mod initial_mesh;
 mod junction_statistics;
+mod kept_film;
 mod options;
 mod outcome;
 mod request;
@@ -52,6 +53,7 @@ pub use curvature::Curvature;
 pub use estimate::estimate;
 pub use initial_mesh::InitialMeshKind;
 pub use junction_statistics::JunctionStatistics;
+pub use kept_film::{KeptFilm, MovedFilm};
 pub use options::{
     BoundarySampling, Constraints, Description, FreeTopology, InitialMesh, LARGEST_COUNT, LinearSolver, LiuWang,
     Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, Solver, TopologyRule,

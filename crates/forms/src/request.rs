@@ -7,9 +7,10 @@ use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 #[cfg(feature = "explain")]
 use crate::schema;
-use crate::solved::{self, Frame, Signal, Solved, SolverInput, Unsolved};
+use crate::solved::{self, Frame, Kept, Moved, Signal, Solved, SolverInput, Unsolved};
 use crate::source::{Find, no_jobs};
-use plateau_mesh::Execution;
+use plateau_archive::Archive;
+use plateau_mesh::{DVec3, Error, Execution};
 use serde_json::{Map, Value};
 
 /// A request that passed every check before solving.
@@ -154,11 +155,7 @@ impl Request {
         signal: &dyn Fn() -> Signal,
         report: &dyn Fn(Progress),
     ) -> (Result<Solved, Unsolved>, u64) {
-        let signal = || match signal() {
-            Signal::Continue => plateau_mesh::Signal::Continue,
-            Signal::Cancel => plateau_mesh::Signal::Cancel,
-            Signal::Deadline => plateau_mesh::Signal::Deadline,
-        };
+        let signal = || signal().of_the_solver();
         let report = |progress| report(solved::on_the_wire(progress));
         let exec = Execution::new(&signal, &report);
         let solve = || {
@@ -167,6 +164,19 @@ impl Request {
             draft.audited(&*self.input, &exec)
         };
         (solve(), exec.largest_work_between_looks())
+    }
+
+    /// Keeps of this request's result what can follow a drag. Returns `None` if the results of such requests cannot:
+    /// strips, lattices, nets, tensile structures, and films that [`KeptFilm`] names.
+    ///
+    /// # Errors
+    /// Returns the cancel, or that the memory does not suffice.
+    ///
+    /// [`KeptFilm`]: plateau_film::minimal_surface::KeptFilm
+    pub fn keep(&self, result: &Archive, signal: &dyn Fn() -> Signal) -> Result<Option<Drag>, Unsolved> {
+        let signal = || signal().of_the_solver();
+        let kept = self.input.keep(result.contents(), &Execution::new(&signal, &|_| {}))?;
+        Ok(kept.map(|kept| Drag { frame: self.frame, kept }))
     }
 
     /// Audits a result once more and returns the number of its faults, which is 0. The benchmark of the audit's cost
@@ -184,5 +194,35 @@ impl Request {
     pub(crate) fn draft(&self) -> (solved::Draft, &dyn SolverInput) {
         let draft = self.input.solve(self.frame, &Execution::default());
         (draft.unwrap_or_else(|error| panic!("{error:?}")), &*self.input)
+    }
+}
+
+/// A result that follows a drag. Each place that it takes is a preview: it has the connectivity of the result from
+/// which it began, it is corrected to a tolerance that the eye does not see, and it is not audited.
+#[derive(Debug)]
+pub struct Drag {
+    frame: Frame,
+    kept: Box<dyn Kept>,
+}
+
+impl Drag {
+    /// Moves to the places that another request has, and returns the figures there. Returns `None`, and stays, if that
+    /// request differs in more than the places or if the mesh cannot follow. That request has to be solved.
+    ///
+    /// # Errors
+    /// Returns the cancel.
+    pub fn move_to(&mut self, request: &Request, signal: &dyn Fn() -> Signal) -> Result<Option<Moved>, Unsolved> {
+        if request.frame != self.frame {
+            return Ok(None);
+        }
+        let signal = || signal().of_the_solver();
+        let moved = self.kept.move_to(&*request.input, &Execution::new(&signal, &|_| {}));
+        Ok(moved.map_err(Error::from)?)
+    }
+
+    /// Returns the vertices at the last place. The triangles are those of the result from which the drag began.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<DVec3> {
+        self.kept.vertices()
     }
 }

@@ -136,14 +136,14 @@ pub fn causes(errors: &[FieldError]) -> String {
 }
 
 /// Unit and upward axis of a request's coordinates.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Frame {
     pub unit: Unit,
     pub up: UpAxis,
 }
 
 /// A checked request in the geometry's types.
-pub(crate) trait SolverInput: std::fmt::Debug + Send + Sync {
+pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
     /// Runs the solver of this input on the calling thread.
     ///
     /// # Errors
@@ -152,6 +152,37 @@ pub(crate) trait SolverInput: std::fmt::Debug + Send + Sync {
 
     /// Compares every figure that the statistics state with the arrays that leave.
     fn audit(&self, audit: &mut Audit);
+
+    /// Keeps of a result what can follow a drag. Returns `None` if every request of this kind or with these options is
+    /// solved anew.
+    ///
+    /// # Errors
+    /// Returns the interruptions of `exec`, or that the memory does not suffice.
+    fn keep(&self, _result: &Contents, _exec: &Execution) -> Result<Option<Box<dyn Kept>>, Error> {
+        Ok(None)
+    }
+}
+
+/// The part of a result that follows a drag.
+pub(crate) trait Kept: std::fmt::Debug {
+    /// Moves to the places that another request has. Returns `None`, and stays, if that request differs in more than
+    /// the places or if the mesh cannot follow.
+    ///
+    /// # Errors
+    /// Returns the interruptions of `exec`.
+    fn move_to(&mut self, input: &dyn SolverInput, exec: &Execution) -> Result<Option<Moved>, Interruption>;
+
+    /// Returns the vertices at the last place.
+    fn vertices(&self) -> Vec<DVec3>;
+}
+
+/// Figures of a result that followed a drag.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Moved {
+    /// Area in the square of the request's unit.
+    pub area: f64,
+    /// Residual, as that of the statistics.
+    pub residual: f64,
 }
 
 /// Instruction to a solver, which the solver asks for regularly.
@@ -162,6 +193,16 @@ pub enum Signal {
     Cancel,
     /// Stop, and return the best result so far.
     Deadline,
+}
+
+impl Signal {
+    pub(crate) fn of_the_solver(self) -> plateau_mesh::Signal {
+        match self {
+            Self::Continue => plateau_mesh::Signal::Continue,
+            Self::Cancel => plateau_mesh::Signal::Cancel,
+            Self::Deadline => plateau_mesh::Signal::Deadline,
+        }
+    }
 }
 
 /// Warns of a mesh whose STL file is not in the request's coordinates.

@@ -30,6 +30,13 @@ export interface Solution {
   glb(): Promise<Uint8Array>;
 }
 
+/** A film that followed a drag: the triangles of the result that it began from, with vertices at other places. */
+export interface Preview {
+  /** Area in the square of the request's unit, and the residual, which is at most 1e-4 or the request's `tolerance`. */
+  moved: { area: number; residual: number };
+  mesh: { vertices: Float64Array; triangles: Uint32Array };
+}
+
 export interface SolveOptions {
   onProgress?: (progress: Progress) => void;
   /** Cancels the request. The promise is then rejected with the signal's reason. */
@@ -43,6 +50,13 @@ export interface Solvers {
    * Rejects with a {@link PlateauError} if the request is refused or has no result.
    */
   solve(request: object, options?: SolveOptions): Promise<Solution>;
+  /**
+   * Moves the last result to the places of a request that differs from it in places only, which takes a fraction of a solve. The
+   * answer is a preview, of which no file is made: {@link solve} the request in the end. A request that the last result cannot
+   * follow is solved, and rejects as a solve does: strips, lattices, nets and tensile structures, films with other numbers of
+   * points, fixed points or another topology than `fixed`, and moves that would turn a triangle over.
+   */
+  drag(request: object, options?: { signal?: AbortSignal }): Promise<Preview | (Solution & { moved: null })>;
   /** Ends the worker. Requests under way are rejected. */
   close(): void;
 }

@@ -27,6 +27,8 @@ export function createSolvers({
   /** Messages that wait for the worker, and the one that it works on. */
   let waiting = [];
   let current = null;
+  /** Triangles of the last result. */
+  let last = null;
 
   function start() {
     worker = makeWorker();
@@ -82,37 +84,51 @@ export function createSolvers({
     return (await send(message('file', { format, of }))).file;
   }
 
+  /** Sends a request, and cancels it when `signal` says so. */
+  async function ask(what, request, { onProgress, signal }) {
+    if (signal?.aborted) throw aborted(signal);
+    const flag = globalThis.crossOriginIsolated ? new Int32Array(new SharedArrayBuffer(4)) : null;
+    const made = message(what, { request, flag, progress: Boolean(onProgress) }, { onProgress });
+    const cancel = () => {
+      if (made === current && flag) {
+        Atomics.store(flag, 0, 1);
+        return;
+      }
+      if (made === current) stop();
+      waiting = waiting.filter((each) => each !== made);
+      made.reject(aborted(signal));
+      next();
+    };
+    signal?.addEventListener('abort', cancel);
+    try {
+      const { answer, vertices, triangles } = await send(made);
+      if (answer.ending === 'cancelled') throw signal ? aborted(signal) : new PlateauError(answer);
+      if (answer.ending !== 'solved' && answer.ending !== 'moved') throw new PlateauError(answer);
+      // A preview has the triangles of the result that it began from.
+      if (triangles) last = triangles;
+      return { number: made.number, answer, mesh: { vertices, triangles: last } };
+    } finally {
+      signal?.removeEventListener('abort', cancel);
+    }
+  }
+
+  const solution = ({ number, answer: { statistics, warnings }, mesh }) => ({
+    statistics,
+    warnings,
+    mesh,
+    file: (format) => file(format, number),
+    glb: () => file('glb', number),
+  });
+
   return {
     async solve(request, { onProgress, signal } = {}) {
-      if (signal?.aborted) throw aborted(signal);
-      const flag = globalThis.crossOriginIsolated ? new Int32Array(new SharedArrayBuffer(4)) : null;
-      const made = message('solve', { request, flag, progress: Boolean(onProgress) }, { onProgress });
-      const cancel = () => {
-        if (made === current && flag) {
-          Atomics.store(flag, 0, 1);
-          return;
-        }
-        if (made === current) stop();
-        waiting = waiting.filter((each) => each !== made);
-        made.reject(aborted(signal));
-        next();
-      };
-      signal?.addEventListener('abort', cancel);
-      try {
-        const { answer, vertices, triangles } = await send(made);
-        if (answer.ending === 'cancelled') throw signal ? aborted(signal) : new PlateauError(answer);
-        if (answer.ending !== 'solved') throw new PlateauError(answer);
-        const { statistics, warnings } = answer;
-        return {
-          statistics,
-          warnings,
-          mesh: { vertices, triangles },
-          file: (format) => file(format, made.number),
-          glb: () => file('glb', made.number),
-        };
-      } finally {
-        signal?.removeEventListener('abort', cancel);
-      }
+      return solution(await ask('solve', request, { onProgress, signal }));
+    },
+
+    async drag(request, { signal } = {}) {
+      const asked = await ask('drag', request, { signal });
+      const { answer, mesh } = asked;
+      return answer.ending === 'moved' ? { moved: answer.moved, mesh } : { moved: null, ...solution(asked) };
     },
 
     close() {

@@ -1,7 +1,7 @@
 // The solvers of Plateau as a WebAssembly module, without a server.
 
 /** Endings of a request, in the order of the module's numbers. */
-const ENDINGS = ['solved', 'refused', 'failed', 'cancelled'];
+const ENDINGS = ['solved', 'refused', 'failed', 'cancelled', 'moved'];
 
 /**
  * Loads the module.
@@ -37,6 +37,16 @@ export async function load(source) {
     new Uint8Array(exports.memory.buffer, address, bytes.length).set(bytes);
   };
 
+  /** Calls an entry of the module with a request and reads its answer. */
+  const ask = (entry, request, { onProgress = () => {}, signal = () => 0 } = {}) => {
+    asked.progress = onProgress;
+    asked.signal = signal;
+    put(typeof request === 'string' ? request : JSON.stringify(request));
+    const ending = ENDINGS[exports[entry]()];
+    const answer = text(exports.plateau_answer(), exports.plateau_answer_bytes());
+    return { ending, ...(answer === '' ? {} : JSON.parse(answer)) };
+  };
+
   return {
     /**
      * Solves a request (an object, or JSON text) that names its kind. Blocks until it ends, so that pages call it in a
@@ -45,25 +55,29 @@ export async function load(source) {
      * `onProgress` gets the members of a job's progress. `signal` is asked where the service's solvers look for a cancel: 0 goes on, 1 cancels,
      * 2 ends with the best result so far.
      */
-    solve(request, { onProgress = () => {}, signal = () => 0 } = {}) {
-      asked.progress = onProgress;
-      asked.signal = signal;
-      put(typeof request === 'string' ? request : JSON.stringify(request));
-      const ending = ENDINGS[exports.plateau_solve()];
-      const answer = text(exports.plateau_answer(), exports.plateau_answer_bytes());
-      return { ending, ...(answer === '' ? {} : JSON.parse(answer)) };
+    solve: (request, options) => ask('plateau_solve', request, options),
+
+    /**
+     * Moves the last result to the places of a request that differs from it in places only, with the ending `moved` and
+     * the figures `moved` of the preview. A request that the last result cannot follow is solved, with the endings of `solve`.
+     */
+    drag: (request, options) => ask('plateau_drag', request, options),
+
+    /** The vertices of the last result or of its preview, three numbers each, as a copy. */
+    vertices() {
+      return new Float64Array(exports.memory.buffer, exports.plateau_vertices(), 3 * exports.plateau_vertices_count()).slice();
     },
 
-    /** The last result's vertices, three numbers each, and its triangles, three vertices each, as copies. */
+    /** The last result's vertices, and its triangles, three vertices each, as copies. */
     mesh() {
       const { buffer } = exports.memory;
       return {
-        vertices: new Float64Array(buffer, exports.plateau_vertices(), 3 * exports.plateau_vertices_count()).slice(),
+        vertices: this.vertices(),
         triangles: new Uint32Array(buffer, exports.plateau_triangles(), 3 * exports.plateau_triangles_count()).slice(),
       };
     },
 
-    /** The last result as a file: glb, gltf, obj, ply, stl or json. Null if the last request has no result. */
+    /** The last result as a file: glb, gltf, obj, ply, stl or json. Null if the last request has no result or only a preview. */
     file(format) {
       put(format);
       const bytes = exports.plateau_file();

@@ -25,6 +25,17 @@ const handlers = {
     return { answer, vertices, triangles };
   },
 
+  async drag({ request, flag, number }) {
+    const solver = await engine;
+    last = null;
+    const answer = solver.drag(request, { signal: flag ? () => Atomics.load(flag, 0) : undefined });
+    if (answer.ending === 'moved') return { answer, vertices: solver.vertices() };
+    if (answer.ending !== 'solved') return { answer };
+    last = number;
+    const { vertices, triangles } = solver.mesh();
+    return { answer, vertices, triangles };
+  },
+
   async file({ format, of }) {
     if (of !== last) throw new Error('a later request has replaced this result: ask for its files before the next solve');
     const file = (await engine).file(format);

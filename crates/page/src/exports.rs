@@ -7,7 +7,7 @@
 // could have the same name, and nothing checks what an imported function does.
 #![allow(unsafe_code)]
 
-use crate::session::Session;
+use crate::session::{Ending, Session};
 use plateau_forms::report::Progress;
 use plateau_forms::solved::Signal;
 use std::cell::RefCell;
@@ -45,6 +45,17 @@ extern "C" fn plateau_input(bytes: usize) -> *mut u8 {
 /// Solves the request in the input, and returns its [`Ending`](crate::session::Ending) as a number.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_solve() -> u32 {
+    run(Session::solve)
+}
+
+/// Moves the last result to the places of the request in the input, or solves it. Returns its
+/// [`Ending`](crate::session::Ending) as a number.
+#[unsafe(no_mangle)]
+extern "C" fn plateau_drag() -> u32 {
+    run(Session::drag)
+}
+
+fn run(entry: fn(&mut Session, &[u8], &dyn Fn() -> Signal, &dyn Fn(Progress)) -> Ending) -> u32 {
     let asked = || match signal() {
         0 => Signal::Continue,
         1 => Signal::Cancel,
@@ -57,7 +68,7 @@ extern "C" fn plateau_solve() -> u32 {
     };
     let request = INPUT.take();
     FILE.take();
-    SESSION.with_borrow_mut(|session| session.solve(&request, &asked, &report) as u32)
+    SESSION.with_borrow_mut(|session| entry(session, &request, &asked, &report) as u32)
 }
 
 #[unsafe(no_mangle)]
@@ -70,30 +81,26 @@ extern "C" fn plateau_answer_bytes() -> usize {
     SESSION.with_borrow(|session| session.answer().len())
 }
 
-/// Returns the address of the vertices of the last result, three f64 each.
+/// Returns the address of the vertices of the last result or of its preview, three f64 each.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_vertices() -> *const u8 {
-    SESSION.with_borrow(|session| {
-        session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.vertices.as_ptr().cast())
-    })
+    SESSION.with_borrow(|session| session.vertices().as_ptr().cast())
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn plateau_vertices_count() -> usize {
-    SESSION.with_borrow(|session| session.archive().map_or(0, |archive| archive.contents().mesh.vertices.len()))
+    SESSION.with_borrow(|session| session.vertices().len())
 }
 
 /// Returns the address of the triangles of the last result, three u32 each.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_triangles() -> *const u8 {
-    SESSION.with_borrow(|session| {
-        session.archive().map_or(std::ptr::null(), |archive| archive.contents().mesh.triangles.as_ptr().cast())
-    })
+    SESSION.with_borrow(|session| session.triangles().as_ptr().cast())
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn plateau_triangles_count() -> usize {
-    SESSION.with_borrow(|session| session.archive().map_or(0, |archive| archive.contents().mesh.triangles.len()))
+    SESSION.with_borrow(|session| session.triangles().len())
 }
 
 /// Makes the file whose format is named in the input. Returns its length, or 0 if there is none.

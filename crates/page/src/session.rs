@@ -1,14 +1,15 @@
-//! A session: one request after the other, and the files of the last result.
+//! A session: one request after the other, the files of the last result, and its previews while it is dragged.
 
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
 use plateau_forms::json;
 use plateau_forms::limits::Limits;
 use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
-use plateau_forms::report::{Progress, Warning};
-use plateau_forms::request::Request;
-use plateau_forms::solved::{Signal, Unsolved};
+use plateau_forms::report::{Progress, SolveError, Warning};
+use plateau_forms::request::{Drag, Request};
+use plateau_forms::solved::{Moved, Signal, Unsolved};
 use plateau_forms::source::no_jobs;
+use plateau_mesh::DVec3;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
@@ -33,19 +34,39 @@ pub enum Ending {
     Failed = 2,
     /// The caller's signal ended the solver. The answer is empty.
     Cancelled = 3,
+    /// The last result followed the drag. The answer has `moved` with the figures there. The mesh has the triangles of
+    /// the result and other vertices. It is a preview, of which no file is made.
+    Moved = 4,
 }
 
 /// The last answer and the last result.
 #[derive(Debug, Default)]
 pub struct Session {
     answer: Vec<u8>,
-    archive: Option<Archive>,
+    solved: Option<(Request, Archive)>,
+    drag: Following,
+    /// Vertices of the result after a drag.
+    moved: Option<Vec<DVec3>>,
+}
+
+/// Whether the last result can follow a drag.
+#[derive(Debug, Default)]
+enum Following {
+    #[default]
+    Unknown,
+    No,
+    Yes(Drag),
 }
 
 #[derive(Serialize)]
 struct Result<'a> {
     statistics: &'a RawValue,
     warnings: &'a [Warning],
+}
+
+#[derive(Serialize)]
+struct Preview {
+    moved: Moved,
 }
 
 #[derive(Serialize)]
@@ -59,39 +80,89 @@ impl Session {
     /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places
     /// as in the service, where they are at most 50 ms apart. The result replaces that of the request before.
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
-        self.archive = None;
-        self.answer.clear();
-        let request = json::parse(request)
-            .and_then(|value| Request::read_with_kind(&value, &no_jobs, &LIMITS))
-            .map(|accepted| accepted.request);
-        let request = match request {
+        match self.read(request) {
+            Ok(request) => self.solve_anew(request, signal, report),
+            Err(ending) => ending,
+        }
+    }
+
+    /// Moves the last result to the places of a request that differs from it in places only. The first move after a
+    /// solve prepares the result for this. A request that the result cannot follow is [solved](Self::solve).
+    pub fn drag(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
+        let request = match self.read(request) {
             Ok(request) => request,
-            Err(Rejection::Malformed(detail)) => {
-                return self.without_result(Ending::Refused, "The request is not well-formed JSON", &detail, &[]);
-            }
-            Err(Rejection::Invalid(errors)) => {
-                return self.without_result(Ending::Refused, "The request is invalid", "", &errors);
-            }
-            Err(Rejection::TooLarge(errors)) => {
-                return self.without_result(Ending::Refused, "The request is too large", "", &errors);
-            }
+            Err(ending) => return ending,
         };
+        match self.follow(&request, signal) {
+            Ok(Some(moved)) => {
+                self.answer = text(&Preview { moved });
+                Ending::Moved
+            }
+            Ok(None) => self.solve_anew(request, signal, report),
+            Err(Unsolved::Cancelled) => Ending::Cancelled,
+            Err(Unsolved::Failed(error)) => self.failed(&error),
+        }
+    }
+
+    fn follow(
+        &mut self,
+        request: &Request,
+        signal: &dyn Fn() -> Signal,
+    ) -> std::result::Result<Option<Moved>, Unsolved> {
+        let Some((last, archive)) = &self.solved else { return Ok(None) };
+        if matches!(self.drag, Following::Unknown) {
+            self.drag = last.keep(archive, signal)?.map_or(Following::No, Following::Yes);
+        }
+        let Following::Yes(drag) = &mut self.drag else { return Ok(None) };
+        let moved = drag.move_to(request, signal)?;
+        if moved.is_some() {
+            self.moved = Some(drag.vertices());
+        }
+        Ok(moved)
+    }
+
+    /// Reads a request. The answer of a refused request says why, and there is no result.
+    fn read(&mut self, request: &[u8]) -> std::result::Result<Request, Ending> {
+        self.answer.clear();
+        let read = json::parse(request).and_then(|value| Request::read_with_kind(&value, &no_jobs, &LIMITS));
+        let rejection = match read {
+            Ok(accepted) => return Ok(accepted.request),
+            Err(rejection) => rejection,
+        };
+        self.forget();
+        let (title, detail, errors) = match &rejection {
+            Rejection::Malformed(detail) => ("The request is not well-formed JSON", detail.as_str(), &[][..]),
+            Rejection::Invalid(errors) => ("The request is invalid", "", &errors[..]),
+            Rejection::TooLarge(errors) => ("The request is too large", "", &errors[..]),
+        };
+        self.without_result(title, detail, errors);
+        Err(Ending::Refused)
+    }
+
+    fn forget(&mut self) {
+        (self.solved, self.drag, self.moved) = (None, Following::Unknown, None);
+    }
+
+    fn solve_anew(&mut self, request: Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
+        self.forget();
         let solved = match request.solve(signal, report) {
             Ok(solved) => solved,
             Err(Unsolved::Cancelled) => return Ending::Cancelled,
-            Err(Unsolved::Failed(error)) => {
-                return self.without_result(Ending::Failed, &error.title, &error.detail, &error.errors);
-            }
+            Err(Unsolved::Failed(error)) => return self.failed(&error),
         };
         let statistics: &RawValue = serde_json::from_str(&solved.statistics).unwrap_or(RawValue::NULL);
         self.answer = text(&Result { statistics, warnings: &solved.warnings });
-        self.archive = Some(solved.archive);
+        self.solved = Some((request, solved.archive));
         Ending::Solved
     }
 
-    fn without_result(&mut self, ending: Ending, title: &str, detail: &str, errors: &[FieldError]) -> Ending {
+    fn failed(&mut self, error: &SolveError) -> Ending {
+        self.without_result(&error.title, &error.detail, &error.errors);
+        Ending::Failed
+    }
+
+    fn without_result(&mut self, title: &str, detail: &str, errors: &[FieldError]) {
         self.answer = text(&Failure { title, detail, errors: &errors[..errors.len().min(MAX_ERRORS)] });
-        ending
     }
 
     /// Returns the answer to the last request as JSON text.
@@ -103,14 +174,28 @@ impl Session {
     /// Returns the last result, if the last request was solved.
     #[must_use]
     pub fn archive(&self) -> Option<&Archive> {
-        self.archive.as_ref()
+        self.solved.as_ref().map(|(_, archive)| archive)
     }
 
-    /// Makes a mesh file of the last result. Returns `None` if there is no result, or if the format is none of
-    /// [`MeshFormat`] or cannot have this mesh.
+    /// Returns the vertices of the last result, or of its preview after a drag.
+    #[must_use]
+    pub fn vertices(&self) -> &[DVec3] {
+        let solved = || self.archive().map_or(&[][..], |archive| &archive.contents().mesh.vertices);
+        self.moved.as_deref().unwrap_or_else(solved)
+    }
+
+    /// Returns the triangles of the last result.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.archive().map_or(&[], |archive| &archive.contents().mesh.triangles)
+    }
+
+    /// Makes a mesh file of the last result. Returns `None` if there is no result or only a preview of one, or if the
+    /// format is none of [`MeshFormat`] or cannot have this mesh.
     #[must_use]
     pub fn file(&self, format: &str) -> Option<Vec<u8>> {
-        MeshFormat::from_name(format)?.encode(self.archive.as_ref()?).ok()
+        let archive = self.archive().filter(|_| self.moved.is_none())?;
+        MeshFormat::from_name(format)?.encode(archive).ok()
     }
 }
 

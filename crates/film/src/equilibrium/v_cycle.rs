@@ -13,6 +13,14 @@ const LAST_STEP_BELOW: f64 = 2e-2;
 /// That far: this fraction of the tolerance.
 const LAST_STEP_GOAL: f64 = 0.2;
 
+/// The residuals of the linear system that are small enough for a Newton step from a state.
+pub(crate) fn accepts<F>(state: &State<F>, settings: &Settings, radius: f64) -> impl Fn(&[f64]) -> bool {
+    let rest = LAST_STEP_GOAL * settings.tolerance;
+    let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
+    let allowed = 2.0 * goal / radius;
+    move |residual| residual.iter().zip(&state.mass).all(|(residual, mass)| residual.abs() <= allowed * mass)
+}
+
 /// Newton's step by conjugate gradients over the nested levels. The body must have no constraints.
 pub(crate) struct VCycleSteps<'a> {
     pub hierarchy: &'a Hierarchy,
@@ -32,12 +40,7 @@ impl<E: Equations> StepSolver<E> for VCycleSteps<'_> {
         debug_assert!(state.constraints.is_empty(), "V-cycles know no border");
         equations.second_variation(vertices, state, 0.0, &mut self.matrix);
         let right_hand_side: Vec<f64> = state.gradient.iter().map(|gradient| -gradient).collect();
-        let rest = LAST_STEP_GOAL * settings.tolerance;
-        let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
-        let is_small = |residual: &[f64]| {
-            let allowed = 2.0 * goal / equations.radius();
-            residual.iter().zip(&state.mass).all(|(residual, mass)| residual.abs() <= allowed * mass)
-        };
+        let is_small = accepts(state, settings, equations.radius());
         self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, exec).map_err(|failure| {
             match failure {
                 CgFailure::Interrupted(interruption) => Outcome::Interrupted(interruption),

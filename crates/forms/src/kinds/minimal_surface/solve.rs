@@ -6,12 +6,15 @@ use super::certificate::{CertifyOptions, Proof};
 use super::proof;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
-use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
-use plateau_archive::Attribute;
+use crate::solved::{
+    self, Draft, Frame, Kept, Moved, archive, generator, line_set, origin, polylines, to_json, warnings,
+};
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
-use plateau_film::minimal_surface::{self, StopReason};
+use plateau_archive::{Attribute, Lines};
+use plateau_film::minimal_surface::{self, KeptFilm, MovedFilm, StopReason};
 use plateau_mesh::self_intersections::Order;
-use plateau_mesh::{DVec3, Error, Execution, polyline};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, polyline};
+use std::any::Any;
 
 #[derive(Debug)]
 pub(super) struct SolverInput {
@@ -72,5 +75,37 @@ impl solved::SolverInput for SolverInput {
 
     fn audit(&self, audit: &mut Audit) {
         self.compare(audit);
+    }
+
+    fn keep(&self, result: &Contents, exec: &Execution) -> Result<Option<Box<dyn Kept>>, Error> {
+        let Self { boundaries, options, .. } = self;
+        let Some(Lines::Polylines(lines)) = result.line_sets.first().map(|set| &set.lines) else { return Ok(None) };
+        let loops: Vec<Vec<u32>> = lines.iter().map(|line| line.vertices.clone()).collect();
+        let film = KeptFilm::new(&result.mesh, &loops, boundaries, options, exec)?;
+        Ok(film.map(|film| -> Box<dyn Kept> { Box::new(Drag { film, options: options.clone() }) }))
+    }
+}
+
+/// A film that follows its boundary.
+#[derive(Debug)]
+struct Drag {
+    film: KeptFilm,
+    options: minimal_surface::Options,
+}
+
+impl Kept for Drag {
+    fn move_to(&mut self, input: &dyn solved::SolverInput, exec: &Execution) -> Result<Option<Moved>, Interruption> {
+        let input: &dyn Any = input;
+        let input = input.downcast_ref::<SolverInput>();
+        let Some(SolverInput { boundaries, options, .. }) = input else { return Ok(None) };
+        if *options != self.options {
+            return Ok(None);
+        }
+        let moved = self.film.move_to(boundaries, exec)?;
+        Ok(moved.map(|MovedFilm { area, residual }| Moved { area, residual }))
+    }
+
+    fn vertices(&self) -> Vec<DVec3> {
+        self.film.vertices().collect()
     }
 }
