@@ -212,7 +212,7 @@ fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
     let space = Space::of(&mesh);
     assert!(space.is_a_ball());
     let form = space.circulation(&mesh, &loops);
-    let exec = plateau_mesh::Execution::default();
+    let exec = Execution::default();
     let mut system = System::of(&space, &exec).unwrap();
     let mut level = Level::new(&space, &mesh, &form, Vec::new(), 9.0, false);
     let (mut storage, mut steps) = (Vec::new(), 0);
@@ -259,13 +259,13 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
     mesh.set_constant_curl(DVec3::Z);
     let space = Space::of(&mesh);
     let form = space.circulation(&mesh, &[ring()]);
-    let mut system = System::of(&space, &plateau_mesh::Execution::default()).unwrap();
+    let mut system = System::of(&space, &Execution::default()).unwrap();
     let mut level = Level::new(&space, &mesh, &form, Vec::new(), 4.0, false);
     let mut storage = Vec::new();
     let mut seen = Vec::new();
     while level.gap() > 1e-6 {
         assert!(seen.len() < 20, "gaps {seen:?}");
-        level.step(&mut system, &mut storage, &plateau_mesh::Execution::default()).unwrap();
+        level.step(&mut system, &mut storage, &Execution::default()).unwrap();
         seen.push((level.best.bound, level.gap()));
     }
     let (optimum, _) = seen[seen.len() - 1];
@@ -284,7 +284,7 @@ fn leaves_that_meet_the_convex_hull_are_constrained() {
     let points = ring();
     let space = Space::within(
         &mesh,
-        &Hull::around(std::slice::from_ref(&points), &[], &plateau_mesh::Execution::default()).unwrap(),
+        &Hull::around(std::slice::from_ref(&points), &[], &Execution::default()).unwrap(),
     );
     assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
     for k in 0..20_000 {
@@ -322,17 +322,17 @@ fn the_optimum_within_the_hull_is_not_below_that_in_the_box() {
     mesh.set_constant_curl(DVec3::Z);
     let optimum = |space: Space| {
         let form = space.circulation(&mesh, &[ring()]);
-        let mut system = System::of(&space, &plateau_mesh::Execution::default()).unwrap();
+        let mut system = System::of(&space, &Execution::default()).unwrap();
         let mut level = Level::new(&space, &mesh, &form, Vec::new(), 4.0, false);
         let mut steps = 0;
         while level.gap() > 1e-7 {
             assert!(steps < 25 && !level.stalled);
-            level.step(&mut system, &mut Vec::new(), &plateau_mesh::Execution::default()).unwrap();
+            level.step(&mut system, &mut Vec::new(), &Execution::default()).unwrap();
             steps += 1;
         }
         (level.best.bound, system.rows())
     };
-    let hull = Hull::around(&[ring()], &[], &plateau_mesh::Execution::default()).unwrap();
+    let hull = Hull::around(&[ring()], &[], &Execution::default()).unwrap();
     let ((in_box, rows), (within, fewer)) = (optimum(Space::of(&mesh)), optimum(Space::within(&mesh, &hull)));
     assert!(fewer < rows && within > in_box - 1e-6, "{within} with {fewer} rows for {in_box} with {rows}");
 }
@@ -344,7 +344,7 @@ fn dissection_leaves_a_small_factor() {
     use super::system::System;
     let mesh = random_mesh(6, &mut 13);
     let space = Space::of(&mesh);
-    let system = System::of(&space, &plateau_mesh::Execution::default()).unwrap();
+    let system = System::of(&space, &Execution::default()).unwrap();
     let mut order = system.order.clone();
     order.sort_unstable();
     assert!(order.iter().copied().eq(0..system.rows() as u32) && !order.contains(&NONE));
@@ -357,7 +357,7 @@ fn dissection_leaves_a_small_factor() {
 fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     use super::conic::Level;
     use super::system::System;
-    let exec = plateau_mesh::Execution::default();
+    let exec = Execution::default();
     let mut mesh = random_mesh(2, &mut 17);
     mesh.set_constant_curl(DVec3::Z);
     // The gaps before each step, and the last state.
