@@ -71,7 +71,6 @@ use plateau_mesh::codes::Reason;
 use plateau_mesh::complex::has_junctions;
 use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
-use plateau_mesh::remesh::isotropic::BoundaryEdges;
 use plateau_mesh::{DVec3, Error, Execution, Place};
 use request::Input;
 use run::Run;
@@ -189,10 +188,7 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
         }
         Method::Newton(Newton { on_unstable, .. }) => {
             let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
-            let boundary_edges = match options.boundary_sampling {
-                BoundarySampling::Keep => BoundaryEdges::Kept,
-                BoundarySampling::Refine => BoundaryEdges::Refined,
-            };
+            let boundary_edges = options.boundary_edges();
             let task = default_solver::Task { limits, on_unstable: *on_unstable, given, may_widen, boundary_edges };
             default_solver::run(film, task, exec)
         }

@@ -178,3 +178,16 @@ fn best_is_the_least_of_all_starts_wherever_the_loops_stand() {
     let wrong: Vec<String> = seeds.filter_map(fault).collect();
     assert!(wrong.is_empty(), "{} of {count} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
+
+#[test]
+fn polygons_much_closer_than_their_sides_are_joined_by_a_narrow_strip() {
+    for points in [12, 24, 48] {
+        for gap in [1e-5, 5e-5, 1e-3] {
+            let at = |height: f64| ellipse(points, height * DVec3::Z, DVec3::X, DVec3::Y, 0.0);
+            let film = spanned(&[at(0.0), at(gap)], TopologyRule::Fixed, InitialMesh::Auto, 300).expect("a film");
+            let statistics = &film.statistics;
+            assert!(statistics.converged, "{points} points, gap {gap}: {}", statistics.stop_reason.name());
+            assert!(statistics.area <= TAU * gap, "{points} points, gap {gap}: {}", statistics.area);
+        }
+    }
+}

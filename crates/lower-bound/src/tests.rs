@@ -282,10 +282,7 @@ fn leaves_that_meet_the_convex_hull_are_constrained() {
     let mut seed = 19;
     let mesh = random_mesh(6, &mut seed);
     let points = ring();
-    let space = Space::within(
-        &mesh,
-        &Hull::around(std::slice::from_ref(&points), &[], &Execution::default()).unwrap(),
-    );
+    let space = Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[], &Execution::default()).unwrap());
     assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
     for k in 0..20_000 {
         // Points of triangles between vertices of the ring, and of the ring itself.

@@ -2,6 +2,7 @@
 
 use plateau_mesh::error::InputError;
 use plateau_mesh::polyline::LARGEST_COORDINATE;
+use plateau_mesh::remesh::isotropic::BoundaryEdges;
 use plateau_mesh::{DVec3, Mesh, Place};
 
 /// Default of every tolerance on the relative change of the area.
@@ -447,6 +448,14 @@ impl Options {
 
     pub(crate) fn limits(&self) -> Limits {
         Limits { tolerance: self.tolerance, max_iterations: self.max_iterations }
+    }
+
+    /// Whether remeshing may add points on the boundaries.
+    pub(crate) fn boundary_edges(&self) -> BoundaryEdges {
+        match self.boundary_sampling {
+            BoundarySampling::Refine => BoundaryEdges::Refined,
+            BoundarySampling::Keep => BoundaryEdges::Kept,
+        }
     }
 
     /// Whether the result has the topology of the initial mesh.

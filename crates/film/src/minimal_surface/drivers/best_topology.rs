@@ -381,8 +381,7 @@ impl<'a> SpanningProblem<'a> {
         Options { resolution, method, tolerance, ..self.options.clone() }
     }
 
-    fn task(limits: Limits) -> newton::Task {
-        let boundary_edges = BoundaryEdges::Kept;
+    fn task(limits: Limits, boundary_edges: BoundaryEdges) -> newton::Task {
         newton::Task { limits, on_unstable: OnUnstable::Descend, given: false, may_widen: true, boundary_edges }
     }
 
@@ -441,7 +440,7 @@ impl<'a> SpanningProblem<'a> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, Self::task(options.limits()), exec)?;
+        let run = newton::run(&mut film, Self::task(options.limits(), options.boundary_edges()), exec)?;
         Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
@@ -474,7 +473,8 @@ impl<'a> SpanningProblem<'a> {
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let run = newton::run(&mut film, Self::task(self.options.limits()), exec)?;
+            let task = Self::task(self.options.limits(), BoundaryEdges::Kept);
+            let run = newton::run(&mut film, task, exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;
             }

@@ -82,8 +82,28 @@ pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolutio
         Resolution::EdgeLength(edge) => edge,
     };
     let matching = Matching::between(first, second);
-    let gap = |&(i, j): &(usize, usize)| first[i % first.len()].distance(second[matching.order[j % second.len()]]);
-    matching.bridges.iter().map(gap).sum::<f64>() / (matching.bridges.len() as f64) < NARROW * edge
+    // Half of the bridges are diagonals, which are as long as the sides, however near the boundaries are to each other.
+    let mut gaps = vec![f64::INFINITY; first.len() + second.len()];
+    let (n, m) = (first.len(), second.len());
+    for &(i, j) in &matching.bridges {
+        let (i, j) = (i % n, j % m);
+        let at = |j: usize| second[matching.order[j % m]];
+        let from_first = to_sides(first[i], [at(j + m - 1), at(j), at(j + 1)]);
+        let from_second = to_sides(at(j), [first[(i + n - 1) % n], first[i], first[(i + 1) % n]]);
+        gaps[i] = gaps[i].min(from_first);
+        gaps[n + j] = gaps[n + j].min(from_second);
+    }
+    gaps.iter().sum::<f64>() / (gaps.len() as f64) < NARROW * edge
+}
+
+/// Distance of a point from two sides with a common corner in the middle.
+fn to_sides(point: DVec3, [before, corner, after]: [DVec3; 3]) -> f64 {
+    let to = |end: DVec3| {
+        let side = end - corner;
+        let along = (point - corner).dot(side) / side.length_squared();
+        point.distance(corner + along.clamp(0.0, 1.0) * side)
+    };
+    to(before).min(to(after))
 }
 
 /// A narrow strip of rings for a resolution that need not be met exactly.
@@ -107,8 +127,8 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result
     Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
 }
 
-/// Mean gap between two boundaries that counts as narrow, as a fraction of the edges of a strip of single triangles.
-/// With a larger value more annuli begin as rings.
+/// Mean distance of the points of two boundaries from the other one that counts as narrow, as a fraction of the edges
+/// of a strip of single triangles. With a larger value more annuli begin as rings.
 const NARROW: f64 = 1.0;
 
 /// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.

@@ -24,7 +24,7 @@ use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
-use plateau_mesh::remesh::isotropic::{BoundaryEdges, RUNAWAY, resample};
+use plateau_mesh::remesh::isotropic::{RUNAWAY, resample};
 use plateau_mesh::remesh::subdivision::subdivide;
 use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::sparse::{LinearError, Symbolic};
@@ -234,7 +234,7 @@ impl Spanning<'_> {
         self.even_out(&mut film)?;
         if self.resolution() != self.options.resolution {
             let count = self.goal().triangles(&film);
-            resample(&mut film, count, FINE_PASSES, self.boundary_edges(), self.exec).map_err(Error::from)?;
+            resample(&mut film, count, FINE_PASSES, self.options.boundary_edges(), self.exec).map_err(Error::from)?;
         }
         Ok(Start { film, subdivisions })
     }
@@ -315,13 +315,6 @@ impl Spanning<'_> {
             }
         }
         Ok(())
-    }
-
-    fn boundary_edges(&self) -> BoundaryEdges {
-        match self.options.boundary_sampling {
-            BoundarySampling::Refine => BoundaryEdges::Refined,
-            BoundarySampling::Keep => BoundaryEdges::Kept,
-        }
     }
 
     fn radius(&self) -> f64 {
@@ -610,7 +603,7 @@ impl Spanning<'_> {
         let relaxed = film.clone();
         let mut area = f64::INFINITY;
         for _ in 0..ROUNDS {
-            resample(film, count, 3, self.boundary_edges(), self.exec)?;
+            resample(film, count, 3, self.options.boundary_edges(), self.exec)?;
             if film.triangles().len() as f64 > RUNAWAY * count {
                 *film = relaxed;
                 return Ok(());
@@ -630,7 +623,7 @@ impl Spanning<'_> {
             }
             flip_to_delaunay(film, self.exec)?;
         }
-        resample(film, count, 5, self.boundary_edges(), self.exec)?;
+        resample(film, count, 5, self.options.boundary_edges(), self.exec)?;
         // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In
         // the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
         let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;

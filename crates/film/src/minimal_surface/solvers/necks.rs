@@ -27,8 +27,8 @@ const CALM: f64 = 0.6;
 /// Largest turning of the normal along an edge (radians) of a film that exists without a second look. A hexagonal neck
 /// has more. A smaller value looks at more films.
 const COARSE_TURNING: f64 = 0.7;
-/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians). A plane film
-/// around a small hole has none.
+/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians), or would do so
+/// on a fine mesh. A plane film around a small hole has none.
 const BENT: f64 = 0.3;
 /// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π. A
 /// smaller value refines more films.
@@ -78,17 +78,38 @@ fn neck_radii(film: &Film) -> Vec<f64> {
         return radius;
     }
     let normals = measure::normals(&film.vertices, film.triangles());
+    let longest = longest_free_edges(film);
     for boundary in &film.boundaries {
+        let points: Vec<DVec3> = boundary.iter().map(|&v| film.vertices[v as usize]).collect();
+        let own = polyline::length(&points, true) / TAU;
+        // A long edge hides the neck in a cone of the slope θ = rise / L. The neck rises like a ln(1 + L / r) and is
+        // steeper where it ends, by the factor (L / r) / ln(1 + L / r).
+        let reach = boundary.iter().map(|&v| longest[v as usize]).fold(0.0, f64::max) / own;
+        let steeper = if reach > 0.0 { reach / libm::log1p(reach) } else { 1.0 };
         let sum: DVec3 = boundary.iter().map(|&v| normals[v as usize]).sum();
         // Around a cylinder the normals have no mean.
         let has_mean = sum.length() > 0.5 * boundary.len() as f64;
-        if has_mean && boundary.iter().all(|&v| measure::angle(normals[v as usize], sum) <= BENT) {
+        if has_mean && boundary.iter().all(|&v| steeper * measure::angle(normals[v as usize], sum) <= BENT) {
             continue;
         }
-        let points: Vec<DVec3> = boundary.iter().map(|&v| film.vertices[v as usize]).collect();
-        boundary.iter().for_each(|&v| radius[v as usize] = polyline::length(&points, true) / TAU);
+        boundary.iter().for_each(|&v| radius[v as usize] = own);
     }
     radius
+}
+
+/// For each vertex the length of its longest edge that can move.
+pub(crate) fn longest_free_edges(film: &Film) -> Vec<f64> {
+    let mut longest = vec![0.0f64; film.vertices.len()];
+    let topology = &film.topology;
+    for h in 0..topology.twin.len() as u32 {
+        let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+        if !(film.fixed[a] && film.fixed[b]) {
+            let length = film.vertices[a].distance(film.vertices[b]);
+            longest[a] = longest[a].max(length);
+            longest[b] = longest[b].max(length);
+        }
+    }
+    longest
 }
 
 /// Steps 1 and 2 for the margins of a film and of the film with edges shorter by the factor `halvings` of two. `None`

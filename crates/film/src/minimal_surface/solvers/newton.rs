@@ -22,7 +22,7 @@ use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
-use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm};
+use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm, longest_free_edges};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
@@ -50,6 +50,9 @@ const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last. With a larger value Newton's method starts
 /// further from the solution.
 const SETTLED_AREA: f64 = 1e-3;
+/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge. With a larger
+/// value Newton's method starts further from the solution.
+const SETTLED_MOTION: f64 = 0.05;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
 /// extrapolates the areas of larger meshes too, which takes longer.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
@@ -456,6 +459,9 @@ impl<'a> Solve<'a> {
     /// no triangle is flipped. Returns whether a linear system was refused.
     fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
         let mut area = film.area();
+        // The area of a thin neck is a small part of the film's and does not tell whether it has settled.
+        let refined = self.refined;
+        let mut moved = 0.0;
         for round in 0..MAX_ROUNDS {
             self.improve(film)?;
             self.exec.look(film.triangles().len() as u64)?;
@@ -466,18 +472,22 @@ impl<'a> Solve<'a> {
                     return Ok(false);
                 }
                 self.exec.look(film.triangles().len() as u64)?;
+                let start = if refined { film.vertices.clone() } else { Vec::new() };
                 if dirichlet.step(film).is_err() {
                     return Ok(true);
+                }
+                if refined {
+                    moved = largest_motion(film, &start);
                 }
                 let before = std::mem::replace(&mut area, film.area());
                 let residual = self.state(film, &dirichlet.pattern).residual;
                 let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
                 self.record.iteration("pinkall_polthier", area, residual, fraction);
-                if (before - area).abs() <= SETTLED_AREA * area {
+                if (before - area).abs() <= SETTLED_AREA * area && (!refined || moved <= SETTLED_MOTION) {
                     break;
                 }
             }
-            let settled = (before_round - area).abs() <= SETTLED_AREA * area;
+            let settled = (before_round - area).abs() <= SETTLED_AREA * area && (!refined || moved <= SETTLED_MOTION);
             if settled && film.flipped_triangles() == 0 {
                 break;
             }
@@ -551,6 +561,16 @@ impl<'a> Solve<'a> {
     fn state(&self, film: &Film, pattern: &Pattern) -> FilmState {
         NormalMotion { pattern, triangles: film.triangles(), radius: self.radius }.state(&film.vertices)
     }
+}
+
+/// Largest distance of a vertex from its `start`, as a fraction of its longest edge.
+fn largest_motion(film: &Film, start: &[DVec3]) -> f64 {
+    let moved = film.vertices.iter().zip(start).map(|(end, start)| end.distance(*start));
+    moved
+        .zip(longest_free_edges(film))
+        .filter(|&(_, edge)| edge > 0.0)
+        .map(|(moved, edge)| moved / edge)
+        .fold(0.0, f64::max)
 }
 
 #[cfg(test)]
