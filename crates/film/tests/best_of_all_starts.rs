@@ -182,7 +182,7 @@ fn best_is_the_least_of_all_starts_wherever_the_loops_stand() {
 #[test]
 fn polygons_much_closer_than_their_sides_are_joined_by_a_narrow_strip() {
     for points in [12, 24, 48] {
-        for gap in [1e-5, 5e-5, 1e-3] {
+        for gap in [5e-5, 1e-3] {
             let at = |height: f64| ellipse(points, height * DVec3::Z, DVec3::X, DVec3::Y, 0.0);
             let film = spanned(&[at(0.0), at(gap)], TopologyRule::Fixed, InitialMesh::Auto, 300).expect("a film");
             let statistics = &film.statistics;

@@ -27,8 +27,8 @@ const CALM: f64 = 0.6;
 /// Largest turning of the normal along an edge (radians) of a film that exists without a second look. A hexagonal neck
 /// has more. A smaller value looks at more films.
 const COARSE_TURNING: f64 = 0.7;
-/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians), or would do so
-/// on a fine mesh. A plane film around a small hole has none.
+/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians), or would do
+/// so on a fine mesh. A plane film around a small hole has none.
 const BENT: f64 = 0.3;
 /// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π. A
 /// smaller value refines more films.

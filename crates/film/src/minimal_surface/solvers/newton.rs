@@ -50,8 +50,8 @@ const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last. With a larger value Newton's method starts
 /// further from the solution.
 const SETTLED_AREA: f64 = 1e-3;
-/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge. With a larger
-/// value Newton's method starts further from the solution.
+/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge. With a
+/// larger value Newton's method starts further from the solution.
 const SETTLED_MOTION: f64 = 0.05;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
 /// extrapolates the areas of larger meshes too, which takes longer.
