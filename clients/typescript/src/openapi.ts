@@ -1292,6 +1292,7 @@ export interface components {
              *     - `not_normalised`: An objective of a blend can be brought to zero on a strip, so that its term is not divided by its optimum.
              *     - `opposite_directions`: Directrices run in opposite directions: `directrix`, the first of the two.
              *     - `out_of_range`: Edges are outside the lengths that the lattice promises: `count`.
+             *     - `pierces_film`: A cable or a mast passes through the film: `cable` or `mast`, and the place `x`, `y`, `z`.
              *     - `ponding`: Water would stand on the film: `depth`, `x`, `y`, `z`.
              *     - `projected`: Points were projected onto their plane: `distance`.
              *     - `refined`: A neck needed a finer mesh than was asked for: `triangles`.
