@@ -74,6 +74,20 @@ def chen_cai_zheng():
 
     table(columns, runs())
 
+    def sizes():
+        for name, limit, printed in [("helicoid", 535.0748, "0.00070"), ("catenoid", 58.1637, "0.00400")]:
+            for count in (500, 2000, 20000):
+                sampling = {"boundary_sampling": "refine"} if count > 5000 else {}
+                statistics, found = film(example(name, resolution={"triangles": count}, tolerance=1e-8, **sampling))
+                figures, extrapolated = found["chen_cai_zheng"], statistics["extrapolated_area"]
+                error = f"{extrapolated['area'] / limit - 1:.1e}" if extrapolated else ""
+                yield [name, str(statistics["triangles"]), f"{figures['area']:.4f}", error, f"{figures['curvature_max']:.5f}",
+                       f"{figures['curvature_normal_max']:.0e}", f"{found['shape']['angles_deg']['min']:.1f}°"]
+            yield [name, "the paper", "", "", printed, "", ""]
+
+    table(["surface", "triangles", "area", "extrapolated area, less the limit, of the limit", "largest curvature", "along the normal",
+           "smallest angle"], sizes())
+
     def levels():
         for name, goal, counts, printed in [
             ("ccz-8-top", 1e-3, (800, 2400), [("9.9", "0.004"), ("9.87", "0.001")]),

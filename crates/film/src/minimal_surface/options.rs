@@ -420,6 +420,9 @@ pub struct Options {
     /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
     pub max_iterations: Option<u32>,
+    /// Whether the vertices slide along a film of least area in the end, to where its triangles have less area
+    /// ([`sliding`](plateau_mesh::remesh::sliding)). Without it the triangles are more even.
+    pub slides: bool,
 }
 
 /// Limits that end every solver.
@@ -443,6 +446,7 @@ impl Options {
             constraints: Constraints::default(),
             tolerance: 1e-6,
             max_iterations: None,
+            slides: true,
         }
     }
 

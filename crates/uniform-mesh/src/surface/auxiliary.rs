@@ -394,7 +394,11 @@ impl Line {
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
     let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
-    minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
+    // Flattening asks for even triangles more than for the least area.
+    minimal_surface::Options {
+        slides: false,
+        ..minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
+    }
 }
 
 /// Runs the checks of the film's solver on the boundaries, before any work.

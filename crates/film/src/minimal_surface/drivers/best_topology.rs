@@ -382,7 +382,14 @@ impl<'a> SpanningProblem<'a> {
     }
 
     fn task(limits: Limits, boundary_edges: BoundaryEdges) -> newton::Task {
-        newton::Task { limits, on_unstable: OnUnstable::Descend, given: false, may_widen: true, boundary_edges }
+        newton::Task {
+            limits,
+            on_unstable: OnUnstable::Descend,
+            given: false,
+            may_widen: true,
+            boundary_edges,
+            slides: true,
+        }
     }
 
     /// Step 1 for one set, from one start or from all of them.

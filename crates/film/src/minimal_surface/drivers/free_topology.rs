@@ -84,7 +84,8 @@ pub(crate) fn run(
         let left = limits.max_iterations.map(|_| limit.saturating_sub(run.iterations));
         let limits = Limits { max_iterations: left, ..limits };
         let boundary_edges = BoundaryEdges::Kept;
-        let task = newton::Task { limits, on_unstable: OnUnstable::Descend, given, may_widen: !given, boundary_edges };
+        let on_unstable = OnUnstable::Descend;
+        let task = newton::Task { limits, on_unstable, given, may_widen: !given, boundary_edges, slides: true };
         let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, task, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
         let stable = finish.stability.is_none_or(|stability| stability.stable);

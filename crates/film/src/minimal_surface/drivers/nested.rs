@@ -101,7 +101,8 @@ fn follow(
     let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
     let boundary_edges = BoundaryEdges::Kept;
-    let task = Task { limits: options.limits(), on_unstable, given: false, may_widen: true, boundary_edges };
+    let slides = options.slides;
+    let task = Task { limits: options.limits(), on_unstable, given: false, may_widen: true, boundary_edges, slides };
     let mut solve = Solve::new(&film, task, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
@@ -167,7 +168,7 @@ fn climb(
         pattern = Pattern::new(film.triangles(), &film.fixed);
         let parents = parents_of(&coarse_unknown, &pattern.free.vertex, &midpoints);
         solve.exec.look(work)?;
-        if last {
+        if last && solve.slides {
             // The correction that follows makes the motion along the normals good, too.
             slide(film, solve.radius, solve.exec)?;
         }

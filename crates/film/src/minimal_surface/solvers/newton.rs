@@ -95,6 +95,8 @@ pub(crate) struct Task {
     pub may_widen: bool,
     /// Whether a refinement splits edges of the boundary.
     pub boundary_edges: BoundaryEdges,
+    /// Whether the vertices slide in the end.
+    pub slides: bool,
 }
 
 /// Steps 1 to 4 on a film.
@@ -133,6 +135,8 @@ pub(crate) struct Solve<'a> {
     refined: bool,
     /// Whether a refinement splits edges of the boundary.
     boundary_edges: BoundaryEdges,
+    /// Whether the vertices slide in the end.
+    pub slides: bool,
 }
 
 impl<'a> Solve<'a> {
@@ -151,6 +155,7 @@ impl<'a> Solve<'a> {
             may_widen: task.may_widen,
             refined: false,
             boundary_edges: task.boundary_edges,
+            slides: task.slides,
         }
     }
 
@@ -318,7 +323,9 @@ impl<'a> Solve<'a> {
             reason = match outcome {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
                     let (pattern, mut direct) = self.widen(film, pattern, direct)?;
-                    self.slide(film, &pattern, &mut direct)?;
+                    if self.slides {
+                        self.slide(film, &pattern, &mut direct)?;
+                    }
                     return Ok((StopReason::Residual, Some((pattern, direct))));
                 }
                 StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
@@ -583,7 +590,14 @@ mod tests {
         let mut film = cylinder(48, 16, 1.5);
         let limits = Limits { tolerance: 1e-6, max_iterations: None };
         let boundary_edges = BoundaryEdges::Kept;
-        let task = Task { limits, on_unstable: OnUnstable::Report, given: false, may_widen: true, boundary_edges };
+        let task = Task {
+            limits,
+            on_unstable: OnUnstable::Report,
+            given: false,
+            may_widen: true,
+            boundary_edges,
+            slides: true,
+        };
         let run = run(&mut film, task, &Execution::default()).unwrap();
         assert_ne!(run.stop_reason, StopReason::Residual);
         assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));
