@@ -139,8 +139,8 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
     assert!(area - error <= 4.108_672 && area + error >= 4.108_0, "{area} {error}");
 }
 
-/// The outline lies in a plane to 1.3e-15. Exact arithmetic shows that its sides 1 and 31 cross as seen from above. Their
-/// heights differ there by 4e-16.
+/// The outline lies in a plane to 1.3e-15. Exact arithmetic shows that sides 1 and 31 cross as seen from above, where
+/// their heights differ by 4e-16.
 #[test]
 fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
     let incoming = Incoming::read_with_kind(&body("film_canopy"), &LimitsConfig::default()).unwrap();

@@ -217,8 +217,8 @@ fn caps() -> Vec<Case> {
     ]
 }
 
-/// Returns the neck of the catenoid through two coaxial circles: its radius c, and its height z0 above the first circle.
-/// The first circle has the radius `radius` and lies at z = 0, the second has `other` and lies at `height`.
+/// Returns the radius c of the neck of the catenoid through two coaxial circles, and the height z0 of the neck. The
+/// first circle has the radius `radius` and lies at z = 0. The second has the radius `other` and lies at `height`.
 fn neck(radius: f64, other: f64, height: f64) -> (f64, f64) {
     let middle = |c: f64| c * (radius / c).acosh();
     let c = root(|c| c * ((height - middle(c)) / c).cosh() - other, 0.7 * other, other);

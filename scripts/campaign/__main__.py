@@ -33,7 +33,8 @@ KNOWN = {
 }
 
 
-# Share of the cases that are submitted once more and cancelled, and the longest time in seconds until a job has ended after it.
+# Share of the cases that are submitted a second time and then cancelled.
+# CANCEL_SECONDS is the longest time from the cancel to the end of the job.
 CANCELLED, CANCEL_SECONDS = 0.1, 1.0
 
 

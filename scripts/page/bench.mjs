@@ -1,9 +1,9 @@
-// Figures of drags in the page, as lines for benches/results.jsonl on standard output.
+// Measures drags in the page and prints lines for benches/results.jsonl.
 //
-// 1. `page_drag_engine`: a film of 2,000 and 20,000 triangles follows 200 moves in Node, milliseconds of each call.
-// 2. `page_drag`: a film, a strip, a lattice and a sail are dragged 200 moves in Chromium with the network cut, each move asked
-//    for when the one before is there and a frame has passed. Beside it 50 moves of the same drag over HTTP, one after the other,
-//    with 0 and 80 ms of delay for each answer. After the release the page's vertices are compared with those of the service's job.
+// 1. `page_drag_engine` has the milliseconds of each call in Node. A film of 2,000 and of 20,000 triangles follows 200 moves.
+// 2. `page_drag` has a film, a strip, a lattice and a sail in Chromium, each dragged 200 moves with the network cut. A move is asked
+//    for as soon as the result of the last move is there and a frame has passed. The same drag then runs over HTTP with 50 moves,
+//    each answer delayed by 0 and by 80 ms. After the release the page's vertices are compared with those of the service's job.
 //
 // CHROMIUM=… PLATEAU_BIN=… PLATEAU_WASM=… node scripts/page/bench.mjs >> benches/results.jsonl, on a quiet machine.
 

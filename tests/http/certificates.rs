@@ -70,9 +70,9 @@ async fn every_compared_topology_says_how_far_it_is_from_the_minimum() {
     }
 }
 
-/// Eight rings in four pairs; two rings are given clockwise. The film is eight discs, all counter-clockwise, with an area
-/// of 24. Four annuli have an area of 4.94: they run along one ring of each pair in the other direction. The bound must
-/// cover both.
+/// Eight rings stand in four pairs, and two of the rings are given clockwise. The film is eight discs that all run
+/// counter-clockwise, with an area of 24. Four annuli have an area of 4.94, because they run along one ring of each
+/// pair in the other direction. The bound must hold for the discs and for the annuli.
 #[tokio::test]
 async fn with_more_than_six_loops_the_bound_covers_every_direction() {
     let app = TestApp::start().await;

@@ -32,8 +32,8 @@ fn around(random: &mut SplitMix64, centre: DVec3, normal: DVec3, axes: [f64; 2])
     ellipse(16 + 2 * random.below(5), centre, u * axes[0], v * axes[1], random.between(0.0, TAU))
 }
 
-/// Returns loops of one of five kinds: coaxial rings, rings that nearly coincide, rings on a sphere, ellipses anywhere,
-/// Borromean rings. The ellipses may be linked.
+/// Returns loops of a random kind. The kinds are coaxial rings, rings that nearly coincide, rings on a sphere, ellipses
+/// anywhere (which may be linked) and Borromean rings.
 fn configuration(random: &mut SplitMix64) -> (&'static str, Vec<Vec<DVec3>>) {
     let count = 2 + random.below(5);
     match random.below(5) {

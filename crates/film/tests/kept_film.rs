@@ -1,4 +1,4 @@
-//! A solved film that follows its boundary while it is dragged.
+//! Tests of a solved film that follows its boundary while a user drags the boundary.
 
 use plateau_film::minimal_surface::{KeptFilm, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Execution};

@@ -38,9 +38,8 @@ impl Warning {
 
 /// Schema of a warning's code, whose description lists the codes with their meanings. A later version may have more.
 fn code(_: &mut SchemaGenerator) -> Schema {
-    let codes = WarningCode::ALL.iter().map(|code| format!("\n- `{code}`: {}.", code.meaning()));
-    let description: String = std::iter::once("Stable name in snake case:\n".to_owned()).chain(codes).collect();
-    json_schema!({ "type": "string", "description": description })
+    let codes: String = WarningCode::ALL.iter().map(|code| format!("\n- `{code}`: {}.", code.meaning())).collect();
+    json_schema!({ "type": "string", "description": format!("Stable name in snake case:\n{codes}") })
 }
 
 /// Reason for a failure: what was wrong with the geometry, and what to try.

@@ -166,8 +166,8 @@ impl Request {
         (solve(), exec.largest_work_between_looks())
     }
 
-    /// Keeps of this request's result what can follow a drag. Returns `None` if the results of such requests cannot:
-    /// strips, lattices, nets, tensile structures, and films that [`KeptFilm`] names.
+    /// Keeps the part of this request's result that can follow a drag. Returns `None` for strips, lattices, nets and
+    /// tensile structures, and for the films that [`KeptFilm`] cannot move.
     ///
     /// # Errors
     /// Returns the cancel, or that the memory does not suffice.
@@ -197,8 +197,10 @@ impl Request {
     }
 }
 
-/// A result that follows a drag. Each place that it takes is a preview: it has the connectivity of the result from
-/// which it began, it is corrected to a tolerance that the eye does not see, and it is not audited.
+/// A result that follows a drag.
+///
+/// The result at each place is a preview. A preview has the connectivity of the result from which the drag began, is
+/// corrected to a tolerance that the eye does not see, and is not audited.
 #[derive(Debug)]
 pub struct Drag {
     frame: Frame,

@@ -53,7 +53,7 @@ names! {
     WarningCode {
         /// A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
         ApexInside = "apex_inside",
-        /// An edge or a point has slid beyond the border of its support, which counts as flat there: `support`, `distance`.
+        /// An edge or a point has slid beyond the border of its support: `support`, `distance`.
         BeyondSupport = "beyond_support",
         /// Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
         CrossingDirectrices = "crossing_directrices",
@@ -63,7 +63,7 @@ names! {
         EmptyTriangles = "empty_triangles",
         /// The mesh is so far from zero that an STL file cannot hold its coordinates and is relative to `origin`.
         FarFromZero = "far_from_zero",
-        /// A warning of the film on which a lattice was laid. The detail begins with its code, and the values are its own.
+        /// The film under a lattice has a warning. The detail begins with the code of that warning.
         Film = "film",
         /// The films of the least topology pass through each other or themselves.
         FilmsCross = "films_cross",
@@ -93,7 +93,8 @@ names! {
         NoLattice = "no_lattice",
         /// The forces within the film could not be balanced, so that there are no reactions.
         NotBalanced = "not_balanced",
-        /// The result does not meet the tolerance. Films have `residual`, `tolerance`, `flipped_triangles` and `degenerate_triangles`, tensile structures have `residual`.
+        /// The result does not meet the tolerance: `residual` of films and tensile structures, and for films also
+        /// `tolerance`, `flipped_triangles` and `degenerate_triangles`.
         NotConverged = "not_converged",
         /// The solver met its own rule, but the film is no minimal surface to the tolerance: `residual`, `tolerance`.
         NotMinimal = "not_minimal",
@@ -125,7 +126,7 @@ names! {
         StronglyBent = "strongly_bent",
         /// Edges of a net miss a target by more than half: `count`.
         TargetsMissed = "targets_missed",
-        /// The film came apart, so that its topology is not that of the initial mesh: `pinches`.
+        /// The film came apart, and its topology is not that of the initial mesh: `pinches`.
         TopologyChanged = "topology_changed",
         /// The mesh has far fewer or more triangles than were asked for: `triangles`, `asked`.
         TrianglesMissed = "triangles_missed",

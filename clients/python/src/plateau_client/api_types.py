@@ -740,12 +740,12 @@ class JobWarning(TypedDict):
     """Stable name in snake case:
 
     - `apex_inside`: A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
-    - `beyond_support`: An edge or a point has slid beyond the border of its support, which counts as flat there: `support`, `distance`.
+    - `beyond_support`: An edge or a point has slid beyond the border of its support: `support`, `distance`.
     - `crossing_directrices`: Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
     - `edge_length_missed`: The mean edge length differs from the wanted one: `mean_edge_length`, `edge_length`.
     - `empty_triangles`: Triangles of a strip have no area: `strip`, `count`.
     - `far_from_zero`: The mesh is so far from zero that an STL file cannot hold its coordinates and is relative to `origin`.
-    - `film`: A warning of the film on which a lattice was laid. The detail begins with its code, and the values are its own.
+    - `film`: The film under a lattice has a warning. The detail begins with the code of that warning.
     - `films_cross`: The films of the least topology pass through each other or themselves.
     - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
@@ -760,7 +760,7 @@ class JobWarning(TypedDict):
     - `no_connected_film`: No film that connects all boundaries was found: `largest_gap_fraction`, if a film connects nearer ones.
     - `no_lattice`: No lattice edge fits into the domain.
     - `not_balanced`: The forces within the film could not be balanced, so that there are no reactions.
-    - `not_converged`: The result does not meet the tolerance. Films have `residual`, `tolerance`, `flipped_triangles` and `degenerate_triangles`, tensile structures have `residual`.
+    - `not_converged`: The result does not meet the tolerance: `residual` of films and tensile structures, and for films also `tolerance`, `flipped_triangles` and `degenerate_triangles`.
     - `not_minimal`: The solver met its own rule, but the film is no minimal surface to the tolerance: `residual`, `tolerance`.
     - `not_normalised`: An objective of a blend can be brought to zero on a strip, so that its term is not divided by its optimum.
     - `opposite_directions`: Directrices run in opposite directions: `directrix`, the first of the two.
@@ -776,7 +776,7 @@ class JobWarning(TypedDict):
     - `stress_deviates`: Warp and weft of a woven film have other stresses than required: `deviation_rms`.
     - `strongly_bent`: A strip has much more bending energy than the strip that bends least: `strip`, `factor`.
     - `targets_missed`: Edges of a net miss a target by more than half: `count`.
-    - `topology_changed`: The film came apart, so that its topology is not that of the initial mesh: `pinches`.
+    - `topology_changed`: The film came apart, and its topology is not that of the initial mesh: `pinches`.
     - `triangles_missed`: The mesh has far fewer or more triangles than were asked for: `triangles`, `asked`.
     - `unclosed_directrices`: Open directrices end where they begin: `count`.
     - `unstable`: The shape is stationary but no minimum: `morse_index`."""

@@ -1,4 +1,4 @@
-//! A solved film whose mesh, pattern and factors are kept while its boundary is dragged.
+//! A solved film that follows its boundary while a user drags it. The mesh and the factors of the solve are kept.
 //!
 //! 1. The boundary takes its new places, and the interior follows harmonically: L d = -L_free,fixed d_fixed, with the
 //!    cotangent Laplacian L of the film as it was solved. L is factorised once. The vertices' distribution within the
@@ -76,12 +76,16 @@ pub struct MovedFilm {
 }
 
 impl KeptFilm {
-    /// Keeps the film that [`solve`](super::solve) found: its mesh and its boundary loops, for the boundaries and the
-    /// options of that solve.
+    /// Keeps a film that [`solve`](super::solve) found. `mesh` and `loops` are the mesh and the boundary loops of the
+    /// result. `boundaries` and `options` are those of the solve.
     ///
-    /// Returns `None` if such a film cannot be moved: its solver is not Newton's method with a fixed topology, it has
-    /// fixed points or curves inside, it began from a mesh of the caller's, its boundaries have equal neighbours or
-    /// touch, or it is no stable film.
+    /// Returns `None` in these cases, because such a film cannot be moved:
+    ///
+    /// - The solver is not Newton's method with a fixed topology.
+    /// - The film has fixed points or curves inside.
+    /// - The film began from a mesh of the caller.
+    /// - The boundaries touch, or neighbouring points are equal.
+    /// - The film is not stable.
     ///
     /// # Errors
     /// [`Error::Interrupted`], or [`Error::NoResult`] if the factor does not fit into memory.
@@ -145,8 +149,9 @@ impl KeptFilm {
 
     /// Moves the film to other places of the same boundary points.
     ///
-    /// Returns `None`, and leaves the film where it is, if the film cannot follow: the boundaries have other numbers of
-    /// points, a triangle would turn over or become thin, or Newton's method does not converge in a few steps.
+    /// Returns `None` and leaves the film where it is if the film cannot follow. That is so if the boundaries have
+    /// other numbers of points, if a triangle would turn over or become thin, and if Newton's method does not converge
+    /// in a few steps.
     ///
     /// # Errors
     /// The interruptions of `exec`. The film then stays where it is.

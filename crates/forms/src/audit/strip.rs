@@ -140,7 +140,7 @@ struct Facet {
     double_area: f64,
     /// The angle by which rounding of a corner turns its normal.
     turn: f64,
-    /// Whether it has hardly any area, so that rounding decides about its normal.
+    /// Whether the triangle has hardly any area, so that rounding decides about its normal.
     is_thin: bool,
 }
 

@@ -466,7 +466,7 @@ impl<'a> Solve<'a> {
     /// no triangle is flipped. Returns whether a linear system was refused.
     fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
         let mut area = film.area();
-        // The area of a thin neck is a small part of the film's and does not tell whether it has settled.
+        // The area of a thin neck is a small part of the film's area and does not tell whether the neck has settled.
         let refined = self.refined;
         let mut moved = 0.0;
         for round in 0..MAX_ROUNDS {
@@ -490,11 +490,11 @@ impl<'a> Solve<'a> {
                 let residual = self.state(film, &dirichlet.pattern).residual;
                 let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
                 self.record.iteration("pinkall_polthier", area, residual, fraction);
-                if (before - area).abs() <= SETTLED_AREA * area && (!refined || moved <= SETTLED_MOTION) {
+                if (before - area).abs() <= SETTLED_AREA * area && moved <= SETTLED_MOTION {
                     break;
                 }
             }
-            let settled = (before_round - area).abs() <= SETTLED_AREA * area && (!refined || moved <= SETTLED_MOTION);
+            let settled = (before_round - area).abs() <= SETTLED_AREA * area && moved <= SETTLED_MOTION;
             if settled && film.flipped_triangles() == 0 {
                 break;
             }
