@@ -7,7 +7,8 @@ use plateau_film::tensile_structure::{
     SlidingPart, Structure, TensileStructure, solve,
 };
 use plateau_mesh::random::SplitMix64;
-use plateau_mesh::{DVec3, Error, Execution};
+use plateau_mesh::{DVec3, Error, Execution, Progress, Signal};
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
@@ -242,4 +243,20 @@ fn outlines_drawn_with_curved_sides_give_the_film_of_their_corners() {
         println!("{seed} {count}: {own} {right} {:.1e}", own / right - 1.0);
         assert!((own / right - 1.0).abs() < 2e-3, "outline {seed} of {count} points: {own} for {right}");
     }
+}
+
+#[test]
+fn a_deadline_at_the_very_end_leaves_the_structure_that_was_found() {
+    let (looks, last) = (Cell::new(0), Cell::new(u32::MAX));
+    let signal = || {
+        looks.set(looks.get() + 1);
+        if looks.get() >= last.get() { Signal::Deadline } else { Signal::Continue }
+    };
+    let report = |_: Progress| {};
+    let exec = Execution::new(&signal, &report);
+    let (structure, options) = (stayed((12.0, -2.0)), Options::new(Resolution::Triangles(300)));
+    let whole = solve(&structure, &options, &exec).unwrap();
+    last.set(looks.replace(0));
+    let late = solve(&structure, &options, &exec).unwrap_or_else(|error| panic!("{error:?}"));
+    assert_eq!(late.mesh, whole.mesh);
 }

@@ -14,7 +14,7 @@ use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{self, Spread, double_area_vector};
-use plateau_mesh::{DVec3, Error, Execution, Mesh};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 
 /// A cable counts as slack below this fraction of the film's tension times the cable's length. Rounding errors are far
 /// below, and every force that holds an edge of the film is above 1/2.
@@ -164,7 +164,12 @@ pub(super) fn finish(
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
-    warnings.extend(piercing(&model, structure, exec)?);
+    match piercing(&model, structure, exec) {
+        Ok(found) => warnings.extend(found),
+        // The structure is found, and is returned without the search.
+        Err(Interruption::DeadlinePassed) => {}
+        Err(cancelled) => return Err(cancelled.into()),
+    }
     let mut vertices = mesh.vertices;
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
         // Backwards, so that of merged points the first gives the place.

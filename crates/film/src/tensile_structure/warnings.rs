@@ -9,7 +9,7 @@ use crate::equilibrium::Support;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::crossing::passage;
 use plateau_mesh::error::Warning;
-use plateau_mesh::{DVec3, Error, Execution};
+use plateau_mesh::{DVec3, Execution, Interruption};
 
 /// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
 /// between cables is about 1 to 10.
@@ -97,7 +97,10 @@ pub(super) fn warn(
 }
 
 /// A warning for each cable or mast in the air that passes through the film.
-pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -> Result<Vec<Warning>, Error> {
+///
+/// # Errors
+/// The interruptions of `exec`.
+pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -> Result<Vec<Warning>, Interruption> {
     let (at, triangles) = (model.vertices(), model.triangles());
     let mut warnings = Vec::new();
     for (k, cable) in structure.cables.iter().enumerate() {

@@ -23,6 +23,10 @@ const NEGLIGIBLE: f64 = 3e-3;
 /// Tangent of the angle (21 degrees) below which no step takes an angle. Films keep angles of 20 degrees, and the
 /// normal heights that follow take some back.
 const LEAST_TANGENT: f64 = 0.383_864;
+/// Number of vertices that slide between two looks at the signal.
+const VERTICES_BETWEEN_LOOKS: usize = 4096;
+/// Units of work of one vertex: its six triangles are measured, and measured again for each part of a step.
+const WORK_PER_VERTEX: u64 = 20;
 /// Parts of a step that are tried, of which the first that keeps the angles is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
@@ -35,13 +39,15 @@ const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 /// if that is less. `radius` is the radius of the boundary.
 ///
 /// # Errors
-/// The interruptions of `exec`, between two sweeps.
+/// The interruptions of `exec`. Some vertices have slid then, and others have not.
 pub fn slide(film: &mut Film, radius: f64, exec: &Execution) -> Result<(), Interruption> {
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     let mut ring = Vec::new();
     for sweep in 0..SWEEPS {
-        exec.look(4 * film.triangles().len() as u64)?;
         for k in 0..free.len() {
+            if k % VERTICES_BETWEEN_LOOKS == 0 {
+                exec.look(WORK_PER_VERTEX * VERTICES_BETWEEN_LOOKS as u64)?;
+            }
             let v = free[if sweep % 2 == 0 { k } else { free.len() - 1 - k }];
             let edges = film.topology.outgoing_half_edges(v);
             ring.clear();
