@@ -421,7 +421,8 @@ pub struct Options {
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
     pub max_iterations: Option<u32>,
     /// Whether the vertices slide along a film of least area in the end, to where its triangles have less area
-    /// ([`sliding`](plateau_mesh::remesh::sliding)). Without it the triangles are more even.
+    /// ([`sliding`](plateau_mesh::remesh::sliding)). Without sliding the triangles are more even. Films of
+    /// [`TopologyRule::Free`] always slide.
     pub slides: bool,
 }
 

@@ -20,7 +20,7 @@ use super::sets::{members, order_of, partitions, set_of, together};
 use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
 use crate::minimal_surface::options::{
-    InitialMesh, Limits, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
+    InitialMesh, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
 };
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
@@ -381,15 +381,10 @@ impl<'a> SpanningProblem<'a> {
         Options { resolution, method, tolerance, ..self.options.clone() }
     }
 
-    fn task(limits: Limits, boundary_edges: BoundaryEdges) -> newton::Task {
-        newton::Task {
-            limits,
-            on_unstable: OnUnstable::Descend,
-            given: false,
-            may_widen: true,
-            boundary_edges,
-            slides: true,
-        }
+    fn task(options: &Options, boundary_edges: BoundaryEdges) -> newton::Task {
+        let (limits, slides) = (options.limits(), options.slides);
+        let on_unstable = OnUnstable::Descend;
+        newton::Task { limits, on_unstable, given: false, may_widen: true, boundary_edges, slides }
     }
 
     /// Step 1 for one set, from one start or from all of them.
@@ -447,7 +442,7 @@ impl<'a> SpanningProblem<'a> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, Self::task(options.limits(), options.boundary_edges()), exec)?;
+        let run = newton::run(&mut film, Self::task(&options, options.boundary_edges()), exec)?;
         Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
@@ -480,7 +475,7 @@ impl<'a> SpanningProblem<'a> {
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let task = Self::task(self.options.limits(), BoundaryEdges::Kept);
+            let task = Self::task(&self.options, BoundaryEdges::Kept);
             let run = newton::run(&mut film, task, exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;
