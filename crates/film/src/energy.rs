@@ -61,6 +61,11 @@ pub trait Term: fmt::Debug {
     /// tangent has none. The form finding settles by them (`equilibrium::settling`).
     fn visit_springs(&self, _at: &[DVec3], _visit: &mut dyn FnMut(u32, u32, f64)) {}
 
+    /// Whether all directions of the term, such as the one that points up, are unit vectors.
+    fn has_unit_directions(&self) -> bool {
+        true
+    }
+
     /// Calls `visit` with the vertices of each element. Two vertices without a common element have no block.
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32]));
 

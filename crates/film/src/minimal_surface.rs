@@ -31,6 +31,7 @@
 //! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
+mod cone;
 mod curvature;
 mod drivers;
 mod estimate;
@@ -120,6 +121,13 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         }
         // A coarser mesh skips points of the boundaries, and may skip those at which they touch.
         Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) if joined.is_none() => {
+            // A point that is held inside, and a mesh of the caller with several parts, are no part of the theorem.
+            if options.constraints.is_empty()
+                && !matches!(options.initial_mesh, InitialMesh::Given(_))
+                && let Some(parted) = cone::part(boundaries, exec)?
+            {
+                return Err(cone::refusal(&parted));
+            }
             nested::solve(boundaries, options, *on_unstable, exec)?
         }
         _ => None,

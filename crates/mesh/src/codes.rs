@@ -69,6 +69,8 @@ names! {
         FilmsCross = "films_cross",
         /// Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
         Folds = "folds",
+        /// A single point does not hold a film, however finely it is meshed: `count`.
+        HeldPoints = "held_points",
         /// Neighbouring directrices are the same polyline: `directrix`.
         IdenticalDirectrices = "identical_directrices",
         /// Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.

@@ -215,6 +215,10 @@ impl Term for Cable {
         }
     }
 
+    fn has_unit_directions(&self) -> bool {
+        self.up.is_normalized()
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.segments.iter().for_each(|segment| visit(segment));
     }

@@ -89,6 +89,10 @@ impl Term for Weight {
         super::area::visit_springs(&self.triangles, at, more, visit);
     }
 
+    fn has_unit_directions(&self) -> bool {
+        self.up.is_normalized()
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.triangles.iter().for_each(|triangle| visit(triangle));
     }

@@ -52,6 +52,12 @@ pub enum BodyDefect {
     NoSuchGroup(u32),
     /// The vertex does not lie on its support.
     OffSupport(u32),
+    /// A direction of the support of this number is no unit vector, or its radius is not positive.
+    Support(u32),
+    /// The direction of the group of this number is no unit vector.
+    Group(u32),
+    /// A direction of the term of this number is no unit vector.
+    Term(usize),
     /// A constraint's target is zero or not finite.
     Target(usize),
 }
@@ -64,6 +70,11 @@ impl fmt::Display for BodyDefect {
             Self::NoSuchSupport(support) => write!(f, "support {support} does not exist"),
             Self::NoSuchGroup(group) => write!(f, "group {group} does not exist"),
             Self::OffSupport(vertex) => write!(f, "vertex {vertex} does not lie on its support"),
+            Self::Support(support) => {
+                write!(f, "support {support} has a direction that is no unit vector, or no radius")
+            }
+            Self::Group(group) => write!(f, "the direction of group {group} is no unit vector"),
+            Self::Term(term) => write!(f, "term {term} has a direction that is no unit vector"),
             Self::Target(constraint) => write!(f, "the target of constraint {constraint} must be finite and not zero"),
         }
     }
@@ -191,6 +202,15 @@ impl Body {
             {
                 return Err(BodyDefect::NoSuchGroup(group));
             }
+        }
+        if let Some(support) = self.supports.iter().position(|support| !support.is_sound()) {
+            return Err(BodyDefect::Support(support as u32));
+        }
+        if let Some(group) = self.groups.iter().position(|direction| !direction.is_normalized()) {
+            return Err(BodyDefect::Group(group as u32));
+        }
+        if let Some(term) = self.terms.iter().position(|term| !term.has_unit_directions()) {
+            return Err(BodyDefect::Term(term));
         }
         let radius = self.radius();
         for (v, (freedom, &here)) in self.freedoms.iter().zip(&self.vertices).enumerate() {
@@ -538,9 +558,11 @@ impl Equations for Motion<'_> {
             });
         }
         let yielding: f64 = constraints.iter().map(|c| 0.5 * c.compliance * c.multiplier * c.multiplier).sum();
-        let energy = body.terms.iter().map(|term| term.value(vertices)).sum::<f64>() + yielding;
+        let values = || body.terms.iter().map(|term| term.value(vertices));
+        let energy = values().sum::<f64>() + yielding;
+        let magnitude = values().map(f64::abs).sum::<f64>() + yielding.abs();
         let frame = Frame { directions, gradient, shares };
-        let mut state = State { frame, energy, gradient: along, mass, residual: 0.0, constraints };
+        let mut state = State { frame, energy, magnitude, gradient: along, mass, residual: 0.0, constraints };
         let unmet = state.constraints.iter().map(|c| c.excess.abs() / c.scale).fold(0.0, f64::max);
         state.residual =
             residual(self.unbalanced_forces(&state).map(|(_, force, share)| (force, share)), self.radius).max(unmet);

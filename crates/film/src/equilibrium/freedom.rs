@@ -113,6 +113,20 @@ impl Support {
         Ok(Self::Mesh { surface: Arc::new(surface), origin })
     }
 
+    /// Whether its directions and axes are unit vectors and its radius is positive.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        match *self {
+            Self::Line { direction, .. } => direction.is_normalized(),
+            Self::Plane { normal, .. } => normal.is_normalized(),
+            Self::Circle { axis, radius, .. } | Self::Cylinder { axis, radius, .. } => {
+                axis.is_normalized() && radius > 0.0
+            }
+            Self::Sphere { radius, .. } => radius > 0.0,
+            Self::Mesh { .. } => true,
+        }
+    }
+
     /// Number of tangents: 1 for a curve, 2 for a surface.
     #[must_use]
     pub fn dimension(&self) -> u8 {

@@ -36,8 +36,8 @@ const LAST_SHIFT: f64 = 1e4;
 /// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition, with the
 /// usual value). A larger value refuses more steps.
 const LEAST_GAIN: f64 = 1e-4;
-/// Changes of the energy below this fraction of it are rounding errors, and the residual decides instead. A larger
-/// value leaves the decision to the residual earlier.
+/// Changes of the energy below this fraction of its magnitude are rounding errors, and the residual decides instead. A
+/// larger value leaves the decision to the residual earlier.
 const ENERGY_ROUNDING: f64 = 1e-12;
 /// With constraints a step is also taken if the residual falls to this fraction, because the merit function may refuse
 /// a good step near the solution (Maratos). A larger value takes more such steps.
@@ -85,6 +85,8 @@ pub(crate) struct State<F> {
     /// The directions of the unknowns.
     pub frame: F,
     pub energy: f64,
+    /// The sum of the absolute values of the energies whose sum is the energy: the scale of its rounding error.
+    pub magnitude: f64,
     /// Derivative of the energy by each unknown; with constraints that of the Lagrangian.
     pub gradient: Vec<f64>,
     /// Mass of each unknown: the vertex's share of tension times area or length.
@@ -279,6 +281,7 @@ fn search<E: Equations>(
         .sum();
     let slope = along - unmet;
     let before = state.merit(&weights);
+    let rounding = ENERGY_ROUNDING * (state.magnitude + (before - state.energy));
     // A condition leads to no minimum of the energy under the constraints' present values.
     let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
     let mut fraction = 1.0;
@@ -287,9 +290,8 @@ fn search<E: Equations>(
         let moved = equations.moved(vertices, state, step, fraction);
         if keeps_orientation(equations.triangles(), vertices, &moved) {
             let reached = equations.state(&moved);
-            let decided_by_residual = conditioned
-                || settings.aim == Aim::Stationary
-                || (fraction * slope).abs() <= ENERGY_ROUNDING * before.abs();
+            let decided_by_residual =
+                conditioned || settings.aim == Aim::Stationary || (fraction * slope).abs() <= rounding;
             let gains = if decided_by_residual {
                 reached.residual < state.residual
             } else {

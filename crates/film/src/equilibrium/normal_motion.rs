@@ -26,7 +26,7 @@ pub(crate) fn film_state(free: &FreeVertices, vertices: &[DVec3], triangles: &[[
     let rounding = ROUNDING * f64::EPSILON * radius;
     let felt = gradient.iter().map(|&force| if force.abs() > rounding { force } else { 0.0 });
     let residual = residual(felt.zip(mass.iter().copied()), radius);
-    State { frame: normals, energy: area, gradient, mass, residual, constraints: Vec::new() }
+    State { frame: normals, energy: area, magnitude: area, gradient, mass, residual, constraints: Vec::new() }
 }
 
 /// The equations of a film of surface tension 1, with one unknown per free vertex: its height along the present vertex

@@ -6,7 +6,7 @@ use crate::energy::area::first_variation;
 use crate::energy::cable::{Cable, Law};
 use crate::energy::finite_differences::patch as bumpy_patch;
 use crate::energy::length::{self, Stretch};
-use crate::energy::{Length, Term, Volume};
+use crate::energy::{Length, Term, Volume, Weight};
 use glam::DMat3;
 use newton::{Equations, State};
 use plateau_mesh::complex::{Complex, has_junctions};
@@ -437,6 +437,28 @@ fn a_constraint_is_reached_from_a_start_that_does_not_meet_it() {
 }
 
 #[test]
+fn energies_that_cancel_do_not_stall_a_body() {
+    // A sheet of tension 1 and lines in compression, whose lengths are given: the sum of the energies is nearly zero,
+    // and its rounding error is that of its parts.
+    let film = patch(12, 12, |u, v| DVec3::new(u, v, 0.3 * (u - v) * (u + v - 1.0)));
+    let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
+    let mut body = Body::new(film.vertices, &complex, &[1.0]);
+    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
+    body.relax(&settings, &Execution::default(), &mut |_, _| {}).unwrap();
+    // The edge from vertex 0 to vertex 1 is fixed, so that its energy is a constant.
+    let length = body.vertices[0].distance(body.vertices[1]);
+    let tension = -body.energy() / length;
+    body.terms.push(Box::new(Length { segments: vec![[0, 1]], tension }));
+    let middle = (0..body.vertices.len()).filter(|&v| body.freedoms[v] == Freedom::Normal);
+    for v in middle.collect::<Vec<_>>() {
+        body.vertices[v].z += 1e-8 * (v as f64).sin();
+    }
+    let report = body.relax(&settings, &Execution::default(), &mut |_, _| {}).unwrap();
+    assert!(body.energy().abs() < 1e-9, "{}", body.energy());
+    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+}
+
+#[test]
 fn a_half_catenoid_slides_on_a_plane() {
     // Between a ring of radius 1 at height 1/2 and the plane: c cosh(1 / 2c) = 1, area π c (h + c sinh(2h / c) / 2).
     let mut neck: f64 = 0.85;
@@ -552,6 +574,17 @@ fn bodies_whose_parts_do_not_fit_are_named() {
         body.freedoms[2] = Freedom::On(0);
     };
     assert_eq!(refused(&off), BodyDefect::OffSupport(2));
+    let long = Support::Plane { point: DVec3::ZERO, normal: 2.0 * DVec3::Z };
+    assert_eq!(refused(&|body| body.supports.push(long.clone())), BodyDefect::Support(0));
+    let flat = Support::Sphere { centre: DVec3::ZERO, radius: 0.0 };
+    assert_eq!(refused(&|body| body.supports.push(flat.clone())), BodyDefect::Support(0));
+    assert_eq!(refused(&|body| body.groups.push(DVec3::ZERO)), BodyDefect::Group(0));
+    // With a vector of length 2 the film would weigh twice as much.
+    let heavy = |body: &mut Body| {
+        let weight = Weight::new(body.triangles().to_vec(), 1.0, 2.0 * DVec3::Z, &body.vertices);
+        body.terms.push(Box::new(weight));
+    };
+    assert_eq!(refused(&heavy), BodyDefect::Term(1));
     let quantity = || Box::new(Length { segments: vec![[0, 1]], tension: 1.0 });
     let zero = |body: &mut Body| body.constraints.push(Constraint::value(quantity(), 0.0));
     assert_eq!(refused(&zero), BodyDefect::Target(0));

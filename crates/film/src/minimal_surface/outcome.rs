@@ -226,6 +226,12 @@ pub(super) fn finish(
         warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics));
+    let held = options.constraints.points.len();
+    if held > 0 {
+        let detail = "the area of a thread is zero, so a film is not held by single points: what the mesh shows around \
+                      them shrinks as it gets finer. Give small closed curves in place of points that carry the film";
+        warnings.push(Warning::new(WarningCode::HeldPoints, detail).with_count("count", held));
+    }
     // The loops of a film over joined boundaries run from one of them to another where they touch.
     let boundaries = match joined {
         Some(_) => own_boundaries(&film, &input.centred)?,

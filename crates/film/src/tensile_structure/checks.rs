@@ -48,6 +48,7 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
         Place::field("tolerance"),
         "must be a finite number, not negative",
     );
+    require(&mut errors, structure.up.is_normalized(), Place::field("up"), UNIT_VECTOR);
     let mut taken: Vec<Vec<Option<usize>>> =
         structure.boundaries.iter().map(|boundary| vec![None; boundary.len()]).collect();
     for (k, cable) in structure.cables.iter().enumerate() {

@@ -2,8 +2,9 @@
 //!
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
 //!    default solver solves it from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
-//!    leaves unstable surfaces. The film *holds* if it converged, is stable and has no flipped triangle. Of those that
-//!    hold the one of least area counts, and one that passes through itself only if all do.
+//!    leaves unstable surfaces. The film *holds* if it converged, is stable, is connected and has no flipped triangle.
+//!    Of those that hold the one of least area counts, and one that passes through itself only if all do. Boundaries
+//!    that a [cone](crate::minimal_surface::cone) parts are not tried, because no connected film spans them.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
@@ -17,6 +18,7 @@
 
 use super::nested;
 use super::sets::{members, order_of, partitions, set_of, together};
+use crate::minimal_surface::cone;
 use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
 use crate::minimal_surface::options::{
@@ -247,6 +249,11 @@ impl Parts {
     }
 }
 
+/// Whether a film holds and is connected. The mesh in a plane over boundaries beside each other consists of discs.
+fn spans(film: &SolvedFilm) -> bool {
+    film.holds() && film.film.topology.components() == 1
+}
+
 /// Whether a film meets itself. Past the deadline that is not looked for any more.
 fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
     match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
@@ -326,12 +333,16 @@ impl<'a> SpanningProblem<'a> {
         let share = 0.9 / sets.len() as f64;
         for (k, &set) in sets.iter().enumerate() {
             let share = [share * k as f64, share * (k + 1) as f64];
+            let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
+            if cone::part(&boundaries, exec).is_ok_and(|parted| parted.is_some()) {
+                continue;
+            }
             let known = coarse.and_then(|coarse| coarse.films[set as usize].as_ref());
             let start = known.map(|film| start_of(film.kind));
             match exec.part(share, |exec| self.part(set, start.as_ref(), exec)) {
                 Ok(part) => {
                     parts.interrupted |= part.run.stop_reason == StopReason::Deadline;
-                    parts.films[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
+                    parts.films[set as usize] = (set.count_ones() == 1 || spans(&part)).then_some(part);
                 }
                 Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => {
                     parts.interrupted = true;
@@ -404,7 +415,7 @@ impl<'a> SpanningProblem<'a> {
             return Ok(first);
         }
         let rank = |film: &SolvedFilm| -> Result<(bool, bool), Interruption> {
-            let holds = film.holds();
+            let holds = spans(film);
             Ok((!holds, holds && film_crosses_itself(&film.film, exec)?))
         };
         let mut least = (rank(&first)?, first);
@@ -461,7 +472,7 @@ impl<'a> SpanningProblem<'a> {
         for halving in 1..=HALVINGS {
             let fraction = 0.5f64.powi(halving as i32);
             match self.connected(&at(fraction), &InitialMesh::Auto, exec) {
-                Ok(part) if part.holds() => {
+                Ok(part) if spans(&part) => {
                     held = Some((fraction, part));
                     break;
                 }
@@ -481,7 +492,7 @@ impl<'a> SpanningProblem<'a> {
                 break;
             }
             let next = SolvedFilm { film, run, ..part.clone() };
-            if next.holds() {
+            if spans(&next) {
                 (fraction, part) = (tried, next);
                 if fraction >= 1.0 {
                     // The steps accumulated rounding errors: the boundary is set to the exact input points.

@@ -8,6 +8,8 @@
 //! 3. Newton's method in normal heights corrects the finer mesh. Its linear systems are solved by conjugate gradients
 //!    over the nested levels ([`multigrid`](plateau_mesh::sparse::multigrid)). The start deviates by the sagitta of a
 //!    coarse edge, so one or two steps suffice.
+//!    Before the last correction the vertices slide along the film to where its triangles have less area
+//!    ([`sliding`](plateau_mesh::remesh::sliding)).
 //! 4. Small angles of the corrected mesh are widened where they are, and the mesh is corrected again. Halving keeps
 //!    angles, but where the film bends strongly (at re-entrant corners) each correction makes them smaller.
 //!
@@ -29,7 +31,9 @@ use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable,
 use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::necks::{Look, compare, has_fine_ends, is_calm};
-use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, NARROW, Solve, Task, WIDE, WIDENINGS};
+use crate::minimal_surface::solvers::newton::{
+    EXTRAPOLATED_TRIANGLES, LEAST_SLID_ANGLE, NARROW, Solve, Task, WIDE, WIDENINGS,
+};
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 use plateau_mesh::remesh::isotropic::BoundaryEdges;
@@ -101,10 +105,11 @@ fn follow(
     let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
     let boundary_edges = BoundaryEdges::Kept;
-    let slides = options.slides;
-    let task = Task { limits: options.limits(), on_unstable, given: false, may_widen: true, boundary_edges, slides };
+    // Only the finest mesh slides: the angles of a coarser one would be widened again on the next level.
+    let limits = options.limits();
+    let task = Task { limits, on_unstable, given: false, may_widen: true, boundary_edges, slides: false };
     let mut solve = Solve::new(&film, task, exec);
-    let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
+    let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, options.slides, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
         Ok(None) | Err(Error::NoResult { .. }) => return Ok(None),
         Err(Error::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
@@ -118,12 +123,13 @@ fn follow(
     Ok(places.input_points_first(film).map(|film| SolvedFilm { film, kind, initial_area, run }))
 }
 
-/// Solves the coarse film and corrects it level by level. `None` if the method does not apply; the film is then of no
-/// use.
+/// Solves the coarse film and corrects it level by level. On the last level the vertices slide if `slides`. `None` if
+/// the method does not apply; the film is then of no use.
 fn climb(
     film: &mut Film,
     places: &mut BoundaryPlaces,
     levels: u32,
+    slides: bool,
     solve: &mut Solve,
 ) -> Result<Option<Stability>, Error> {
     // Each level costs four times as much as the last. The coarsest, with its many solves, costs about as much as the
@@ -168,7 +174,8 @@ fn climb(
         pattern = Pattern::new(film.triangles(), &film.fixed);
         let parents = parents_of(&coarse_unknown, &pattern.free.vertex, &midpoints);
         solve.exec.look(work)?;
-        if last && solve.slides {
+        let slides = slides && last;
+        if slides {
             // The correction that follows makes the motion along the normals good, too.
             slide(film, solve.radius, solve.exec)?;
         }
@@ -179,7 +186,7 @@ fn climb(
         let mut origin: Vec<u32> = (0..film.vertices.len() as u32).collect();
         for _ in 0..WIDENINGS {
             let before = smallest_angle(film);
-            if before >= NARROW {
+            if before >= if slides { LEAST_SLID_ANGLE } else { NARROW } {
                 break;
             }
             let mut widened = film.clone();

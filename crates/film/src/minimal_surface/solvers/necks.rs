@@ -11,6 +11,8 @@
 //!    cone there, whatever its margin. The solver converges again, and the film is looked at again.
 //! 4. A film that the refined mesh does not hold has collapsed. If the mesh may not be refined any further, the sign in
 //!    step 1 decides.
+//! 5. A mesh whose edges at a boundary are as long as the boundary is wide loses films that exist. If it holds none, it
+//!    is refined there from the start, and solved again.
 
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::isotropic::graded;
@@ -68,6 +70,27 @@ pub(crate) fn has_fine_ends(film: &Film) -> bool {
         let longest = COARSE_EDGE * radius[a].min(radius[b]);
         (film.fixed[a] && film.fixed[b]) || film.vertices[a].distance(film.vertices[b]) <= longest
     })
+}
+
+/// The sizes of step 5 at every vertex; `None` if no boundary is narrow beside the edges that end at it, or if that
+/// would be too many triangles.
+pub(crate) fn sizes_at_narrow_ends(film: &Film) -> Option<Vec<f64>> {
+    let longest = longest_free_edges(film);
+    let mut sizes: Vec<f64> = longest.iter().map(|&length| if length > 0.0 { length } else { f64::INFINITY }).collect();
+    let mut is_narrow = false;
+    for boundary in &film.boundaries {
+        let points: Vec<DVec3> = boundary.iter().map(|&v| film.vertices[v as usize]).collect();
+        let own = polyline::length(&points, true) / TAU;
+        if boundary.iter().any(|&v| longest[v as usize] > COARSE_EDGE * own) {
+            is_narrow = true;
+            boundary.iter().for_each(|&v| sizes[v as usize] = sizes[v as usize].min(FIRST_TURNING * own));
+        }
+    }
+    if !is_narrow {
+        return None;
+    }
+    graded(film, &mut sizes);
+    is_affordable(film, &sizes).then_some(sizes)
 }
 
 /// For each vertex of a boundary in which a neck ends the boundary's length over 2 π, and infinity for all others. A
@@ -169,6 +192,11 @@ pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     };
     let mut sizes: Vec<f64> = (0..film.vertices.len()).map(size).collect();
     graded(film, &mut sizes);
+    is_affordable(film, &sizes).then_some(sizes)
+}
+
+/// Whether a mesh of these sizes is not too large.
+fn is_affordable(film: &Film, sizes: &[f64]) -> bool {
     let unit = 0.75f64.sqrt() / 2.0;
     let triangles = |triangle: &[u32; 3]| {
         let size = triangle.iter().map(|&v| sizes[v as usize]).sum::<f64>() / 3.0;
@@ -176,5 +204,5 @@ pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
         (area / (unit * size * size)).max(1.0)
     };
     let count: f64 = film.triangles().iter().map(triangles).sum();
-    (count <= MOST_TRIANGLES.max(2.0 * film.triangles().len() as f64)).then_some(sizes)
+    count <= MOST_TRIANGLES.max(2.0 * film.triangles().len() as f64)
 }

@@ -22,7 +22,9 @@ use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
-use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm, longest_free_edges};
+use crate::minimal_surface::solvers::necks::{
+    self, Look, finer_sizes, has_fine_ends, is_calm, longest_free_edges, sizes_at_narrow_ends,
+};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
@@ -71,7 +73,7 @@ pub(crate) const WIDE: f64 = 0.489;
 pub(crate) const WIDENINGS: u32 = 4;
 /// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less. With a
 /// larger value more films stay as they were.
-const LEAST_SLID_ANGLE: f64 = 0.349_066;
+pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
 /// Largest number of rounds of flips that open folds. A larger value helps films whose folds a solve closes again.
 const OPENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
@@ -173,7 +175,19 @@ impl<'a> Solve<'a> {
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
+        // A film with one boundary has no neck, and the mesh of a caller stays.
+        let may_refine = self.may_widen && film.boundaries.len() > 1;
+        let start = may_refine.then(|| film.clone());
         let (mut reason, mut converged) = self.converge(film)?;
+        if let (None, Some(start)) = (&converged, start)
+            && reason != StopReason::MaxIterations
+            && let Some(sizes) = sizes_at_narrow_ends(&start)
+            && let Some(finer) = self.refined(&start, sizes)?
+        {
+            *film = finer;
+            self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+            (reason, converged) = self.converge(film)?;
+        }
         let mut returns = 0;
         let mut looks = 0;
         loop {
@@ -191,10 +205,11 @@ impl<'a> Solve<'a> {
             if stability.stable {
                 let own = variation.margin.as_ref().map(|margin| margin.value);
                 let look = self.look(film, &pattern, direct, variation.margin)?;
-                // A film with one boundary has no neck, and the mesh of a caller stays.
-                let may_refine = self.may_widen && film.boundaries.len() > 1;
                 let finer = match look {
-                    Look::Unresolved(_) if may_refine && looks < MOST_LOOKS => self.refined(film)?,
+                    Look::Unresolved(_) if may_refine && looks < MOST_LOOKS => match finer_sizes(film) {
+                        Some(sizes) => self.refined(film, sizes)?,
+                        None => None,
+                    },
                     _ => None,
                 };
                 if let Some(finer) = finer {
@@ -230,9 +245,8 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// The film with a finer mesh at its necks; `None` if the mesh may not be refined any further.
-    fn refined(&mut self, film: &Film) -> Result<Option<Film>, Interruption> {
-        let Some(sizes) = finer_sizes(film) else { return Ok(None) };
+    /// The film with a mesh of these sizes; `None` if that is no finer mesh.
+    fn refined(&mut self, film: &Film, sizes: Vec<f64>) -> Result<Option<Film>, Interruption> {
         let mut finer = film.clone();
         refine(&mut finer, sizes, REFINING_PASSES, self.boundary_edges, self.exec)?;
         let grows = finer.triangles().len() > film.triangles().len();

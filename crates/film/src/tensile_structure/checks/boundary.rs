@@ -232,6 +232,11 @@ pub(super) fn check_sliding(
         let detail = "an edge slides on a plane, a sphere or a cylinder; only a point slides on a line or a circle";
         require(errors, sliding.on.dimension() == 2, place().then("on"), detail);
     }
+    if !sliding.on.is_sound() {
+        let detail = "needs directions and axes with a length, and a radius above 0";
+        errors.push(InputError::new(place().then("on"), detail));
+        return;
+    }
     if let Some(angle) = sliding.contact_angle {
         check_contact_angle(structure, sliding, angle, &place().then("contact_angle_deg"), errors);
     }
