@@ -226,9 +226,11 @@ impl Complex {
         let starts: Vec<u32> = all.clone().filter(|&v| !inside(v)).chain(all).collect();
         let mut curves = Vec::new();
         for start in starts {
+            // At most one pass per junction edge at the vertex, because each pass takes one out of the list.
             while let Some(first) = next[start as usize].pop() {
                 let mut curve = vec![start];
                 let (mut before, mut here) = (start, first);
+                // Ends because each pass takes an edge out of a list and adds none.
                 loop {
                     next[here as usize].retain(|&v| v != before);
                     curve.push(here);
@@ -275,6 +277,7 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
         turned[start] = Some(false);
         let mut sheet = vec![start as u32];
         let mut next = 0;
+        // At most one pass per triangle, because a triangle is added only when its turn is decided, which happens once.
         while let Some(&t) = sheet.get(next) {
             let t = t as usize;
             next += 1;

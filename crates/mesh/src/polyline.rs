@@ -51,6 +51,7 @@ pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
         vertex_of.push(points.len() - 1);
     }
     if closed {
+        // At most one pass per point, because each pass removes one.
         while points.len() > 1 && same(points[0], points[points.len() - 1]) {
             let last = points.len() - 1;
             points.pop();

@@ -397,6 +397,7 @@ fn search(
             let after = energy(body, &places);
             if constrained || after <= before - LEAST_GAIN * fraction * slope + ROUNDING * before.abs() {
                 let mut best = (places, fraction, after);
+                // At most 16 passes, because the fraction doubles until a vertex would move by an edge.
                 while may_lengthen(best.1) {
                     let places = moved(body, at, direction, 2.0 * best.1);
                     if !keeps_mesh(body.triangles(), at, &places) {

@@ -130,6 +130,7 @@ impl Sides {
             let first = self.stands[from as usize][1];
             let mut s = first;
             let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
+            // At most one pass per side of the loop, because the walk also stops where it started.
             while way < 3.0 {
                 s = side(s).next;
                 shorter |= short(s);

@@ -276,7 +276,7 @@ impl Auxiliary {
         for ring in &self.sides {
             let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
             let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, division)).collect();
-            // A loop needs at least three nodes.
+            // A loop needs at least three nodes. Ends because each pass adds one.
             while counts.iter().sum::<u32>() < 3 {
                 let longest = (0..counts.len()).max_by(|&a, &b| {
                     let piece = |k: usize| lines[k].length() / f64::from(counts[k]);
@@ -370,7 +370,7 @@ impl Line {
         // The middle of the piece that was too short, as a fraction of the line. At a sharp bend it stays too short for
         // many counts, so that the piece there is tried first.
         let mut bend = 0.0;
-        // Each round takes a piece away.
+        // Ends because each pass takes a piece away.
         while count > 1 {
             let node = |k: u32| {
                 let (p, q) = self.at(self.length() * f64::from(k) / f64::from(count));

@@ -287,6 +287,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
             nodes.members[member].iter().map(|&v| (v, None, member)).collect();
         queue.iter().for_each(|&(v, ..)| seen[v as usize] = turn);
         let mut next = 0;
+        // Ends because no node is added to the queue twice.
         let found = loop {
             let Some(&(v, ..)) = queue.get(next) else { break None };
             if left[v as usize] > 0 {
@@ -306,6 +307,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
         };
         let Some(mut at) = found else { continue };
         left[queue[at].0 as usize] -= 1;
+        // Ends because each entry of the queue refers to an earlier one.
         loop {
             let (v, before, m) = queue[at];
             serves[v as usize].push(m);
