@@ -310,26 +310,22 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
 
 /// For each vertex the number of groups of triangles around it that are connected across edges of two triangles.
 fn fans(triangles: &[[u32; 3]], twin: &[Option<u32>], vertex_count: usize) -> Vec<usize> {
-    let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertex_count];
-    for (t, triangle) in triangles.iter().enumerate() {
-        triangle.iter().for_each(|&v| around[v as usize].push(t as u32));
-    }
-    let count = |mut left: Vec<u32>| {
-        let mut groups = 0;
-        while let Some(t) = left.pop() {
-            groups += 1;
-            let mut stack = vec![t as usize];
-            while let Some(t) = stack.pop() {
-                for other in twin[3 * t..3 * t + 3].iter().flatten() {
-                    if let Some(place) = left.iter().position(|&u| u == other / 3) {
-                        stack.push(left.swap_remove(place) as usize);
-                    }
-                }
+    // The corners of all triangles. Two triangles that share an edge share a corner at each of its ends.
+    let mut groups = DisjointSets::new(3 * triangles.len());
+    for (side, other) in twin.iter().enumerate() {
+        let Some(other) = other else { continue };
+        let (t, u) = (side / 3, *other as usize / 3);
+        for (k, v) in triangles[t].iter().enumerate() {
+            if let Some(l) = triangles[u].iter().position(|w| w == v) {
+                groups.join((3 * t + k) as u32, (3 * u + l) as u32);
             }
         }
-        groups
-    };
-    around.into_iter().map(count).collect()
+    }
+    let mut fans = vec![0; vertex_count];
+    for (corner, &v) in triangles.iter().flatten().enumerate() {
+        fans[v as usize] += usize::from(groups.leader(corner as u32) == corner as u32);
+    }
+    fans
 }
 
 #[cfg(test)]
