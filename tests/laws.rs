@@ -149,7 +149,7 @@ fn the_geometry_knows_no_clock_no_thread_and_no_file() {
     }
 }
 
-/// What ends a loop, as far as its source shows.
+/// The reason for which a loop ends, as far as its source shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bound {
     /// The body looks at the signal, or calls something that may.
@@ -165,7 +165,7 @@ fn has(tokens: &[Token], name: &str) -> bool {
     tokens.iter().any(|token| source::word(Some(token)) == Some(name))
 }
 
-/// Returns what ends a loop. `None` if nothing of the kind is found.
+/// Returns the reason for which a loop ends, or `None` if the source shows none.
 fn bound(found: &source::Loop) -> Option<Bound> {
     if ["look", "exec", "execution", "counter"].iter().any(|name| has(&found.body, name)) {
         return Some(Bound::Signal);

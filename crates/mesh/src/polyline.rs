@@ -145,8 +145,8 @@ mod tests {
         assert!(steps.iter().zip(&merged.vertex_of).all(|(step, &v)| merged.points[v].distance(*step) < 2.1e-9));
     }
 
-    /// Input: two last points on opposite sides of the first one, each near to it but not to the other. The first of them
-    /// referred to a point that had been removed.
+    /// Input: two last points on opposite sides of the first point, each near to it but not to the other. The last but
+    /// one referred to a point that had been removed.
     #[test]
     fn several_last_points_merge_into_the_first() {
         let near = |offset: f64| DVec3::new(1.0, offset, 0.0);

@@ -221,7 +221,7 @@ fn ponds(neighbours: &Neighbours, heights: &[f64], levels: &[f64]) -> (Vec<u32>,
         let mut pond = Pond { depth: 0.0, deepest: start, mesh_error: 0.0 };
         let mut stack = vec![start];
         pond_of[start as usize] = number;
-        // At most one pass per vertex, because a vertex is added when it gets its pond, which happens once.
+        // At most one pass per vertex, because each vertex gets its pond once and is added then.
         while let Some(v) = stack.pop() {
             if depth(v) > pond.depth {
                 pond = Pond { depth: depth(v), deepest: v, ..pond };

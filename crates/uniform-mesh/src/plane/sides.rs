@@ -6,7 +6,7 @@ use plateau_mesh::DVec2;
 
 /// Rounding allowed in counting how often ℓ goes into a side.
 const WHOLE: f64 = 1e-10;
-/// Nodes that are farther apart along the boundary, in ℓ, are clearly more than 3ℓ apart, whatever the rounding.
+/// Nodes that are farther apart than this along the boundary, in ℓ, are more than 3ℓ apart up to rounding.
 const CLEARLY_APART: f64 = 3.0 + 1e-6;
 
 /// How long the pieces are that a side of 2ℓ or more is split into.
@@ -117,8 +117,8 @@ impl Sides {
         self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
     }
 
-    /// Length of the sides between two sides of one loop, from the first with the domain on the left; `None` if they are
-    /// on different loops.
+    /// Length of the sides that lie after `from` and before `to`, with the domain on the left. `None` if the two are on
+    /// different loops.
     fn between(&self, from: u32, to: u32) -> Option<f64> {
         let Side { begin, end, passed, length, .. } = self.sides[from as usize];
         if !(begin..end).contains(&to) {

@@ -79,7 +79,7 @@ fn sampled(
         exec.look(points as u64)?;
         let added = sampled.iter().flat_map(|boundary| &boundary.own).any(|own| !own);
         match resolution {
-            // The points that are left are those that the grading adds beside short segments.
+            // Only the grading beside short segments still adds points.
             Resolution::Triangles(count) if added && points > count && size > WITHOUT_INFLUENCE * longest => {
                 return Ok(at(size, BoundarySampling::Keep));
             }
