@@ -2,6 +2,7 @@
 
 mod source;
 
+use source::Token;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -146,6 +147,100 @@ fn the_geometry_knows_no_clock_no_thread_and_no_file() {
             }
         }
     }
+}
+
+/// The reason for which a loop ends, as far as its source shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bound {
+    /// The body looks at the signal, or calls something that may.
+    Signal,
+    /// The head compares a number that each pass raises or lowers.
+    Count,
+    /// A comment directly above the loop states the bound with the reason.
+    Comment,
+}
+
+/// Whether a word is among tokens.
+fn has(tokens: &[Token], name: &str) -> bool {
+    tokens.iter().any(|token| source::word(Some(token)) == Some(name))
+}
+
+/// Returns the reason for which a loop ends, or `None` if the source shows none.
+fn bound(found: &source::Loop) -> Option<Bound> {
+    if ["look", "exec", "execution", "counter"].iter().any(|name| has(&found.body, name)) {
+        return Some(Bound::Signal);
+    }
+    let counts = |step: &[&Token]| match step {
+        [Token::Word(number), Token::Mark(sign), Token::Mark('='), Token::Mark('1'..='9'), Token::Mark(';')] => {
+            let compared = if *sign == '+' { '<' } else { '>' };
+            "+-".contains(*sign) && has(&found.head, number) && found.head.contains(&Token::Mark(compared))
+        }
+        _ => false,
+    };
+    // A pass that continues early may leave the step out.
+    if !has(&found.body, "continue") && outermost(&found.body).windows(5).any(counts) {
+        return Some(Bound::Count);
+    }
+    let comment = found.comment.to_lowercase();
+    let says = |word: &str| comment.split(|c: char| !c.is_alphanumeric()).any(|found| found == word);
+    ((comment.contains("at most") || says("ends")) && says("because")).then_some(Bound::Comment)
+}
+
+/// Returns the tokens that stand in no brackets, and the outermost brackets themselves.
+fn outermost(tokens: &[Token]) -> Vec<&Token> {
+    let mut depth = 0;
+    let mut outer = Vec::new();
+    for token in tokens {
+        if matches!(token, Token::Mark(')' | ']' | '}')) {
+            depth -= 1;
+        }
+        if depth == 0 {
+            outer.push(token);
+        }
+        if matches!(token, Token::Mark('(' | '[' | '{')) {
+            depth += 1;
+        }
+    }
+    outer
+}
+
+#[test]
+fn every_loop_of_the_geometry_looks_at_the_signal_or_states_its_bound() {
+    let bounds = |code: &str| -> Vec<Option<Bound>> { source::loops(code).iter().map(bound).collect() };
+    for (code, expected) in [
+        ("loop { exec.look(1)?; }", Bound::Signal),
+        ("while open() { part(&mut state, execution)?; }", Bound::Signal),
+        ("while k < n { list.push(k); k += 1; }", Bound::Count),
+        ("while self.left > 0 { self.left -= 1; }", Bound::Count),
+        ("// At most n passes, because each\n// takes one.\nwhile let Some(x) = list.pop() {}", Bound::Comment),
+        ("// Ends because k falls.\nlet x = loop { step(); };", Bound::Comment),
+    ] {
+        assert_eq!(bounds(code), [Some(expected)], "{code}");
+    }
+    for code in [
+        "loop { step(); }",
+        "while let Some(x) = list.pop() { list.push(x); }",
+        "while k < n { if odd { continue; } k += 1; }",
+        "while k < n { if odd { k += 1; } }",
+        "while k < n { k -= 1; }",
+        "while level < high { level += 1.0; }",
+        "while rest < n { counts[rest] += 1; }",
+        "// Follows the boundary.\nloop { step(); }",
+        "// Ends because k falls.\n\nloop { step(); }",
+    ] {
+        assert_eq!(bounds(code), [None::<Bound>], "{code}");
+    }
+    let mut found = Vec::new();
+    for path in geometry().into_iter().filter(|path| !path.ends_with("tests.rs")) {
+        let text = std::fs::read_to_string(&path).expect("a source file");
+        let unbounded = source::loops(&text).into_iter().filter(|found| bound(found).is_none());
+        found.extend(unbounded.map(|unbounded| format!("{}:{}", path.display(), unbounded.line)));
+    }
+    assert!(
+        found.is_empty(),
+        "let these loops look at the signal, or write above each `at most … because …` or `ends because …`:\n{}",
+        found.join("\n")
+    );
 }
 
 #[test]

@@ -132,3 +132,53 @@ pub fn text_without_tests(text: &str) -> String {
     }
     chars.into_iter().collect()
 }
+
+/// A `loop` or `while`.
+pub struct Loop {
+    /// Number of its first line, from 1.
+    pub line: usize,
+    /// The tokens from the keyword up to the body.
+    pub head: Vec<Token>,
+    /// The tokens of the body, without its braces.
+    pub body: Vec<Token>,
+    /// The comment directly above the first line, or nothing.
+    pub comment: String,
+}
+
+/// The loops of a text, without those of items under `#[cfg(test)]`.
+pub fn loops(text: &str) -> Vec<Loop> {
+    let text = text_without_tests(text);
+    let lines: Vec<&str> = text.lines().collect();
+    let placed = placed_tokens(&text);
+    let tokens: Vec<Token> = placed.iter().map(|(_, token)| token.clone()).collect();
+    let is_loop = |at: &usize| matches!(word(tokens.get(*at)), Some("loop" | "while"));
+    let read = |at: usize| {
+        let begin = body_begin(&tokens, at);
+        let end = item_end(&tokens, begin) - 1;
+        let line = text.chars().take(placed[at].0).filter(|c| *c == '\n').count();
+        let mut comment: Vec<&str> =
+            lines[..line].iter().rev().map_while(|line| line.trim_start().strip_prefix("//")).collect();
+        comment.reverse();
+        Loop {
+            line: line + 1,
+            head: tokens[at..begin].to_vec(),
+            body: tokens[begin + 1..end].to_vec(),
+            comment: comment.join(" "),
+        }
+    };
+    (0..tokens.len()).filter(is_loop).map(read).collect()
+}
+
+/// The brace that begins the body of the loop at `at`.
+fn body_begin(tokens: &[Token], mut at: usize) -> usize {
+    let mut depth = 0;
+    while tokens[at] != Token::Mark('{') || depth > 0 {
+        match tokens[at] {
+            Token::Mark('(' | '[') => depth += 1,
+            Token::Mark(')' | ']') => depth -= 1,
+            _ => {}
+        }
+        at += 1;
+    }
+    at
+}

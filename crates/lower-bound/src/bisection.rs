@@ -416,6 +416,7 @@ impl BisectionMesh {
         }
         let (root, mut at) = self.root(cell, inside);
         let mut node = root;
+        // Ends because each pass goes down one level.
         loop {
             let Node { tag, children, leaf, .. } = self.nodes[node as usize];
             if children == 0 {
@@ -474,6 +475,7 @@ impl BisectionMesh {
         let mut cut = |a: f64, b: f64| {
             let (low, high) = (a.min(b), a.max(b));
             let mut level = low.ceil();
+            // At most twice as many passes as `CELLS`, because the box of the points has no more cells along an axis.
             while level < high {
                 if level > low {
                     cuts.push((level - a) / (b - a));

@@ -130,6 +130,7 @@ impl<'a> Budget<'a> {
                 && (1..meshes as u32).map(between).sum::<f64>() + finest.price(steps(finest.leaves)) <= self.left()
         };
         let mut growth = MOST_GROWTH;
+        // Ends because the growth falls by 3 % in each pass.
         while growth >= LEAST_GROWTH {
             if is_affordable(growth) {
                 return Some((size.leaves * libm::pow(growth, 1.0 / meshes(growth))).floor());

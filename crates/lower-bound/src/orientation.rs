@@ -114,6 +114,7 @@ impl<'a> Border<'a> {
             let (mut here, mut left) = (first, sides.len());
             (1..=points.len()).all(|k| {
                 let target = points[k % points.len()];
+                // Ends because no side is taken twice: `left` counts the sides that remain.
                 loop {
                     let Some(next) = self.towards(sides, here, target) else { return false };
                     here = next;
@@ -154,6 +155,7 @@ pub(super) fn near_first(loops: &[Vec<DVec3>]) -> Vec<usize> {
     let centres: Vec<DVec3> = loops.iter().map(centre).collect();
     let mut order = vec![0];
     let mut distance: Vec<f64> = centres.iter().map(|c| c.distance(centres[0])).collect();
+    // At most one pass per loop, because each pass adds one to the order.
     while order.len() < loops.len() {
         let left = (0..loops.len()).filter(|number| !order.contains(number));
         let Some(next) = left.min_by(|&a, &b| distance[a].total_cmp(&distance[b])) else { break };

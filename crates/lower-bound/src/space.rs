@@ -141,6 +141,7 @@ impl Space {
     fn fixed_unknowns(&self) -> Vec<bool> {
         let mut parent: Vec<u32> = (0..self.planes.len() as u32).collect();
         fn root(parent: &mut [u32], mut v: u32) -> u32 {
+            // Ends because only roots are given a parent, so that parents form no cycle.
             while parent[v as usize] != v {
                 parent[v as usize] = parent[parent[v as usize] as usize];
                 v = parent[v as usize];

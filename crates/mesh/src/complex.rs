@@ -226,9 +226,11 @@ impl Complex {
         let starts: Vec<u32> = all.clone().filter(|&v| !inside(v)).chain(all).collect();
         let mut curves = Vec::new();
         for start in starts {
+            // At most one pass per junction edge at the vertex, because each pass takes one out of the list.
             while let Some(first) = next[start as usize].pop() {
                 let mut curve = vec![start];
                 let (mut before, mut here) = (start, first);
+                // Ends because each pass takes an edge out of a list and adds none.
                 loop {
                     next[here as usize].retain(|&v| v != before);
                     curve.push(here);
@@ -275,6 +277,7 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
         turned[start] = Some(false);
         let mut sheet = vec![start as u32];
         let mut next = 0;
+        // At most one pass per triangle, because a triangle is added only when its turn is decided, which happens once.
         while let Some(&t) = sheet.get(next) {
             let t = t as usize;
             next += 1;
@@ -307,26 +310,22 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
 
 /// For each vertex the number of groups of triangles around it that are connected across edges of two triangles.
 fn fans(triangles: &[[u32; 3]], twin: &[Option<u32>], vertex_count: usize) -> Vec<usize> {
-    let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertex_count];
-    for (t, triangle) in triangles.iter().enumerate() {
-        triangle.iter().for_each(|&v| around[v as usize].push(t as u32));
-    }
-    let count = |mut left: Vec<u32>| {
-        let mut groups = 0;
-        while let Some(t) = left.pop() {
-            groups += 1;
-            let mut stack = vec![t as usize];
-            while let Some(t) = stack.pop() {
-                for other in twin[3 * t..3 * t + 3].iter().flatten() {
-                    if let Some(place) = left.iter().position(|&u| u == other / 3) {
-                        stack.push(left.swap_remove(place) as usize);
-                    }
-                }
+    // The corners of all triangles. Two triangles that share an edge share a corner at each of its ends.
+    let mut groups = DisjointSets::new(3 * triangles.len());
+    for (side, other) in twin.iter().enumerate() {
+        let Some(other) = other else { continue };
+        let (t, u) = (side / 3, *other as usize / 3);
+        for (k, v) in triangles[t].iter().enumerate() {
+            if let Some(l) = triangles[u].iter().position(|w| w == v) {
+                groups.join((3 * t + k) as u32, (3 * u + l) as u32);
             }
         }
-        groups
-    };
-    around.into_iter().map(count).collect()
+    }
+    let mut fans = vec![0; vertex_count];
+    for (corner, &v) in triangles.iter().flatten().enumerate() {
+        fans[v as usize] += usize::from(groups.leader(corner as u32) == corner as u32);
+    }
+    fans
 }
 
 #[cfg(test)]

@@ -64,6 +64,7 @@ impl Topology {
         let mut half_edges = vec![leaving];
         let mut h = leaving;
         // Anticlockwise from the leaving half-edge to the triangle of the arriving one.
+        // Ends because a vertex has one fan: the walk meets the triangle or the boundary.
         while previous(h) != arriving {
             h = self.twin[previous(h) as usize];
             if h == NONE {
@@ -76,6 +77,7 @@ impl Topology {
             // The rest of the sector, clockwise from the arriving half-edge to the boundary.
             h = next(arriving);
             half_edges.push(h);
+            // Ends because the fan of a vertex on the boundary is open.
             while self.twin[h as usize] != NONE {
                 h = next(self.twin[h as usize]);
                 half_edges.push(h);
@@ -90,6 +92,7 @@ impl Topology {
         seen[triangle as usize] = true;
         let mut component = vec![triangle];
         let mut at = 0;
+        // At most one pass per triangle, because each is added once.
         while let Some(&t) = component.get(at) {
             at += 1;
             for &twin in &self.twin[3 * t as usize..3 * t as usize + 3] {

@@ -14,6 +14,7 @@ impl DisjointSets {
     /// The smallest member of a number's set.
     #[inline]
     pub fn leader(&mut self, mut k: u32) -> u32 {
+        // Ends because a number that leads no set refers to a smaller one.
         while self.0[k as usize] != k {
             self.0[k as usize] = self.0[self.0[k as usize] as usize];
             k = self.0[k as usize];

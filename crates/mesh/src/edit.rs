@@ -211,6 +211,7 @@ impl Topology {
     /// Sets a vertex's outgoing half-edge: the one on the boundary, if turning anticlockwise from `half_edge` meets it.
     pub(super) fn set_outgoing(&mut self, vertex: u32, half_edge: u32) {
         let mut h = half_edge;
+        // Ends because a vertex has one fan: the walk meets the boundary or comes back to its start.
         while self.twin[h as usize] != NONE {
             h = next(self.twin[h as usize]);
             if h == half_edge {

@@ -51,14 +51,12 @@ pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
         vertex_of.push(points.len() - 1);
     }
     if closed {
+        // At most one pass per point, because each pass removes one.
         while points.len() > 1 && same(points[0], points[points.len() - 1]) {
-            let last = points.len() - 1;
             points.pop();
             source.pop();
-            for vertex in vertex_of.iter_mut().rev().take_while(|vertex| **vertex == last) {
-                *vertex = 0;
-            }
         }
+        vertex_of.iter_mut().filter(|vertex| **vertex >= points.len()).for_each(|vertex| *vertex = 0);
     }
     Merged { points, vertex_of, source }
 }
@@ -145,6 +143,16 @@ mod tests {
         // The radius is about 2.
         assert!(merged.points.len() > 40 && merged.points.len() < 60, "{}", merged.points.len());
         assert!(steps.iter().zip(&merged.vertex_of).all(|(step, &v)| merged.points[v].distance(*step) < 2.1e-9));
+    }
+
+    /// Input: two last points on opposite sides of the first point, each near to it but not to the other. The last but
+    /// one referred to a point that had been removed.
+    #[test]
+    fn several_last_points_merge_into_the_first() {
+        let near = |offset: f64| DVec3::new(1.0, offset, 0.0);
+        let input = [near(0.0), DVec3::Y, -DVec3::X, -DVec3::Y, near(0.9e-9), near(-0.9e-9)];
+        let merged = merge_near_neighbours(&input, true);
+        assert_eq!((merged.points.len(), merged.vertex_of), (4, vec![0, 1, 2, 3, 0, 0]));
     }
 
     #[test]

@@ -130,6 +130,7 @@ impl Topology {
             let edges = &mut bucket[start[v] as usize..start[v + 1] as usize];
             edges.sort_unstable();
             let mut k = 0;
+            // Ends because `length` counts the half-edge at `k` too and is at least 1.
             while k < edges.len() {
                 let (higher, h) = edges[k];
                 let length = edges[k..].iter().take_while(|edge| edge.0 == higher).count();
@@ -214,6 +215,7 @@ impl Topology {
             }
             let mut vertices = Vec::new();
             let mut current = first;
+            // Ends because each pass marks a half-edge that was not marked before.
             while !seen[current as usize] {
                 seen[current as usize] = true;
                 vertices.push(self.from(current));
@@ -237,6 +239,7 @@ impl Topology {
             components += 1;
             seen[start] = true;
             stack.push(start);
+            // At most one pass per triangle, because each is added once.
             while let Some(triangle) = stack.pop() {
                 for k in 0..3 {
                     let twin = self.twin[3 * triangle + k];

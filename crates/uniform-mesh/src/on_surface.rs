@@ -162,8 +162,10 @@ fn flattened(
     }
     let locator = Rc::new(Locator::new(&plane, &auxiliary.mesh.triangles));
     let surface = auxiliary.surface(&plane, &locator);
-    let divided = |&division: &Division| auxiliary.boundary(&plane, &surface, division);
-    let mut boundaries: Vec<Boundary> = Division::candidates(options.objective).iter().map(divided).collect();
+    let mut boundaries: Vec<Boundary> = Vec::new();
+    for &division in Division::candidates(options.objective) {
+        boundaries.push(auxiliary.boundary(&plane, &surface, division, execution)?);
+    }
     boundaries.dedup_by_key(|boundary| boundary.positions.len());
     let outlines: Vec<&Outline> = boundaries.iter().map(|boundary| &boundary.outline).collect();
     let meshed = mesh::mesh(&outlines, options.objective, (0.3, 0.6), execution);

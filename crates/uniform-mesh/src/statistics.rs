@@ -61,9 +61,10 @@ impl LengthHistogram {
         if lengths.is_empty() {
             return Self::default();
         }
-        let mut width = target / 20.0;
+        let mut width = (target / 20.0).max(f64::MIN_POSITIVE);
         // Equal lengths differ by rounding: a nudge keeps them from straddling the bin that starts at ℓ.
         let nudge = 1e-6 * width;
+        // At most 2,100 passes, because the width starts above 0 and doubles in each.
         while (high - low) / width > 100.0 {
             width *= 2.0;
         }

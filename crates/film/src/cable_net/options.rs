@@ -188,6 +188,7 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     net.supports.iter().for_each(|&v| stays[v as usize] = true);
     let mut loose: Vec<usize> = (0..count).filter(|&v| left[v] < 2 && !stays[v]).collect();
     let mut free = Vec::new();
+    // At most one pass per vertex, because a vertex is added at the start or when its number of cables falls to 1.
     while let Some(v) = loose.pop() {
         free.push(v);
         stays[v] = true;
@@ -210,6 +211,7 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
 fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
     let mut parent: Vec<usize> = (0..net.vertices.len()).collect();
     fn root(parent: &mut [usize], mut v: usize) -> usize {
+        // Ends because only roots are given a parent, so that parents form no cycle.
         while parent[v] != v {
             parent[v] = parent[parent[v]];
             v = parent[v];

@@ -214,6 +214,7 @@ impl MeshSurface {
     fn visit_near(&self, x: DVec3, visit: &mut dyn FnMut(&Triangle, DVec3, DMat3)) {
         let squared = self.rounding * self.rounding;
         let mut stack = vec![0];
+        // At most one pass per node, because each is the child of one other.
         while let Some(k) = stack.pop() {
             let node = &self.nodes[k];
             if node.distance_squared(x) >= squared {
@@ -266,6 +267,7 @@ impl MeshSurface {
     fn nearest_of_mesh(&self, x: DVec3) -> DVec3 {
         let (mut best, mut place) = (f64::INFINITY, DVec3::ZERO);
         let mut stack = vec![0];
+        // At most one pass per node, because each is the child of one other.
         while let Some(k) = stack.pop() {
             let node = &self.nodes[k];
             if node.distance_squared(x) >= best {

@@ -36,6 +36,9 @@ const LEAST_GAIN: f64 = 1e-4;
 const ROUNDING: f64 = 1e-12;
 /// The shortest fraction of a step that is tried.
 const LEAST_FRACTION: f64 = 1e-3;
+/// Largest number of fractions of a step that are tried. Halving from 1 to [`LEAST_FRACTION`] takes ten, and a longer
+/// step one more.
+const MOST_FRACTIONS: u32 = 16;
 /// Directions are conjugate below this step, in edges.
 const CONJUGATE_BELOW: f64 = 0.5;
 /// Largest factor of a lengthened step.
@@ -390,13 +393,16 @@ fn search(
     constrained: bool,
     may_lengthen: impl Fn(f64) -> bool,
 ) -> Option<(Vec<DVec3>, f64, f64)> {
-    let mut fraction = first;
-    while fraction >= LEAST_FRACTION * first.min(1.0) {
+    let (mut fraction, mut tried) = (first, 0);
+    // A direction that is not finite has the fraction 0, which stays 0 however often it is halved.
+    while tried < MOST_FRACTIONS && fraction >= LEAST_FRACTION * first.min(1.0) {
+        tried += 1;
         let places = moved(body, at, direction, fraction);
         if keeps_mesh(body.triangles(), at, &places) {
             let after = energy(body, &places);
             if constrained || after <= before - LEAST_GAIN * fraction * slope + ROUNDING * before.abs() {
                 let mut best = (places, fraction, after);
+                // At most 16 passes, because the fraction doubles until a vertex would move by an edge.
                 while may_lengthen(best.1) {
                     let places = moved(body, at, direction, 2.0 * best.1);
                     if !keeps_mesh(body.triangles(), at, &places) {

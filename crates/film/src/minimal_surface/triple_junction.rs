@@ -288,6 +288,7 @@ impl Rim {
         let is_beside =
             |v: u32| along.cross(mesh.vertices[v as usize] - a).length() > ON_SEGMENT * along.length_squared();
         let (mut vertices, mut here) = (Vec::new(), from);
+        // At most one pass per vertex, because each vertex lies further along the segment than the one before.
         loop {
             let first = self.0.partition_point(|edge| edge[0] < here);
             let mut ahead = self.0[first..].iter().take_while(|edge| edge[0] == here).map(|edge| edge[1]);

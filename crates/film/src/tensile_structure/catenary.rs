@@ -116,6 +116,7 @@ impl Catenary {
             }
         };
         let (mut taut, mut least) = (LARGEST_PARAMETER * width, f64::INFINITY);
+        // At most 905 passes, because the parameter falls by `SCAN` from the largest value to the least one.
         loop {
             let found = measure(&at(taut));
             if found <= value {
@@ -123,7 +124,7 @@ impl Catenary {
             }
             least = least.min(found);
             taut /= SCAN;
-            if taut < LEAST_PARAMETER * width {
+            if taut < LEAST_PARAMETER * width || !taut.is_finite() {
                 let by_force =
                     matches!(cable.mode, CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_));
                 return if by_force { Err(TooSmall { least }) } else { Ok(None) };

@@ -264,6 +264,7 @@ impl Run<'_> {
         }
         let mut released: Vec<usize> = (0..structure.cables.len()).filter(|&k| length(k).is_some()).collect();
         let first = self.model.clone();
+        // At most one pass per cable, because fewer cables are released in each pass.
         while !released.is_empty() {
             *self.model = start.clone();
             released.iter().for_each(|&k| self.model.let_go(k));

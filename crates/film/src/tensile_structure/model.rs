@@ -373,6 +373,7 @@ impl Model {
             let at = |v: u32| film.vertices[v as usize];
             let span = at(end) - at(here);
             let (start, direction) = (at(here), span.normalize_or_zero());
+            // At most one pass per vertex, because each vertex lies further along the segment than the one before.
             while here != end {
                 // The next vertex on the segment: the nearest neighbour ahead that lies on it.
                 let ahead = |v: &u32| {

@@ -187,6 +187,7 @@ fn levels(roof: &Roof, neighbours: &Neighbours, heights: &[f64]) -> Vec<f64> {
             queue.push(Reverse((TotalOrder(heights[v as usize]), v)));
         }
     }
+    // At most one pass per vertex, because a vertex is added when it is reached for the first time.
     while let Some(Reverse((TotalOrder(level), v))) = queue.pop() {
         for &next in neighbours.of_vertex(v) {
             if !std::mem::replace(&mut reached[next as usize], true) {
@@ -220,6 +221,7 @@ fn ponds(neighbours: &Neighbours, heights: &[f64], levels: &[f64]) -> (Vec<u32>,
         let mut pond = Pond { depth: 0.0, deepest: start, mesh_error: 0.0 };
         let mut stack = vec![start];
         pond_of[start as usize] = number;
+        // At most one pass per vertex, because each vertex gets its pond once and is added then.
         while let Some(v) = stack.pop() {
             if depth(v) > pond.depth {
                 pond = Pond { depth: depth(v), deepest: v, ..pond };

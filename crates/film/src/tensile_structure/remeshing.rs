@@ -43,6 +43,7 @@ impl Model {
             let rim = &self.boundaries()[boundary];
             let place = |v: u32| rim.iter().position(|&w| w == v).unwrap_or_default();
             let (mut k, end) = (place(first), place(last));
+            // At most one pass per edge of the rim, because k goes around the rim once.
             loop {
                 set(&mut parts[boundary][k]);
                 k = (k + 1) % rim.len();

@@ -187,6 +187,7 @@ pub(super) fn pulls_along(chain: &[u32], mode: CableMode, pull: &[DVec3], at: &[
 fn one_of_each_part(triangles: &[[u32; 3]], vertices: usize) -> Vec<u32> {
     let mut lowest: Vec<u32> = (0..vertices as u32).collect();
     let find = |lowest: &mut Vec<u32>, mut v: u32| {
+        // Ends because a vertex that is not the lowest of its part refers to a lower one.
         while lowest[v as usize] != v {
             lowest[v as usize] = lowest[lowest[v as usize] as usize];
             v = lowest[v as usize];

@@ -281,9 +281,11 @@ impl Nodes {
         for &(first, reversed) in &self.polygons {
             let mut begin = first;
             // The vertices of one polygon may belong to several loops.
+            // Ends because `following` leads once around the polygon.
             loop {
                 let mut around = Vec::new();
                 let mut v = begin;
+                // Ends because each pass marks a vertex that was not marked before.
                 while !seen[v] {
                     seen[v] = true;
                     around.push(self.corners[v]);

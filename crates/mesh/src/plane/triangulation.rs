@@ -166,6 +166,7 @@ fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Co
     // then belongs to a region that was not reached before, one level further in.
     let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
     let mut crossings = VecDeque::new();
+    // Ends because edges are added only when a face gets its label, which happens once.
     loop {
         let (edge, border) = match within.pop() {
             Some(edge) if edge.is_constraint_edge() => match border_of(&edge) {
@@ -279,6 +280,8 @@ impl SharedPlaces {
             let ends = [(copy.after, copy.before), (copy.before, copy.after)];
             let fan = ends.into_iter().find_map(|(start, end)| {
                 let (mut fan, mut edge) = (Vec::new(), start);
+                // Ends because no two edges have the same next one: the walk runs out of edges or comes back to its
+                // start.
                 while edge != end {
                     // A closed fan that does not have the end leads back to its start.
                     let is_round = !fan.is_empty() && edge == start;
@@ -443,6 +446,7 @@ impl Triangulation {
         self.point_back(ca, 3 * (n + 1));
         let mut stack = std::mem::take(&mut self.stack);
         stack.extend([t, n, n + 1]);
+        // Ends because each flip adds a triangle to those around the new point, which none leaves.
         while let Some(t) = stack.pop() {
             if self.twin[t as usize][0] == NONE || !flips(self, 3 * t) {
                 star.push(t);

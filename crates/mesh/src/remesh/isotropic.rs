@@ -66,8 +66,9 @@ pub fn resample(
     let (mut aim, mut before) = (count, film.triangles().len() as f64);
     let most = RUNAWAY * count.max(before);
     for _ in 0..passes {
-        split_long(film, &mut sizes(film, aim), boundary_edges);
-        let size = sizes(film, aim);
+        let mut size = sizes(film, aim, exec)?;
+        split_long(film, &mut size, boundary_edges);
+        let size = sizes(film, aim, exec)?;
         collapse_short(film, &size);
         for _ in 0..2 {
             flip_to_delaunay(film, exec)?;
@@ -140,9 +141,13 @@ fn grade(film: &Film, size: &mut [f64], grading: f64) {
 
 /// The target size at every vertex: the boundary's spacing, growing inwards up to a cap. The cap is chosen so that
 /// about `count` equilateral triangles cover the film.
-fn sizes(film: &Film, count: f64) -> Vec<f64> {
+///
+/// # Errors
+/// The interruptions of `exec`.
+fn sizes(film: &Film, count: f64, exec: &Execution) -> Result<Vec<f64>, Interruption> {
     let unit = 0.75f64.sqrt() / 2.0;
     let mut grading = GRADING;
+    // At most nine passes, because the grading grows by a half in each up to `STEEPEST_GRADING`.
     let (spacing, mut pieces) = loop {
         let spacing = graded_spacing(film, grading);
         let pieces: Vec<(f64, f64)> = film
@@ -157,6 +162,7 @@ fn sizes(film: &Film, count: f64) -> Vec<f64> {
         if least <= count || grading > STEEPEST_GRADING {
             break (spacing, pieces);
         }
+        exec.look(film.triangles().len() as u64)?;
         grading *= 1.5;
     };
     // For a cap between the sizes of two triangles the number of triangles is Σ(below) A / s² + Σ(above) A / cap².
@@ -173,16 +179,26 @@ fn sizes(film: &Film, count: f64) -> Vec<f64> {
     }
     let longest = stiff_edges(film).map(|(_, length)| length).fold(0.0, f64::max);
     if FLOOR * longest > cap {
-        return with_floors(film, &spacing, count, cap);
+        return with_floors(film, &spacing, count, cap, exec);
     }
-    spacing.into_iter().map(|size| size.min(cap)).collect()
+    Ok(spacing.into_iter().map(|size| size.min(cap)).collect())
 }
 
 /// The sizes of [`sizes`] with lower bounds beside the edges that are longer than the cap.
-fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<f64> {
+///
+/// # Errors
+/// The interruptions of `exec`.
+fn with_floors(
+    film: &Film,
+    spacing: &[f64],
+    count: f64,
+    plain_cap: f64,
+    exec: &Execution,
+) -> Result<Vec<f64>, Interruption> {
     let unit = 0.75f64.sqrt() / 2.0;
     let size = |floor: &[f64], cap: f64, v: usize| spacing[v].min(cap.max(floor[v]));
     let mut fall = FALL;
+    // At most six passes, because the decrease grows by a half in each up to `STEEPEST_FALL`.
     while fall <= STEEPEST_FALL {
         let floor = graded_floor(film, fall);
         let triangles = |cap: f64| -> f64 {
@@ -198,11 +214,12 @@ fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<
                 let middle = (low * high).sqrt();
                 *(if triangles(middle) >= count { &mut low } else { &mut high }) = middle;
             }
-            return (0..spacing.len()).map(|v| size(&floor, low, v)).collect();
+            return Ok((0..spacing.len()).map(|v| size(&floor, low, v)).collect());
         }
+        exec.look(film.triangles().len() as u64)?;
         fall *= 1.5;
     }
-    spacing.iter().map(|size| size.min(plain_cap)).collect()
+    Ok(spacing.iter().map(|size| size.min(plain_cap)).collect())
 }
 
 /// The edges that keep their length (boundary edges and locked edges): for each one half-edge and the length.

@@ -18,14 +18,17 @@
 //!   exists already), the vertex with that angle moves into the nearer end of the edge.
 //! - A fixed vertex stays where it is; an edge between two fixed vertices does not collapse.
 
-use crate::DVec3;
 use crate::edit::may_collapse;
 use crate::film::Film;
 use crate::measure;
 use crate::order::TotalOrder;
 use crate::topology::NONE;
+use crate::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+
+/// Number of visited triangles between two looks at the signal.
+const WORK_PER_LOOK: u64 = 100_000;
 
 /// A change of topology: where a neck closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,17 +72,37 @@ pub enum Necks {
 /// them. The film stays an oriented manifold over the same boundary loops. Interior vertices may vanish or be doubled.
 ///
 /// Costs one pass over the triangles if none is below the threshold, else O(triangles + changes · log).
-pub fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
+///
+/// # Errors
+/// The interruptions of `exec`; the film is then as it was before.
+pub fn remove_degenerate_triangles(
+    film: &mut Film,
+    degenerate_angle: f64,
+    necks: Necks,
+    exec: &Execution,
+) -> Result<Changes, Interruption> {
     let smallest = |t: [u32; 3]| smallest_angle(film.corners(t));
     if film.triangles().iter().all(|&t| smallest(t) >= degenerate_angle) {
-        return Changes::default();
+        return Ok(Changes::default());
     }
-    let mut rules =
-        Rules { film: film.clone(), degenerate_angle, necks, thin: BinaryHeap::new(), changes: Changes::default() };
+    let mut rules = Rules {
+        film: film.clone(),
+        degenerate_angle,
+        necks,
+        thin: BinaryHeap::new(),
+        changes: Changes::default(),
+        work: 0,
+    };
     for t in 0..film.triangles().len() as u32 {
         rules.consider(t);
     }
+    // Ends because each change lowers the number of triangles, raises the smallest angle of two of them, or cuts.
     while let Some(Reverse((TotalOrder(angle), t))) = rules.thin.pop() {
+        // Changes at a vertex with many triangles queue all of them again.
+        rules.work += 1;
+        if rules.work >= WORK_PER_LOOK {
+            exec.look(std::mem::take(&mut rules.work))?;
+        }
         if rules.film.topology.is_removed(t) {
             continue;
         }
@@ -91,14 +114,14 @@ pub fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks
     }
     let Rules { film: mut changed, changes, .. } = rules;
     if !changes.any() {
-        return changes;
+        return Ok(changes);
     }
     if changed.close_gaps().is_err() {
         debug_assert!(false, "the rules keep a manifold one");
-        return Changes::default();
+        return Ok(Changes::default());
     }
     *film = changed;
-    changes
+    Ok(changes)
 }
 
 fn smallest_angle(corners: [DVec3; 3]) -> f64 {
@@ -113,10 +136,13 @@ struct Rules {
     /// The thin triangles by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(TotalOrder, u32)>>,
     changes: Changes,
+    /// Number of triangles visited since the last look at the signal.
+    work: u64,
 }
 
 impl Rules {
     fn consider(&mut self, t: u32) {
+        self.work += 1;
         let angle = smallest_angle(self.film.corners(self.film.triangles()[t as usize]));
         if angle < self.degenerate_angle {
             self.thin.push(Reverse((TotalOrder(angle), t)));
@@ -247,6 +273,7 @@ impl Rules {
         let Some(caps) = film.topology.cut(cycle) else { return false };
         film.vertices.extend(cycle.map(|v| film.vertices[v as usize]));
         film.fixed.extend([false; 3]);
+        self.work += film.triangles().len() as u64;
         let left = film.topology.component_of(caps.left);
         let apart = !left.contains(&caps.right);
         let mut removed = 0;
@@ -308,6 +335,10 @@ mod tests {
 
     const ONE_DEGREE: f64 = std::f64::consts::PI / 180.0;
 
+    fn remove(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
+        remove_degenerate_triangles(film, degenerate_angle, necks, &Execution::default()).unwrap()
+    }
+
     fn thinnest(film: &Film) -> f64 {
         film.triangles().iter().map(|&t| smallest_angle(film.corners(t))).fold(f64::INFINITY, f64::min)
     }
@@ -356,7 +387,7 @@ mod tests {
     #[test]
     fn figure_4_ends_without_a_thin_triangle() {
         let mut film = figure_4();
-        let changes = remove_degenerate_triangles(&mut film, ONE_DEGREE, Necks::Cut);
+        let changes = remove(&mut film, ONE_DEGREE, Necks::Cut);
         assert!(changes.flips > 0 && changes.flips < 10 && changes.pinches.is_empty(), "{changes:?}");
         assert!(thinnest(&film) > ONE_DEGREE);
         assert_eq!(film.mesh().check().unwrap().euler_characteristic(), 1);
@@ -370,7 +401,7 @@ mod tests {
         let (a, b) = (3 * 7 + 3, 4 * 7 + 3);
         film.vertices[b] = film.vertices[a] + DVec3::new(1e-4, 0.0, 0.0);
         let before = film.triangles().len();
-        let changes = remove_degenerate_triangles(&mut film, ONE_DEGREE, Necks::Keep);
+        let changes = remove(&mut film, ONE_DEGREE, Necks::Keep);
         assert_eq!((changes.collapses, film.triangles().len()), (1, before - 2));
         assert_eq!(film.mesh().check().unwrap().euler_characteristic(), 1);
     }
@@ -380,7 +411,7 @@ mod tests {
         let corner = |x, y| DVec3::new(x, y, 0.0);
         let vertices = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(0.5, 1e-4)];
         let mut film = Film::new(vertices, &[[0, 1, 3], [1, 2, 3], [2, 0, 3]], vec![vec![0, 1, 2]]).unwrap();
-        let changes = remove_degenerate_triangles(&mut film, ONE_DEGREE, Necks::Keep);
+        let changes = remove(&mut film, ONE_DEGREE, Necks::Keep);
         assert_eq!((changes.removals, film.triangles()), (1, &[[0, 1, 2]][..]));
     }
 
@@ -390,7 +421,7 @@ mod tests {
         // The vertex next to the middle of the lower side drops almost onto it.
         let middle = 2 * 5 + 1;
         film.vertices[middle] = DVec3::new(0.6, 1e-4, 0.0);
-        remove_degenerate_triangles(&mut film, ONE_DEGREE, Necks::Keep);
+        remove(&mut film, ONE_DEGREE, Necks::Keep);
         assert!(thinnest(&film) >= ONE_DEGREE);
         assert_eq!(film.mesh().check().unwrap().euler_characteristic(), 1);
     }
@@ -414,7 +445,7 @@ mod tests {
             *vertex *= DVec3::new(1e-3, 1e-3, 1.0);
         }
         film = Film::new(vertices, &triangles, vec![film.boundaries[0].clone()]).unwrap();
-        let changes = remove_degenerate_triangles(&mut film, ONE_DEGREE, Necks::Cut);
+        let changes = remove(&mut film, ONE_DEGREE, Necks::Cut);
         assert_eq!(changes.pinches.iter().map(|pinch| pinch.what).collect::<Vec<_>>(), ["closed_component_removed"]);
         let topology = film.mesh().check().unwrap();
         assert_eq!((topology.components(), topology.euler_characteristic()), (1, 1));
@@ -433,7 +464,7 @@ mod tests {
                 vertex.z = squeeze * height;
             }
             let boundary: Vec<DVec3> = film.boundaries[0].iter().map(|&v| film.vertices[v as usize]).collect();
-            let changes = remove_degenerate_triangles(&mut film, angle.to_radians(), Necks::Keep);
+            let changes = remove(&mut film, angle.to_radians(), Necks::Keep);
             let topology = film.mesh().check().map_err(|defect| TestCaseError::fail(defect.to_string()))?;
             prop_assert_eq!((topology.euler_characteristic(), topology.components()), (1, 1));
             prop_assert!(changes.pinches.is_empty());
@@ -454,7 +485,7 @@ mod tests {
                     film.vertices[v] = DVec3::new(turned.x * radius, turned.y * radius, vertex.z);
                 }
             }
-            remove_degenerate_triangles(&mut film, angle.to_radians(), Necks::Cut);
+            remove(&mut film, angle.to_radians(), Necks::Cut);
             let topology = film.mesh().check().map_err(|defect| TestCaseError::fail(defect.to_string()))?;
             let components = topology.components() as i64;
             prop_assert!(components == 1 || components == 2);

@@ -374,6 +374,7 @@ impl Boundary {
             let origin = self.points[first][0];
             let (mut area, mut length) = (0.0, 0.0);
             let mut edge = first;
+            // Ends because each pass marks an edge that was not marked before.
             while !seen[edge] {
                 seen[edge] = true;
                 let [from, to] = self.points[edge].map(|point| point - origin);

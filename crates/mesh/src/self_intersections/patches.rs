@@ -315,6 +315,7 @@ impl Pairing {
             }
             pairing.piece[seed] = pairing.pieces;
             stack.push(seed);
+            // At most one pass per triangle, because each triangle gets its piece once and is added then.
             while let Some(k) = stack.pop() {
                 for &twin in twins[3 * k..3 * k + 3].iter().filter(|&&twin| twin != u8::MAX) {
                     let next = twin as usize / 3;

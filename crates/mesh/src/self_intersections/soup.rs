@@ -193,6 +193,8 @@ fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, I
             (hash.rotate_left(23) ^ coordinate.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15)
         });
         let mut slot = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) as usize >> 7 & (size - 1);
+        let mut probes = 0;
+        // Ends because half of the table is free.
         loop {
             let there = table[slot];
             if there == NONE {
@@ -205,6 +207,11 @@ fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, I
                 break;
             }
             slot = (slot + 1) & (size - 1);
+            // Points can be chosen so that most of them begin at the same slot.
+            probes += 1;
+            if probes % LOOK == 0 {
+                exec.look(LOOK as u64)?;
+            }
         }
         if k % LOOK == LOOK - 1 {
             exec.look(LOOK as u64)?;

@@ -185,6 +185,7 @@ impl BlockPattern {
         let mut neighbour = Vec::with_capacity(pairs.len());
         for (v, &count) in counts.iter().enumerate() {
             let mut before = u32::from(count);
+            // At most one pass per pair, because each pass adds the next one to `neighbour`.
             while let Some(&[from, to]) = pairs.get(neighbour.len())
                 && from as usize == v
             {

@@ -154,6 +154,7 @@ impl RunTree {
             }
         });
         let mut levels = vec![leaves.collect::<Vec<_>>()];
+        // Ends because each level has half as many runs as the one before, rounded up.
         while let [.., finest] = levels.as_slice()
             && finest.len() > 1
         {

@@ -241,6 +241,7 @@ impl<V: Lanes, K: Kernel<V>> Task<V> for SweepPart<'_, V, K> {
     #[inline(always)]
     fn run(self) -> u64 {
         let mut visited = 0;
+        // Ends because each pass visits cells or finishes a band.
         while visited < CELLS_BETWEEN_LOOKS && self.position.band < self.bands.len() {
             let number = self.position.band;
             let band = self.bands[number];
@@ -287,6 +288,7 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     let mut state = position.state;
     let mut t = position.step;
     let mut word = band.word + (t - band.begin) / per_word;
+    // Ends because a word has room for one step at least: four layers of eight lanes take 32 bits.
     while t < end {
         let stop = end.min(t + per_word);
         let (mut packed, mut shift) = (0u64, 0);
@@ -367,6 +369,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
             let lanes = V::WIDTH.min(self.rows - self.band * V::WIDTH);
             let all = BandOf { word: 0, begin, end: self.columns + lanes - 1 };
             let mut position = SweepPosition { band: self.band, step: begin, state: self.kernel.blank() };
+            // Ends because each pass moves on by at least one step towards the end of the band.
             loop {
                 let end = all.end.min(position.step + STEPS);
                 if lanes == V::WIDTH {
@@ -402,6 +405,7 @@ pub(crate) fn walk_back(table: &BitTable, rows: usize, column: usize, arrived_by
     let mut path = Vec::with_capacity(rows + column);
     // The step that leaves the bridge and, on four layers, the step that led to it.
     let (mut leaving, mut arriving) = (0, arrived_by);
+    // At most one pass per row and column, because each pass lowers i or j.
     loop {
         path.push([i as u32, j as u32]);
         let mut before = 0;

@@ -282,6 +282,7 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
         // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.
         let by_p = |from: usize, to: usize| m > 1 && (n == 1 || path[from][0] != path[to][0]);
         let mut start = bridges.start;
+        // Ends because each pass raises the start by the number of lanes, which is at least 1.
         while start < bridges.end {
             let lanes = V::WIDTH.min(bridges.end - start);
             let mut rows = [[[0.0; MOST_LANES]; 3]; 5];

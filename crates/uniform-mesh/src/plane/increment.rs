@@ -99,6 +99,7 @@ impl Circumradii {
 
     /// Takes the next triangle. Entries that a later one replaced are left out.
     pub fn pop(&mut self) -> Option<u32> {
+        // Ends because each pass takes an entry from the heap and adds none.
         while let Some((rank, Reverse(t))) = self.heap.pop() {
             if self.ranks[t as usize] == rank {
                 self.ranks[t as usize] = 0;

@@ -239,6 +239,7 @@ fn sort_rows<T: Copy>(
 /// Number of indices in both lists of runs, the second shifted up.
 fn common(a: &[(i64, i64)], b: &[(i64, i64)], shift: i64) -> i64 {
     let (mut i, mut j, mut total) = (0, 0, 0);
+    // Ends because each pass raises i or j by one.
     while i < a.len() && j < b.len() {
         let from = a[i].0.max(b[j].0 + shift);
         let to = a[i].1.min(b[j].1 + shift);

@@ -6,6 +6,8 @@ use plateau_mesh::DVec2;
 
 /// Rounding allowed in counting how often ℓ goes into a side.
 const WHOLE: f64 = 1e-10;
+/// Nodes that are farther apart than this along the boundary, in ℓ, are more than 3ℓ apart up to rounding.
+const CLEARLY_APART: f64 = 3.0 + 1e-6;
 
 /// How long the pieces are that a side of 2ℓ or more is split into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +58,11 @@ struct Side {
     next: u32,
     /// Whether the inner angle at its end is below 90°.
     sharp_end: bool,
+    /// The first side of its loop, and one more than the last.
+    begin: u32,
+    end: u32,
+    /// Length of all sides before it, in ℓ.
+    passed: f64,
 }
 
 /// All sides, and the ones that each boundary node stands on: both its own on a side, the one before and the one after
@@ -76,6 +83,7 @@ impl Sides {
     pub fn add_loop(&mut self, nodes: &[u32], sides: &[(usize, f64, bool)]) {
         let first = self.sides.len() as u32;
         let after = |k: usize| first + ((k + 1) % sides.len()) as u32;
+        let last = first + sides.len() as u32;
         for (k, &(start, length, sharp_end)) in sides.iter().enumerate() {
             let here = first + k as u32;
             let end = sides.get(k + 1).map_or(nodes.len(), |next| next.0);
@@ -85,7 +93,9 @@ impl Sides {
                 }
                 self.stands[node as usize] = [here; 2];
             }
-            self.sides.push(Side { start: nodes[start], length, next: after(k), sharp_end });
+            let passed = self.sides.last().map_or(0.0, |side| side.passed + side.length);
+            let (start, next) = (nodes[start], after(k));
+            self.sides.push(Side { start, length, next, sharp_end, begin: first, end: last, passed });
         }
         for (k, &(start, ..)) in sides.iter().enumerate() {
             let before = first + ((k + sides.len() - 1) % sides.len()) as u32;
@@ -105,6 +115,18 @@ impl Sides {
     /// Whether an edge between nodes of the boundary runs along one side.
     pub fn are_on_one(&self, [a, b]: [u32; 2]) -> bool {
         self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
+    }
+
+    /// Length of the sides that lie after `from` and before `to`, with the domain on the left. `None` if the two are on
+    /// different loops.
+    fn between(&self, from: u32, to: u32) -> Option<f64> {
+        let Side { begin, end, passed, length, .. } = self.sides[from as usize];
+        if !(begin..end).contains(&to) {
+            return None;
+        }
+        let ahead = self.sides[to as usize].passed - (passed + length);
+        let (first, last) = (self.sides[begin as usize], self.sides[end as usize - 1]);
+        Some(if to > from { ahead } else { ahead + last.passed + last.length - first.passed })
     }
 
     /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary
@@ -128,8 +150,14 @@ impl Sides {
         let at = |v: u32| nodes[v as usize];
         for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
             let first = self.stands[from as usize][1];
+            // A walk to a node that is farther away ends before it, after many steps where many sides are short.
+            let is_near = |&s: &u32| self.between(first, s).is_some_and(|way| way <= CLEARLY_APART);
+            if !self.stands[to as usize].iter().any(is_near) {
+                continue;
+            }
             let mut s = first;
             let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
+            // At most one pass per side of the loop, because the walk also stops where it started.
             while way < 3.0 {
                 s = side(s).next;
                 shorter |= short(s);

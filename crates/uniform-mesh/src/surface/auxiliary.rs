@@ -21,7 +21,7 @@ use crate::plane::sides::{Division, Sides, is_sharp, pieces};
 use plateau_film::minimal_surface;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Step, Warning};
-use plateau_mesh::execution::Execution;
+use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure;
 use plateau_mesh::plane::location::Locator;
 use plateau_mesh::polyline::mean;
@@ -36,6 +36,9 @@ const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 const FILM_EDGE: f64 = 1.0 / 3.0;
 /// ... and longer if the mesh would have more triangles than this.
 const FILM_TRIANGLES: f64 = 60_000.0;
+
+/// Number of pieces of a side that are measured between two looks at the signal.
+const PIECES_PER_LOOK: u64 = 4096;
 
 /// The surface that nodes move on, as a map from a plane of parameters.
 #[derive(Clone, Debug)]
@@ -257,7 +260,16 @@ impl Auxiliary {
     }
 
     /// Divides the flattened boundary. Corners come first.
-    pub fn boundary(&self, plane: &[DVec2], surface: &Surface, division: Division) -> Boundary {
+    ///
+    /// # Errors
+    /// The interruptions of `execution`.
+    pub fn boundary(
+        &self,
+        plane: &[DVec2],
+        surface: &Surface,
+        division: Division,
+        execution: &Execution<'_>,
+    ) -> Result<Boundary, Interruption> {
         let mut boundary = Boundary::default();
         let mut node_of = vec![None; self.mesh.vertices.len()];
         let parameter =
@@ -275,8 +287,11 @@ impl Auxiliary {
         boundary.sides = Sides::new(boundary.corners);
         for ring in &self.sides {
             let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
-            let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, division)).collect();
-            // A loop needs at least three nodes.
+            let mut counts: Vec<u32> = Vec::with_capacity(lines.len());
+            for line in &lines {
+                counts.push(line.pieces(surface, division, execution)?);
+            }
+            // A loop needs at least three nodes. Ends because each pass adds one.
             while counts.iter().sum::<u32>() < 3 {
                 let longest = (0..counts.len()).max_by(|&a, &b| {
                     let piece = |k: usize| lines[k].length() / f64::from(counts[k]);
@@ -306,7 +321,7 @@ impl Auxiliary {
             boundary.sides.add_loop(&nodes, &sides);
             boundary.outline.loops.push(nodes);
         }
-        boundary
+        Ok(boundary)
     }
 }
 
@@ -365,12 +380,16 @@ impl Line {
     }
 
     /// Number of pieces by the division, or fewer where a chord would get shorter than ℓ in the plane or in space.
-    fn pieces(&self, surface: &Surface, division: Division) -> u32 {
+    ///
+    /// # Errors
+    /// The interruptions of `execution`.
+    fn pieces(&self, surface: &Surface, division: Division, execution: &Execution<'_>) -> Result<u32, Interruption> {
         let mut count = pieces(self.length(), division);
         // The middle of the piece that was too short, as a fraction of the line. At a sharp bend it stays too short for
         // many counts, so that the piece there is tried first.
         let mut bend = 0.0;
-        // Each round takes a piece away.
+        let mut work = 0;
+        // Ends because each pass takes a piece away. Together the passes may measure count² pieces.
         while count > 1 {
             let node = |k: u32| {
                 let (p, q) = self.at(self.length() * f64::from(k) / f64::from(count));
@@ -382,11 +401,16 @@ impl Line {
                 !is_long
             };
             let there = (bend * f64::from(count)) as u32;
-            let Some(short) = Some(there).filter(is_short).or_else(|| (0..count).find(is_short)) else { break };
+            let found = Some(there).filter(is_short).or_else(|| (0..count).find(is_short));
+            work += 1 + u64::from(found.filter(|&short| short != there).unwrap_or(0));
+            if work >= PIECES_PER_LOOK {
+                execution.look(std::mem::take(&mut work))?;
+            }
+            let Some(short) = found else { break };
             bend = (f64::from(short) + 0.5) / f64::from(count);
             count -= 1;
         }
-        count
+        Ok(count)
     }
 }
 

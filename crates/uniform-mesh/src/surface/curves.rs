@@ -49,6 +49,7 @@ pub(super) fn join_curves(
     let other = |h: u32, v: u32| if topology.from(h) == v { topology.to(h) } else { topology.from(h) };
     let at = |v: u32| mesh.vertices[v as usize];
     let mut k = 0;
+    // Ends because the edges around a vertex include the one at `k`.
     while k < at_vertex.len() {
         let v = at_vertex[k].0;
         let edges = around(v);
@@ -64,6 +65,7 @@ pub(super) fn join_curves(
     let mut trace = |start: u32, first: u32, corner: &[bool], used: &mut [bool]| {
         let (mut v, mut h) = (start, first);
         let mut curve = Curve { edges: Vec::new(), at: vec![0.0], ends: [start, start] };
+        // At most one pass per edge, because an edge that is used is not taken again.
         loop {
             used[h as usize] = true;
             let end = other(h, v);

@@ -44,7 +44,7 @@ fn cover(sorted: &[f64], count: usize) -> (f64, Vec<f64>) {
     if cut(0.0).is_some() {
         high = 0.0;
     }
-    // The bisection ends at the rounding of lengths near 1.
+    // The bisection ends at the rounding of lengths near 1, because each pass halves the interval.
     while high - low > 1e-15 {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {

@@ -56,6 +56,8 @@ const THINNEST: f64 = 0.12;
 const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
 /// Largest number of nodes that the search for a free degree of freedom visits.
 const SEARCH: usize = 300;
+/// Number of nodes that these searches visit between two looks at the signal.
+const NODES_PER_LOOK: u64 = 1 << 16;
 
 impl Sheet for Reference {
     type Place = NodePlace;
@@ -167,7 +169,7 @@ pub(crate) fn mesh<'a>(
     };
     let mut net = Net::new(reference, size);
     net.remesh(execution)?;
-    let mut best = nodes(&mut net, objective);
+    let mut best = nodes(&mut net, objective, execution)?;
     if !optimise {
         return Ok((best, None));
     }
@@ -196,7 +198,10 @@ pub(crate) fn mesh<'a>(
     };
     let mut least = f64::INFINITY;
     for round in 0..ROUNDS {
-        let mut here = nodes(&mut net, objective);
+        let mut here = match nodes(&mut net, objective, execution) {
+            Ok(here) => here,
+            Err(interruption) => return Ok((best, Some(interruption))),
+        };
         let interrupted = move_nodes(&mut here, BRIEF, round);
         let misfit = misfit(&here);
         if misfit < least {
@@ -222,7 +227,10 @@ pub(crate) fn mesh<'a>(
         if !mend(&mut of_best, FAR) {
             break;
         }
-        let mut here = nodes(&mut of_best, objective);
+        let mut here = match nodes(&mut of_best, objective, execution) {
+            Ok(here) => here,
+            Err(interruption) => return Ok((best, Some(interruption))),
+        };
         interrupted = move_repaired(&mut here, ROUNDS + 1 + repair);
         if far_members(&here) >= far {
             break;
@@ -242,7 +250,14 @@ fn far_members(nodes: &OnSurface<'_, Reference>) -> usize {
 }
 
 /// The net's nodes as nodes that move, with the lattice group for the lengths as they are.
-fn nodes<'a>(net: &mut Net<'a>, objective: Objective) -> OnSurface<'a, Reference> {
+///
+/// # Errors
+/// The interruptions of `execution`.
+fn nodes<'a>(
+    net: &mut Net<'a>,
+    objective: Objective,
+    execution: &Execution<'_>,
+) -> Result<OnSurface<'a, Reference>, Interruption> {
     net.sort();
     let members = edges(&net.topology);
     let fixed = net.places.iter().take_while(|place| matches!(place.bond, Bond::Fixed(_))).count();
@@ -256,13 +271,16 @@ fn nodes<'a>(net: &mut Net<'a>, objective: Objective) -> OnSurface<'a, Reference
         members,
     };
     if objective == Objective::MostEqualEdges {
-        nodes.lattice_group = lattice_group(&nodes);
+        nodes.lattice_group = lattice_group(&nodes, execution)?;
     }
-    nodes
+    Ok(nodes)
 }
 
 /// The edges nearest to ℓ that can be assigned to nodes, to each node at most as many as it has degrees of freedom.
-fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
+///
+/// # Errors
+/// The interruptions of `execution`.
+fn lattice_group(nodes: &OnSurface<'_, Reference>, execution: &Execution<'_>) -> Result<Vec<bool>, Interruption> {
     let lengths = nodes.lengths();
     let mut order: Vec<usize> = (0..lengths.len()).filter(|&m| GROUP.contains(&lengths[m])).collect();
     order.sort_by(|&a, &b| (lengths[a] - 1.0).abs().total_cmp(&(lengths[b] - 1.0).abs()).then(a.cmp(&b)));
@@ -279,6 +297,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
     let mut serves: Vec<Vec<usize>> = vec![Vec::new(); left.len()];
     let mut group = vec![false; lengths.len()];
     let mut seen = vec![0u32; left.len()];
+    let mut work = 0;
     for (turn, member) in order.into_iter().enumerate() {
         let turn = turn as u32 + 1;
         // A breadth-first search from the member's ends finds a node with a free degree of freedom. Each member on the
@@ -287,6 +306,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
             nodes.members[member].iter().map(|&v| (v, None, member)).collect();
         queue.iter().for_each(|&(v, ..)| seen[v as usize] = turn);
         let mut next = 0;
+        // Ends because no node is added to the queue twice.
         let found = loop {
             let Some(&(v, ..)) = queue.get(next) else { break None };
             if left[v as usize] > 0 {
@@ -304,8 +324,13 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
             }
             next += 1;
         };
+        work += queue.len() as u64;
+        if work >= NODES_PER_LOOK {
+            execution.look(std::mem::take(&mut work))?;
+        }
         let Some(mut at) = found else { continue };
         left[queue[at].0 as usize] -= 1;
+        // Ends because each entry of the queue refers to an earlier one.
         loop {
             let (v, before, m) = queue[at];
             serves[v as usize].push(m);
@@ -315,7 +340,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
         }
         group[member] = true;
     }
-    group
+    Ok(group)
 }
 
 /// Half the sum of the squared distances of lattice members from ℓ and of the others from [ℓ, 2ℓ], where the others

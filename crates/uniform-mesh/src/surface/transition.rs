@@ -335,6 +335,7 @@ impl Rim<'_> {
     fn is_clear(&mut self, start: u32, position: DVec3) -> bool {
         let mut seen = vec![start];
         let mut next = 0;
+        // At most one pass per triangle, because each is added once.
         while next < seen.len() {
             let t = seen[next] as usize;
             next += 1;

@@ -113,7 +113,7 @@ pub(crate) fn run(
 ///
 /// A neck that has closed leaves a spike of needles, and the spike may fall over as it flattens.
 fn unfold(film: &mut Film, exec: &Execution) -> Result<(), Interruption> {
-    remove_degenerate_triangles(film, NEEDLE, Necks::Keep);
+    remove_degenerate_triangles(film, NEEDLE, Necks::Keep, exec)?;
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     for _ in 0..UNFOLDING_SWEEPS {
         for &v in &free {

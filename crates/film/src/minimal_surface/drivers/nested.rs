@@ -115,6 +115,7 @@ fn follow(
         Err(Error::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
         Err(error) => return Err(error),
     };
+    // Ends because each refinement raises the level by one.
     while places.level < plan.levels {
         // A deadline passed at a coarse level: the mesh is still refined until it has all boundary points.
         (film, _) = places.refine(&film);
@@ -420,6 +421,7 @@ impl<'a> BoundaryPlaces<'a> {
                 return None;
             }
             let mut k = 0;
+            // Ends because each pass raises k by one or more.
             while k < boundary.len() {
                 let edge = (boundary[k] - first) as usize;
                 let added = boundary[k + 1..].iter().take_while(|&&v| !is_kept(v)).count();

@@ -106,6 +106,7 @@ fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     for start in 0..triangles.len() {
         let mut stack = vec![(start, turned[start].unwrap_or(false))];
+        // Ends because a triangle adds its neighbours only when its turn is decided, which happens once.
         while let Some((triangle, turn)) = stack.pop() {
             match turned[triangle] {
                 Some(known) if known != turn => return true,
@@ -157,6 +158,7 @@ fn has_closed_part(topology: &Topology, mesh: &Mesh) -> bool {
     let mut reached = vec![false; mesh.triangles.len()];
     let mut stack: Vec<u32> =
         (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] == NONE).map(|h| h / 3).collect();
+    // Ends because a triangle adds its neighbours only when it is reached for the first time.
     while let Some(triangle) = stack.pop() {
         if std::mem::replace(&mut reached[triangle as usize], true) {
             continue;

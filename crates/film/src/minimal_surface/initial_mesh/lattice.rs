@@ -95,6 +95,7 @@ impl<'a> Tree<'a> {
         let mut stack = [(1usize, 0.0); 32];
         let mut height = 1;
         stack[0].1 = self.groups[1].distance(point);
+        // At most one pass per group, because each is the half of one other.
         while height > 0 {
             height -= 1;
             let (node, distance) = stack[height];

@@ -19,7 +19,7 @@ use super::strip::Matching;
 use crate::minimal_surface::options::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
-use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
 /// Rings over one or two boundaries. If the boundary is kept, the number of triangles is exactly the wanted one.
 ///
@@ -41,7 +41,7 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         Resolution::InteriorVertices(count) => (area / (triangle * 2.0 * count.max(1) as f64)).sqrt(),
     };
     coarse.check_size(size, area)?;
-    let sampled = sampled(boundaries, size, options.resolution);
+    let sampled = sampled(boundaries, size, options.resolution, exec)?;
     let refined: Vec<Vec<DVec3>> = sampled.iter().map(|boundary| boundary.points.clone()).collect();
     let skeleton = Skeleton::of(&refined)?;
     let resolution = match options.resolution {
@@ -55,19 +55,38 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
 
 /// The boundaries sampled at a size. A number of triangles limits the number of points: a narrow strip cannot have
 /// triangles as short as it is wide.
-fn sampled(boundaries: &[Vec<DVec3>], size: f64, resolution: Resolution) -> Vec<Sampled> {
+///
+/// # Errors
+/// The interruptions of `exec`.
+fn sampled(
+    boundaries: &[Vec<DVec3>],
+    size: f64,
+    resolution: Resolution,
+    exec: &Execution,
+) -> Result<Vec<Sampled>, Interruption> {
+    let at = |size: f64, sampling: BoundarySampling| -> Vec<Sampled> {
+        boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect()
+    };
+    let longest_of = |points: &Vec<DVec3>| -> f64 {
+        (0..points.len()).map(|k| points[k].distance(points[(k + 1) % points.len()])).fold(0.0, f64::max)
+    };
+    let longest = boundaries.iter().map(longest_of).fold(0.0, f64::max);
     let mut size = size;
+    // Ends because each round lengthens the pieces by a tenth or more, up to `WITHOUT_INFLUENCE`.
     loop {
-        let sampled: Vec<Sampled> =
-            boundaries.iter().map(|points| sample(points, size, GRADING, BoundarySampling::Refine)).collect();
+        let sampled = at(size, BoundarySampling::Refine);
         let points: usize = sampled.iter().map(|boundary| boundary.points.len()).sum();
+        exec.look(points as u64)?;
         let added = sampled.iter().flat_map(|boundary| &boundary.own).any(|own| !own);
         match resolution {
-            // Each round lengthens the pieces, so that in the end no point is added.
+            // Only the grading beside short segments still adds points.
+            Resolution::Triangles(count) if added && points > count && size > WITHOUT_INFLUENCE * longest => {
+                return Ok(at(size, BoundarySampling::Keep));
+            }
             Resolution::Triangles(count) if added && points > count => {
                 size *= 1.1 * points as f64 / count.max(1) as f64
             }
-            _ => return sampled,
+            _ => return Ok(sampled),
         }
     }
 }
@@ -133,6 +152,10 @@ const NARROW: f64 = 1.0;
 
 /// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.
 const GRADING: f64 = 0.3;
+
+/// Multiple of the longest segment above which a size has no influence, because with [`GRADING`] the sizes of
+/// [`sample`] stay below 1.3 of that segment.
+const WITHOUT_INFLUENCE: f64 = 2.0;
 
 /// The film with its first vertices in another order.
 fn renumbered(film: &Film, numbers: &[u32]) -> Film {
@@ -298,5 +321,24 @@ fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candid
         vertices.push((vertices[a as usize] + vertices[b as usize] + vertices[c as usize]) / 3.0);
         triangles[t] = [a, b, centre];
         triangles.extend([[b, c, centre], [c, a, centre]]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Input: a square with a short side. The grading adds points beside that side at any size, so that lengthening the
+    /// pieces did not end.
+    #[test]
+    fn a_boundary_keeps_its_own_points_if_every_size_adds_too_many() {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.01, 1.0), (0.0, 1.0)];
+        let square = vec![corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec()];
+        let points = |count: usize| {
+            let sampled = sampled(&square, 0.3, Resolution::Triangles(count), &Execution::default()).unwrap();
+            sampled[0].points.len()
+        };
+        assert_eq!(points(10), 5);
+        assert!((6..=30).contains(&points(30)), "{}", points(30));
     }
 }

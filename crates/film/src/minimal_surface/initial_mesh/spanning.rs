@@ -389,6 +389,7 @@ impl Spanning<'_> {
             step += 1;
             coarsest = self.layout(self.largest_size(), grading(step), pinned)?;
         }
+        // At most `estimated` passes, because each pass that does not end the loop lowers the step by one.
         while step > 0 && step <= estimated {
             let layout = self.layout(self.largest_size(), grading(step - 1), pinned)?;
             if goal.shortfall(&layout, subdivisions) < 1.0 {

@@ -99,6 +99,7 @@ fn samples(points: &[DVec3]) -> Vec<DVec3> {
 fn march(p: &[f64], q: &[f64]) -> Vec<(usize, usize)> {
     let (mut i, mut j) = (0, 0);
     let mut bridges = vec![(0, 0)];
+    // At most one pass per point, because each pass raises i or j by one.
     while i + 1 < p.len() || j + 1 < q.len() {
         // The next segment is crossed on the loop where the middle of the segment comes earlier.
         let ahead = |shares: &[f64], k: usize| shares[k] + shares[k + 1];

@@ -115,6 +115,7 @@ impl Relaxation<'_> {
             stage.iter().find(|process| **process != Process::EdgeSwapping).map_or("edge_swapping", |p| p.name());
         let mut area = self.film.area();
         let mut first_change = None;
+        // At most `last_iteration` passes, because each pass is one iteration.
         loop {
             if self.iterations >= last_iteration {
                 return Ok(false);
@@ -206,6 +207,7 @@ impl Relaxation<'_> {
 
     /// Section 3.3: passes over all edges until a pass swaps none.
     fn swap_edges(&mut self) -> Result<(), Interruption> {
+        // Ends because each flip reduces the area by more than its rounding error.
         loop {
             let mut swapped = 0;
             for h in 0..self.film.topology.twin.len() as u32 {

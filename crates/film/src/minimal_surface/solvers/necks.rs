@@ -177,6 +177,7 @@ pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     }
     let mut aim = FIRST_TURNING;
     if has_fine_ends(film) {
+        // At most three passes, because the angle halves from `FIRST_TURNING` to `LAST_TURNING`.
         while aim >= LAST_TURNING && aim > 0.6 * largest {
             aim *= 0.5;
         }

@@ -82,7 +82,7 @@ pub(crate) fn iterate(
         exec.look(film.triangles().len() as u64)?;
         let angle = options.degenerate_angle.map(|angle| if mended { WIDER * angle } else { angle });
         let changes = match angle {
-            Some(angle) => remove_degenerate_triangles(film, angle, necks),
+            Some(angle) => remove_degenerate_triangles(film, angle, necks, exec)?,
             None => Changes::default(),
         };
         let changed = changes.any();
