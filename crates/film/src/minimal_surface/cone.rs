@@ -2,9 +2,9 @@
 //!
 //! **Theorem** (J. C. C. Nitsche, S. Hildebrandt; Dierkes, Hildebrandt, Sauvigny, *Minimal Surfaces*, section 6.2). A
 //! double cone r ≤ z sinh τ, where τ tanh τ = 1, contains in its two halves the parts A and B of a boundary. Then no
-//! connected minimal surface, of any genus, has this boundary, because the catenoids that touch the cone sweep the space
-//! between its halves, and the surface could not touch the first of them that it meets. The bound is sharp for two
-//! equal coaxial circles.
+//! connected minimal surface, of any genus, has this boundary, because the catenoids that touch the cone sweep the
+//! space between its halves, and the surface could not touch the first of them that it meets. The bound is sharp for
+//! two equal coaxial circles.
 
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
@@ -21,6 +21,8 @@ const MOST_BOUNDARIES: usize = 6;
 /// finds cones that fit more tightly.
 const FIRST_STEP: f64 = 0.25;
 const LAST_STEP: f64 = 1e-3;
+/// Bound on the rounds of the search, each of which tries eight cones. A larger value finds cones that fit more tightly.
+const MOST_ROUNDS: u32 = 48;
 /// A cone counts if the halves that hold the boundaries are further apart than this fraction of the radius. It is above
 /// rounding.
 const LEAST_GAP: f64 = 1e-9;
@@ -76,7 +78,7 @@ pub(crate) fn refusal(parted: &Parted) -> Error {
         if names.len() == 1 { format!("boundary {}", names[0]) } else { format!("boundaries {}", names.join(", ")) }
     });
     let detail = format!(
-        "no minimal film connects the boundaries: a double cone with sides of {:.1}° to its axis holds {one} in its one \
+        "no minimal film connects the boundaries: a double cone with sides of {:.1}° to its axis holds {one} in one \
          half and {other} in the other, and no connected minimal surface reaches through its apex (Nitsche, \
          Hildebrandt). Ask for topology best or free, which let the film come apart, or move the boundaries closer \
          together",
@@ -104,7 +106,10 @@ fn widest_gap(parts: &[Vec<&Outline>; 2], radius: f64) -> f64 {
     let mut best = [0.0; 4];
     let mut widest = gap(best);
     let mut step = FIRST_STEP * radius;
-    while step > LAST_STEP * radius && widest <= LEAST_GAP * radius {
+    for _ in 0..MOST_ROUNDS {
+        if step < LAST_STEP * radius || widest > LEAST_GAP * radius {
+            break;
+        }
         let before = widest;
         for k in 0..4 {
             for sense in [step, -step] {
@@ -116,7 +121,7 @@ fn widest_gap(parts: &[Vec<&Outline>; 2], radius: f64) -> f64 {
                 }
             }
         }
-        // A step that gained little is halved too, so that the search ends.
+        // A step that gained little is halved too.
         if widest - before < 0.1 * step {
             step *= 0.5;
         }
