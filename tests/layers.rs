@@ -50,6 +50,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "energy",
             "equilibrium",
             "minimal_surface/options",
+            "minimal_surface/cone",
             "minimal_surface/estimate",
             "minimal_surface/initial_mesh/first_point",
             "minimal_surface/request",

@@ -198,7 +198,9 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
             let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
             let boundary_edges = options.boundary_edges();
             let (on_unstable, slides) = (*on_unstable, options.slides);
-            let task = default_solver::Task { limits, on_unstable, given, may_widen, boundary_edges, slides };
+            let may_refine = may_widen;
+            let task =
+                default_solver::Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
             default_solver::run(film, task, exec)
         }
     }

@@ -238,7 +238,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
     let wavy = curve(60, |t| at(t.cos(), t.sin(), 0.3 * (3.0 * t).cos()));
     let pants = [0.0, 1.0, 2.0].map(|k| {
         let (sin, cos) = (TAU * k / 3.0).sin_cos();
-        curve(24, |t| at(1.2 * cos - 0.5 * sin * t.cos(), 1.2 * sin + 0.5 * cos * t.cos(), 0.5 * t.sin()))
+        curve(24, |t| at(0.8 * cos - 0.5 * sin * t.cos(), 0.8 * sin + 0.5 * cos * t.cos(), 0.5 * t.sin()))
     });
     let cases = [
         (vec![wavy], "planar"),
@@ -516,6 +516,18 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     assert!((again.statistics.area - stable.statistics.area).abs() < 1e-6);
 }
 
+/// Input: a point above a plane square. Symptom: a spike one triangle wide, converged and without a warning.
+#[test]
+fn a_point_that_holds_the_film_is_named() {
+    let square = vec![at(0.0, 0.0, 0.0), at(8.0, 0.0, 0.0), at(8.0, 8.0, 0.0), at(0.0, 8.0, 0.0)];
+    let warns = |height: f64| {
+        let constraints = Constraints { points: vec![at(4.0, 4.0, height)], ..Constraints::default() };
+        let surface = solved(std::slice::from_ref(&square), &Options { constraints, ..options(500) });
+        surface.warnings.iter().any(|warning| warning.code == "held_points")
+    };
+    assert!(warns(1.0) && !warns(0.0));
+}
+
 #[test]
 fn fixed_points_and_curves_are_vertices_and_edges_exactly() {
     let wavy = curve(48, |t| at(t.cos(), t.sin(), 0.2 * (2.0 * t).cos()));
@@ -658,5 +670,5 @@ fn a_long_loop_takes_work_in_proportion_to_its_points() {
     let surface = solve(std::slice::from_ref(&star), &options(2 * points), &execution).unwrap();
     valid(&[star], &surface);
     let work = execution.work() as f64 / points as f64;
-    assert!(surface.statistics.converged && work < 1_300.0, "{work}");
+    assert!(surface.statistics.converged && work < 1_500.0, "{work}");
 }

@@ -110,6 +110,43 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(told.detail.contains("0.94"), "{}", told.detail);
 }
 
+/// Input: plane curves beside each other, and a saddle beside a square. Symptom: the mesh in a plane, which consists of
+/// separate discs, counted as a connected film, and `best` said that one exists.
+#[test]
+fn discs_beside_each_other_are_no_connected_film() {
+    let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+    let beside = |gap: f64| [0.0, 2.0 + gap].map(|x| circle(24, 1.0, at(x, 0.0), DVec3::Z));
+    let square = |x: f64, half: f64, rise: f64| {
+        let corner = |u: f64, v: f64| DVec3::new(x + half * u, half * v, rise * u * v);
+        vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
+    };
+    let saddle = [square(0.0, 4.0, 0.5), square(17.0, 1.0, 0.0)];
+    for boundaries in [beside(0.1), beside(0.5), beside(20.0), saddle] {
+        let surface = spanned(&boundaries, TopologyRule::Best, 800);
+        let comparison = comparison(&surface);
+        assert_eq!(comparison.topologies[0].films, [[0], [1]]);
+        assert_eq!(area_of(comparison, &[&[0, 1]]), None);
+        assert!(!comparison.connected_film_exists);
+        assert!(surface.warnings.iter().any(|warning| warning.code == "no_connected_film"));
+    }
+}
+
+/// Between coaxial circles of radius 1 the cone is as sharp as the catenoid; the error comes without a solve.
+#[test]
+fn boundaries_that_a_cone_parts_are_refused_at_once() {
+    let work = |gap: f64| {
+        let exec = Execution::default();
+        let boundaries = [0.0, gap].map(|z| circle(48, 1.0, DVec3::new(0.0, 0.0, z), DVec3::Z));
+        let solved = solve(&boundaries, &by_topology(TopologyRule::Fixed, 2000), &exec);
+        (solved.err().map(|error| error.to_string()), exec.work())
+    };
+    let (refused, least) = work(1.33);
+    assert!(refused.is_some_and(|detail| detail.contains("double cone")));
+    let (found, most) = work(1.2);
+    assert_eq!(found, None);
+    assert!(100 * least < most, "{least} {most}");
+}
+
 /// Input: two rings that project to lines, so that the rules remove every free vertex. Symptom: conjugate gradients
 /// were asked for the positions of no vertices. Rule: a film without free vertices is not solved.
 #[test]
@@ -240,7 +277,7 @@ fn a_deadline_in_the_middle_gives_the_discs() {
     let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
     let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.61);
     let options = by_topology(TopologyRule::Best, 1200);
-    let surface = solve(&rings(&[0.0, 14.0]), &options, &Execution::new(&signal, &report)).unwrap();
+    let surface = solve(&rings(&[0.0, 13.2]), &options, &Execution::new(&signal, &report)).unwrap();
     assert_eq!(surface.statistics.stop_reason.name(), "deadline");
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
 }

@@ -21,7 +21,8 @@ const MOST_BOUNDARIES: usize = 6;
 /// finds cones that fit more tightly.
 const FIRST_STEP: f64 = 0.25;
 const LAST_STEP: f64 = 1e-3;
-/// Bound on the rounds of the search, each of which tries eight cones. A larger value finds cones that fit more tightly.
+/// Bound on the rounds of the search, each of which tries eight cones. A larger value finds cones that fit more
+/// tightly.
 const MOST_ROUNDS: u32 = 48;
 /// A cone counts if the halves that hold the boundaries are further apart than this fraction of the radius. It is above
 /// rounding.

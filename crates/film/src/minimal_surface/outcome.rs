@@ -164,6 +164,38 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
     }
 }
 
+/// A fixed point at which the film pulls by more than this fraction of what all edges around it can bear counts as
+/// holding the film. A film that passes through the point pulls by its curvature times the edge length.
+const HOLDS: f64 = 0.1;
+
+/// The warning that single points hold the film: the area of a thread is zero, so that only the mesh shows it.
+fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
+    if points.is_empty() {
+        return None;
+    }
+    let mut places: Vec<u32> = points.to_vec();
+    places.sort_unstable();
+    places.dedup();
+    let mut pulls = vec![(DVec3::ZERO, 0.0); places.len()];
+    for &triangle in &mesh.triangles {
+        for k in 0..3 {
+            let Ok(place) = places.binary_search(&triangle[k]) else { continue };
+            let corners = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+            let [here, from, to] = corners.map(|v| mesh.vertices[v as usize]);
+            let edge = to - from;
+            let normal = edge.cross(here - from).normalize_or_zero();
+            pulls[place].0 += normal.cross(edge);
+            pulls[place].1 += edge.length();
+        }
+    }
+    let count = pulls.iter().filter(|(pull, edges)| pull.length() > HOLDS * edges).count();
+    let detail = format!(
+        "{count} fixed points hold the film, but the area of a thread is zero: what the mesh shows around them shrinks \
+         as the mesh gets finer. Give a small closed curve in place of a point that carries the film"
+    );
+    (count > 0).then(|| Warning::new(WarningCode::HeldPoints, detail).with_count("count", count))
+}
+
 /// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
 pub(super) fn finish(
     input: Input,
@@ -226,12 +258,6 @@ pub(super) fn finish(
         warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
     }
     warnings.extend(near_critical(&statistics));
-    let held = options.constraints.points.len();
-    if held > 0 {
-        let detail = "the area of a thread is zero, so a film is not held by single points: what the mesh shows around \
-                      them shrinks as it gets finer. Give small closed curves in place of points that carry the film";
-        warnings.push(Warning::new(WarningCode::HeldPoints, detail).with_count("count", held));
-    }
     // The loops of a film over joined boundaries run from one of them to another where they touch.
     let boundaries = match joined {
         Some(_) => own_boundaries(&film, &input.centred)?,
@@ -250,6 +276,7 @@ pub(super) fn finish(
         joined.place_added(&mut mesh, centred);
     }
     let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
+    warnings.extend(held_points(&mesh, &constraints.points));
     Ok(MinimalSurface {
         mesh,
         boundaries,

@@ -392,17 +392,17 @@ impl<'a> SpanningProblem<'a> {
         Options { resolution, method, tolerance, ..self.options.clone() }
     }
 
-    fn task(options: &Options, boundary_edges: BoundaryEdges) -> newton::Task {
+    fn task(options: &Options, boundary_edges: BoundaryEdges, may_refine: bool) -> newton::Task {
         let (limits, slides) = (options.limits(), options.slides);
         let on_unstable = OnUnstable::Descend;
-        newton::Task { limits, on_unstable, given: false, may_widen: true, boundary_edges, slides }
+        newton::Task { limits, on_unstable, given: false, may_widen: true, may_refine, boundary_edges, slides }
     }
 
     /// Step 1 for one set, from one start or from all of them.
     fn part(&self, set: u32, start: Option<&InitialMesh>, exec: &Execution) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
         match start {
-            Some(start) => self.connected(&boundaries, start, exec),
+            Some(start) => self.connected(&boundaries, start, true, exec),
             None => self.least(&boundaries, exec),
         }
     }
@@ -410,7 +410,7 @@ impl<'a> SpanningProblem<'a> {
     /// The film of least area among those from all initial meshes. Films that hold come first, and among them those
     /// that do not pass through themselves.
     fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
-        let first = self.connected(boundaries, &InitialMesh::Auto, exec)?;
+        let first = self.connected(boundaries, &InitialMesh::Auto, true, exec)?;
         if boundaries.len() == 1 {
             return Ok(first);
         }
@@ -424,7 +424,7 @@ impl<'a> SpanningProblem<'a> {
             if least.1.run.stop_reason == StopReason::Deadline || tried.iter().any(|&kind| is_of_kind(&start, kind)) {
                 continue;
             }
-            let next = match self.connected(boundaries, &start, exec) {
+            let next = match self.connected(boundaries, &start, true, exec) {
                 Ok(next) => next,
                 Err(Error::NoResult { .. } | Error::Input(_)) => continue,
                 Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
@@ -444,6 +444,7 @@ impl<'a> SpanningProblem<'a> {
         &self,
         boundaries: &[Vec<DVec3>],
         initial_mesh: &InitialMesh,
+        may_refine: bool,
         exec: &Execution,
     ) -> Result<SolvedFilm, Error> {
         let options = Options { initial_mesh: initial_mesh.clone(), ..self.options_for(boundaries) };
@@ -453,11 +454,12 @@ impl<'a> SpanningProblem<'a> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, Self::task(&options, options.boundary_edges()), exec)?;
+        let run = newton::run(&mut film, Self::task(&options, options.boundary_edges(), may_refine), exec)?;
         Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
-    /// Step 4.
+    /// Step 4. The films on the way are not refined at their necks, which would take many times as long; the film over
+    /// the full gap is.
     fn widest_gap(&self, exec: &Execution) -> Result<Widest, Error> {
         let [first, second] = self.boundaries else { return Ok(Widest::NotFound) };
         let gap = polyline::mean(second) - polyline::mean(first);
@@ -471,7 +473,7 @@ impl<'a> SpanningProblem<'a> {
         let mut held = None;
         for halving in 1..=HALVINGS {
             let fraction = 0.5f64.powi(halving as i32);
-            match self.connected(&at(fraction), &InitialMesh::Auto, exec) {
+            match self.connected(&at(fraction), &InitialMesh::Auto, false, exec) {
                 Ok(part) if spans(&part) => {
                     held = Some((fraction, part));
                     break;
@@ -486,7 +488,7 @@ impl<'a> SpanningProblem<'a> {
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let task = Self::task(&self.options, BoundaryEdges::Kept);
+            let task = Self::task(&self.options, BoundaryEdges::Kept, tried >= 1.0);
             let run = newton::run(&mut film, task, exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;

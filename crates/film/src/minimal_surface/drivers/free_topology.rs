@@ -85,7 +85,8 @@ pub(crate) fn run(
         let limits = Limits { max_iterations: left, ..limits };
         let boundary_edges = BoundaryEdges::Kept;
         let on_unstable = OnUnstable::Descend;
-        let task = newton::Task { limits, on_unstable, given, may_widen: !given, boundary_edges, slides: true };
+        let (may_widen, may_refine, slides) = (!given, !given, true);
+        let task = newton::Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
         let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, task, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
         let stable = finish.stability.is_none_or(|stability| stability.stable);

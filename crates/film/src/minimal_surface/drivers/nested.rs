@@ -107,7 +107,8 @@ fn follow(
     let boundary_edges = BoundaryEdges::Kept;
     // Only the finest mesh slides: the angles of a coarser one would be widened again on the next level.
     let limits = options.limits();
-    let task = Task { limits, on_unstable, given: false, may_widen: true, boundary_edges, slides: false };
+    let (given, may_widen, may_refine, slides) = (false, true, true, false);
+    let task = Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
     let mut solve = Solve::new(&film, task, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, options.slides, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),

@@ -95,6 +95,8 @@ pub(crate) struct Task {
     /// Whether small angles may be widened, which changes the number of triangles. Not where the caller was promised a
     /// mesh: their own, or rings.
     pub may_widen: bool,
+    /// Whether a mesh that is too coarse for a neck may be refined, which can make many times as many triangles.
+    pub may_refine: bool,
     /// Whether a refinement splits edges of the boundary.
     pub boundary_edges: BoundaryEdges,
     /// Whether the vertices slide in the end.
@@ -133,6 +135,7 @@ pub(crate) struct Solve<'a> {
     given: bool,
     /// Whether vertices may be removed and added: not in a mesh of the caller.
     may_widen: bool,
+    may_refine: bool,
     /// Whether a neck was refined.
     refined: bool,
     /// Whether a refinement splits edges of the boundary.
@@ -155,6 +158,7 @@ impl<'a> Solve<'a> {
             extrapolated_area: None,
             given: task.given,
             may_widen: task.may_widen,
+            may_refine: task.may_refine,
             refined: false,
             boundary_edges: task.boundary_edges,
             slides: task.slides,
@@ -175,8 +179,8 @@ impl<'a> Solve<'a> {
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
-        // A film with one boundary has no neck, and the mesh of a caller stays.
-        let may_refine = self.may_widen && film.boundaries.len() > 1;
+        // A film with one boundary has no neck.
+        let may_refine = self.may_refine && film.boundaries.len() > 1;
         let start = may_refine.then(|| film.clone());
         let (mut reason, mut converged) = self.converge(film)?;
         if let (None, Some(start)) = (&converged, start)
@@ -609,6 +613,7 @@ mod tests {
             on_unstable: OnUnstable::Report,
             given: false,
             may_widen: true,
+            may_refine: true,
             boundary_edges,
             slides: true,
         };
