@@ -2,7 +2,9 @@
 //!
 //! `cargo bench -p plateau-film --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles. With `-- --case
 //! rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line: the least processor
-//! time in seconds (on Linux; elsewhere elapsed time), and the peak memory of the process.
+//! time in seconds (on Linux; elsewhere elapsed time), and the peak memory of the process. With `-- --sliding` the
+//! patches of Chen, Cai and Zheng are solved with and without sliding vertices in turn, and the ratio of the two times
+//! is printed.
 //! `benches/minimal_surface_peers.py` runs it beside other programs.
 
 #[path = "../tests/boundaries/mod.rs"]
@@ -75,6 +77,31 @@ fn case(name: &str, triangles: usize) {
     );
 }
 
+/// The cost of sliding: the least processor time of films that slide over that of films that do not.
+fn sliding() {
+    for (name, polygon) in [("helicoid", boundaries::helicoid()), ("catenoid", boundaries::catenoid())] {
+        for triangles in [2_000, 20_000] {
+            let plain = Options { tolerance: 1e-8, ..Options::new(Resolution::Triangles(triangles)) };
+            let ways = [Options { slides: false, ..plain.clone() }, plain];
+            let mut least = [f64::INFINITY; 2];
+            let start = Instant::now();
+            for _ in 0..20 {
+                for (options, least) in ways.iter().zip(&mut least) {
+                    let before = processor_time(start);
+                    black_box(solve(std::slice::from_ref(&polygon), options, &Execution::default()).expect("a film"));
+                    *least = least.min((processor_time(start) - before).as_secs_f64());
+                }
+            }
+            let [without, with] = least;
+            println!(
+                "{{\"bench\":\"sliding\",\"problem\":\"{name}\",\"triangles\":{triangles},\"seconds\":{with:.5},\
+                 \"without\":{without:.5},\"ratio\":{:.3}}}",
+                with / without
+            );
+        }
+    }
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if let Some(at) = arguments.iter().position(|argument| argument == "--case") {
@@ -84,6 +111,9 @@ fn main() {
             std::process::exit(2);
         };
         return case(name, triangles);
+    }
+    if arguments.iter().any(|argument| argument == "--sliding") {
+        return sliding();
     }
     let testing = arguments.iter().any(|argument| argument == "--test");
     let mut criterion = Criterion::default().configure_from_args().sample_size(10);

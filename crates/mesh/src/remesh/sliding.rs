@@ -11,8 +11,9 @@ use glam::DMat3;
 
 // Tunables. The figures in docs/papers/chen-cai-zheng.md were obtained with these values.
 
-/// Number of sweeps over the vertices. A larger value lowers the largest gradient further and makes angles smaller.
-const SWEEPS: u32 = 4;
+/// Number of sweeps over the vertices of a mesh that has not slid. A larger value lowers the largest gradient further
+/// and makes angles smaller.
+pub const SWEEPS: u32 = 4;
 /// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane. A larger
 /// value gives shorter steps.
 const DAMPING: f64 = 3e-3;
@@ -36,14 +37,14 @@ const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 /// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative
 /// Σ |e|²/(4A) n nᵀ, where n and A are the normal and the area of a triangle and e is its edge opposite to x. A sweep
 /// takes a damped step of Newton's method. No step takes an angle below 21 degrees, or below the ring's smallest angle
-/// if that is less. `radius` is the radius of the boundary.
+/// if that is less. `radius` is the radius of the boundary, and `sweeps` the number of sweeps, usually [`SWEEPS`].
 ///
 /// # Errors
 /// The interruptions of `exec`. Some vertices have slid then, and others have not.
-pub fn slide(film: &mut Film, radius: f64, exec: &Execution) -> Result<(), Interruption> {
+pub fn slide(film: &mut Film, radius: f64, sweeps: u32, exec: &Execution) -> Result<(), Interruption> {
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     let mut ring = Vec::new();
-    for sweep in 0..SWEEPS {
+    for sweep in 0..sweeps {
         for k in 0..free.len() {
             if k % VERTICES_BETWEEN_LOOKS == 0 {
                 exec.look(WORK_PER_VERTEX * VERTICES_BETWEEN_LOOKS as u64)?;

@@ -29,7 +29,7 @@ use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
-use plateau_mesh::remesh::sliding::slide;
+use plateau_mesh::remesh::sliding::{SWEEPS, slide};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
@@ -415,7 +415,7 @@ impl<'a> Solve<'a> {
         let before = film.vertices.clone();
         let (rows, iterations) = (self.record.history.len(), self.record.iterations);
         let (area, angle, flipped) = (film.area(), smallest_angle(film), film.flipped_triangles());
-        let slid = slide(film, self.radius, self.exec);
+        let slid = slide(film, self.radius, SWEEPS, self.exec);
         if slid.is_ok() && film.vertices == before {
             return Ok(());
         }
