@@ -64,8 +64,8 @@ const INERTIA_TRIANGLES: usize = 250_000;
 /// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh. With a larger value
 /// more requests are solved coarse to fine.
 const LONG_EDGE: f64 = 1.6;
-/// Number of sweeps in which the vertices of the finest mesh slide. Its triangles are halves of good ones, so that fewer
-/// sweeps do than elsewhere. A larger value lowers the largest gradient further and takes longer.
+/// Number of sweeps in which the vertices of the finest mesh slide. Its triangles are halves of good ones, so that
+/// fewer sweeps do than elsewhere. A larger value lowers the largest gradient further and takes longer.
 const FINEST_SWEEPS: u32 = 2;
 /// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
 /// converge.
