@@ -14,7 +14,7 @@ import { say } from './notes';
 import { hideProblem } from './problems';
 import { forget, showStale } from './result';
 import { doc, FIRST_VIEW, history, host, server, session, stage, surface, tools } from './session';
-import { solve } from './solving';
+import { abandon, solve } from './solving';
 
 /** A drawing that takes longer than this to solve is solved when a drag ends, not while it goes on. */
 const DRAG_PATIENCE_S = 1.2;
@@ -82,7 +82,7 @@ export function changed({ dragging = false, option = false } = {}): void {
   }
   showDocument(dragging);
   if (isLive() && isWhole(doc().kind, doc().request) && doc().draft === null) {
-    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve();
+    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve(dragging);
   }
 }
 
@@ -110,6 +110,7 @@ export function showRequest(): void {
 
 const restore = (step: () => boolean): void => {
   if (!step()) return;
+  if (session.requests.underWay && session.requests.underWay.kind !== doc().kind) abandon();
   if (session.shown && session.shown.job.kind !== doc().kind) forget();
   load({ refit: false });
   stage.rememberWhetherAllIsSeen();
@@ -120,9 +121,9 @@ export const redo = (): void => restore(() => history.redo());
 
 /** Replaces the document, as one step that can be undone. */
 export function replace(kind: Kind, request: Request, title: string | null): void {
+  abandon();
   session.viewing = false;
   session.cameraGiven = false;
-  session.generation += 1;
   const same = session.shown?.job.kind === kind;
   history.edit((document) => Object.assign(document, { kind, request, title, draft: null }));
   tools.selection = [];

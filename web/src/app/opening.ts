@@ -19,7 +19,7 @@ import { say, toast } from './notes';
 import { showProblem } from './problems';
 import { forget, show } from './result';
 import { doc, embedded, FIRST_VIEW, host, server, session, stage } from './session';
-import { adopt } from './solving';
+import { abandon, adopt } from './solving';
 
 // ---- Examples and kinds ----
 
@@ -208,6 +208,7 @@ const openJob = (listed: JobInfo, mine: RecentJob | undefined): Promise<void> =>
 }, showProblem);
 
 function viewMesh(job: JobInfo, mesh: ResultMesh): void {
+  abandon();
   session.viewing = true;
   forget();
   const { unit, up } = mesh.extras as { unit?: string; up?: string };

@@ -107,7 +107,7 @@ export function showStale(): void {
     surface.setGhost(stale || doc().draft !== null);
     stage.invalidate();
   };
-  if (stale && session.run && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
+  if (stale && session.requests.underWay && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
   else apply();
 }
 
