@@ -4,12 +4,13 @@
 
 import './style.css';
 import { arrive } from './app/arrival';
-import { changed, gizmo, useObjective } from './app/document';
+import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { compare } from './app/modes';
 import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
 import { openExample } from './app/opening';
+import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
 import { preferredTheme, setTheme } from './app/theme';
 import { showPanel, wire } from './app/wiring';
@@ -18,6 +19,7 @@ import type { Vec3 } from './model/request';
 
 Object.assign(host, { changed: (dragging: boolean) => changed({ dragging }), selectionChanged: showDock, label, read: readSurface, readLine, announce });
 compare.use = useObjective;
+repair.by = applyRemedy;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
 stage.content = () => [...sketch.places, ...surface.outline()];
 stage.onDraw = () => {

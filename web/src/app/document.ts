@@ -3,6 +3,7 @@
 import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
 import { Frame, originFor } from '../model/frame';
+import type { Remedy } from '../model/remedies';
 import { blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
 import { build, schemaOf } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
@@ -147,5 +148,11 @@ export function useObjective(name: string): void {
     if (name !== 'maximal_convexity') delete request.secondary_objective;
   });
   if (done) changed();
+  if (!isLive()) void solve();
+}
+
+/** Changes the request as the remedy of a failure says, and solves it. */
+export function applyRemedy({ apply }: Remedy): void {
+  if (history.edit(({ request }) => apply(request))) changed();
   if (!isLive()) void solve();
 }

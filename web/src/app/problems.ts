@@ -4,13 +4,17 @@
 import { ConnectionFailed, type FieldError } from 'plateau-client';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
+import { type Remedy, remedyFor } from '../model/remedies';
 import { place } from '../model/request';
 import { capital, sentence } from '../text';
 import { ask } from './busy';
 import { redraw } from './drawing';
-import { host, session, tools } from './session';
+import { doc, host, session, tools } from './session';
 
-interface Fault { title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
+interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
+
+/** Changes the request as a remedy says, and solves it. main.ts names the function, because it stands above this module. */
+export const repair = { by: (_: Remedy): void => {} };
 
 /** The newest of what was asked for that was answered. */
 let answered = 0;
@@ -34,7 +38,7 @@ export function hideProblem(turn = ask()): void {
 /** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
 export function showProblem(fault: unknown, turn = ask()): void {
   if (!counts(turn)) return;
-  const { title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
+  const { type, title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
   const list = errors ?? [];
   const faulty = new Set<string>();
   const items = list.map((error) => {
@@ -55,11 +59,17 @@ export function showProblem(fault: unknown, turn = ask()): void {
   const summary = detail ?? message ?? '';
   const repeats = list.length > 0 && (/^see errors/.test(summary) || list.some((error) => summary.includes(error.detail)));
   $('problem').replaceChildren(
-    el('strong', {}, title ?? 'Something went wrong'), repeats || summary === title ? '' : sentence(capital(summary)), items.length > 0 && el('ul', {}, ...items) || '',
+    el('strong', {}, title ?? 'Something went wrong'), repeats || summary === title ? '' : sentence(capital(summary)), items.length > 0 && el('ul', {}, ...items) || '', remedied(type) ?? '',
   );
   $('problem').hidden = false;
   session.serverFaulty = faulty;
   redraw();
+}
+
+/** The button of a failure's remedy. */
+function remedied(type: string | undefined): HTMLElement | null {
+  const remedy = type === undefined ? null : remedyFor(type, doc().request);
+  return remedy && el('button', { type: 'button', className: 'remedy', onclick: () => repair.by(remedy) }, remedy.label);
 }
 
 const unreached = ({ job }: ConnectionFailed): Fault => (job
