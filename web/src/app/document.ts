@@ -2,10 +2,11 @@
 
 import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
+import { dropRefused, whyNot } from '../model/applies';
 import { Frame, originFor } from '../model/frame';
 import type { Remedy } from '../model/remedies';
-import { blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
-import { build, schemaOf } from '../panels/form';
+import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
+import { build, disable, type FormHost, schemaOf } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
 import { capital } from '../text';
 import { redraw, showDock } from './drawing';
@@ -46,12 +47,17 @@ export function showForm(): void {
   $('purpose').textContent = KINDS[kind].purpose;
   const schema = schemaOf(server.openapi, KINDS[kind].path);
   if (!schema) return;
-  build($<HTMLFormElement>('options'), schema, request, {
+  const form = $<HTMLFormElement>('options');
+  const formHost: FormHost = {
     openapi: server.openapi,
+    whyNot: (field) => whyNot(kind, doc().request, field),
+    isGiven: (field) => (at(doc().request, field.split('.')) ?? null) !== null,
     set: (name, value) => {
+      let dropped = false;
       const done = history.edit(({ request: edited }) => {
         if (value === undefined) delete edited[name];
         else edited[name] = value;
+        dropped = dropRefused(kind, edited);
       });
       if (!done) return;
       if (name === 'units' || name === 'up') {
@@ -59,13 +65,19 @@ export function showForm(): void {
         load();
       }
       changed({ option: true });
+      if (dropped) {
+        const { name: focused } = document.activeElement as HTMLInputElement;
+        showForm();
+        if (focused) form.querySelector<HTMLElement>(`[name="${CSS.escape(focused)}"]`)?.focus();
+      } else disable(form, formHost);
     },
     describe: (name, value) => {
       if (name !== 'objective') return undefined;
       const found = server.objectives.find((each) => each.kind === kind && each.name === value);
       return found ? `${capital(found.minimises)} [${found.unit.replaceAll('u', unitOf(request))}]. ${found.source}.` : undefined;
     },
-  });
+  };
+  build(form, schema, request, formHost);
 }
 
 /** After every change of the document, also while a point is being dragged. */
@@ -145,7 +157,7 @@ export function useObjective(name: string): void {
   setMode('model');
   const done = history.edit(({ request }) => {
     request.objective = name;
-    if (name !== 'maximal_convexity') delete request.secondary_objective;
+    dropRefused(doc().kind, request);
   });
   if (done) changed();
   if (!isLive()) void solve();

@@ -84,6 +84,10 @@ export interface FormHost {
   set(name: string, value: unknown): void;
   /** Text below a choice: what it does. */
   describe(name: string, value: string): string | undefined;
+  /** Why a field, or `field=choice`, does not apply to the request as it is now; null if it does. */
+  whyNot(field: string): string | null;
+  /** Whether the request has a value for a field. */
+  isGiven(field: string): boolean;
 }
 
 /** Fills the form for a request. */
@@ -104,9 +108,43 @@ export function build(form: HTMLFormElement, schema: Schema, request: Request, h
   if (rest.childElementCount > 0) form.append(el('details', { className: 'more', open }, el('summary', {}, 'More options'), rest));
 }
 
+/**
+ * Disables what does not apply to the request as it is now, with the reason below it. A field that has a value stays enabled,
+ * so that it can be removed.
+ */
+export function disable(form: HTMLFormElement, host: FormHost): void {
+  for (const field of form.querySelectorAll<HTMLElement>('[data-path]')) disableField(field, host);
+}
+
+function disableField(field: HTMLElement, host: FormHost): void {
+  const path = field.dataset.path!;
+  const reason = host.whyNot(path);
+  if (reason !== null || field.dataset.excluded) {
+    const name = CSS.escape(path);
+    for (const control of field.querySelectorAll<HTMLInputElement>(`[name="${name}"], [name^="${name}."]`)) control.disabled = reason !== null && !host.isGiven(path);
+    field.dataset.excluded = reason ?? '';
+  }
+  field.querySelector(':scope > .why')?.remove();
+  if (reason !== null) field.append(el('p', { className: 'help why' }, reason));
+  for (const option of field.querySelectorAll<HTMLOptionElement>(`select[name="${CSS.escape(path)}"] option`)) {
+    const excluded = host.whyNot(`${path}=${option.value}`);
+    if (excluded === null && !option.dataset.text) continue;
+    option.dataset.text ??= option.textContent ?? '';
+    option.disabled = excluded !== null;
+    option.textContent = excluded === null ? option.dataset.text : `${option.dataset.text}: ${excluded.charAt(0).toLowerCase()}${excluded.slice(1).replace(/\.$/, '')}`;
+  }
+}
+
 type Set = (value: unknown) => void;
 
 function make(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
+  const made = controlFor(host, name, field, control, given, set, path);
+  made.dataset.path = path.join('.');
+  disableField(made, host);
+  return made;
+}
+
+function controlFor(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
   const value = given ?? field['x-default'];
   const title = field.description ?? '';
   const id = `option-${path.join('-')}`;
