@@ -210,3 +210,56 @@ test('a net is shown without triangles, its supports move, and none of its point
   assert.ok((await request(page)).vertices[0][2] > before[2]);
   await solved(page);
 });
+
+test('the panel begins with tension, pressure, weight and a table of the cables, and a value set there is solved', async () => {
+  const { page } = studio;
+  await studio.open('four-point-sail');
+  const first = await page.locator('#options > *').evaluateAll((fields) => fields.slice(0, 4).map((field) => field.dataset.path ?? field.id));
+  assert.deepEqual(first, ['film.tension', 'pressure', 'film.weight', 'cables']);
+  assert.match(await page.textContent('#options [data-path="film.tension"]'), /Tension kN\/m/);
+  const rows = page.locator('#cables tbody tr');
+  assert.deepEqual(await rows.locator('th').allTextContents(), ['south', 'east', 'north', 'west']);
+  await rows.nth(0).locator('input').fill('24');
+  await page.keyboard.press('Tab');
+  assert.equal((await request(page)).cables[0].value, 24);
+  await solved(page);
+  const job = async () => (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics;
+  assert.ok(Math.abs((await job()).cables[0].force - 24) < 0.5);
+  // Another mode keeps the shape, as in the dock.
+  const { sag } = (await job()).cables[0];
+  await rows.nth(0).locator('select').selectOption('sag');
+  assert.ok(Math.abs((await request(page)).cables[0].value / sag - 1) < 1e-5);
+  assert.match(await rows.nth(0).textContent(), /m$/);
+  await rows.nth(1).locator('button').click();
+  assert.equal(await page.textContent('#cable-name'), 'east', 'a name leads to the cable on the stage');
+
+  // The film's other options keep the tension that was set beside them.
+  await page.fill('#options [name="film.tension"]', '3');
+  await page.keyboard.press('Tab');
+  await page.click('#options > details > summary');
+  assert.deepEqual((await request(page)).film, { tension: 3, weight: 0.01 });
+  await solved(page);
+  assert.equal(await page.isVisible('#hang-all'), false, 'every edge has its cable');
+  await page.focus('#view');
+  await page.keyboard.press('Delete');
+  await page.click('#hang-all');
+  const { cables } = await request(page);
+  assert.deepEqual(cables.map(({ along }) => along.from).sort(), [0, 1, 2, 3]);
+});
+
+test('the headlines are the largest cable force, the largest reaction and the lengths of the cables', async () => {
+  const { page } = studio;
+  await openSail(page, { cables: [{ along: { from: 0, to: 1 }, value: 14 }, { along: { from: 1, to: 2 }, value: 17 }] });
+  const { statistics } = await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json();
+  const figures = await page.locator('#figures .figure').evaluateAll((all) => all.map((figure) => [figure.querySelector('.name').textContent, figure.querySelector('.value').textContent]));
+  const reaction = Math.max(...statistics.reactions.map(({ force }) => Math.hypot(...force)));
+  const lengths = statistics.cables.map(({ length }) => Number(length.toPrecision(3))).sort((a, b) => a - b);
+  assert.deepEqual(figures.slice(0, 3), [
+    // The second cable: the page counts from 1.
+    ['Largest cable force: cable 2', '17 kN'],
+    ['Largest reaction', `${Number(reaction.toPrecision(4))} kN`],
+    ['Cable lengths', `${lengths[0] === lengths[1] ? lengths[0] : lengths.join('–')} m`],
+  ]);
+  assert.doesNotMatch(await page.textContent('#figures'), /imbalance/i);
+  assert.deepEqual(await page.locator('#details tbody tr').evaluateAll((rows) => rows.map((row) => row.cells[0].textContent)), ['cable 1', 'cable 2']);
+});

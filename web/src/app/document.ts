@@ -3,13 +3,15 @@
 import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
 import { dropRefused, whyNot } from '../model/applies';
+import { bareEdges, cablesOf, hangAll } from '../model/cables';
 import { Frame, originFor } from '../model/frame';
 import type { Remedy } from '../model/remedies';
 import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
+import { cableTable, forceUnit } from '../panels/cable';
 import { build, disable, type FormHost, schemaOf } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
 import { capital } from '../text';
-import { redraw, showDock } from './drawing';
+import { cableModes, foundCable, redraw, showDock } from './drawing';
 import { keep } from './keeping';
 import { setMode } from './modes';
 import { say } from './notes';
@@ -51,7 +53,11 @@ export function showForm(): void {
   const formHost: FormHost = {
     openapi: server.openapi,
     whyNot: (field) => whyNot(kind, doc().request, field),
-    isGiven: (field) => (at(doc().request, field.split('.')) ?? null) !== null,
+    given: (field) => at(doc().request, field.split('.')),
+    unit: (field) => {
+      const [force, length] = [forceUnit(doc().request), unitOf(doc().request)];
+      return kind === 'tensile_structure' ? { 'film.tension': `${force}/${length}`, pressure: `${force}/${length}²`, 'film.weight': `${force}/${length}²` }[field] : undefined;
+    },
     set: (name, value) => {
       let dropped = false;
       const done = history.edit(({ request: edited }) => {
@@ -77,8 +83,30 @@ export function showForm(): void {
       return found ? `${capital(found.minimises)} [${found.unit.replaceAll('u', unitOf(request))}]. ${found.source}.` : undefined;
     },
   };
-  build(form, schema, request, formHost);
+  build(form, schema, request, formHost, kind === 'tensile_structure' ? cables(form, formHost) : null);
 }
+
+/** The table of the cables, whose edits leave the rest of the form as it is. */
+function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
+  return cableTable(doc().request, cablesOf(doc().request), {
+    modes: cableModes(),
+    found: foundCable,
+    edit: (index, change) => {
+      const done = history.edit(({ request }) => {
+        const cable = cablesOf(request)[index];
+        if (cable) change(cable, request);
+      });
+      if (!done) return;
+      changed({ option: true });
+      disable(form, formHost);
+    },
+    choose: (index) => tools.chooseCable(index),
+    hangAll: mayNotHang(doc().request) ? null : () => { if (history.edit(({ request }) => hangAll(request))) changed(); },
+  });
+}
+
+/** Whether no edge is left for a cable, or a pressure excludes cables along the edges. */
+const mayNotHang = (request: Request): boolean => bareEdges(request).length === 0 || Boolean(request.pressure) || Boolean(request.volume);
 
 /** After every change of the document, also while a point is being dragged. */
 export function changed({ dragging = false, option = false } = {}): void {

@@ -40,12 +40,12 @@ export function cableModes(): Modes {
   return names.map((name, i) => ({ name, help: help?.[i] }));
 }
 
-/** The chosen cable in the result, if the result is that of the drawing. */
-export function foundCable(): Found | undefined {
+/** A cable, or the chosen one, in the result, if the result is that of the drawing. */
+export function foundCable(index = tools.cable): Found | undefined {
   if (!session.shown || session.shown.job.kind !== 'tensile_structure') return undefined;
-  const course = (request: Request): string => JSON.stringify(cablesOf(request)[tools.cable]?.along);
+  const course = (request: Request): string => JSON.stringify(cablesOf(request)[index]?.along);
   if (course(session.shown.request) !== course(doc().request)) return undefined;
-  return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[tools.cable];
+  return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[index];
 }
 
 export function showDock(): void {

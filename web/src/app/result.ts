@@ -6,7 +6,7 @@ import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
 import { charts } from '../panels/chart';
 import { showLegend } from '../panels/legend';
-import { keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/report';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
@@ -55,6 +55,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   $('job-id').textContent = job.id;
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
+  $('details').replaceChildren(...details(job, unitOf(request)));
   $('warnings').replaceChildren(...warnings(job.warnings));
   $('statistics').replaceChildren(...statistics(values));
   $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));

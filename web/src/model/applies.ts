@@ -28,6 +28,8 @@ const inflated = (other: 'pressure' | 'volume') => (request: Request): string | 
 
 const woven = ({ film }: Request): boolean => film !== null && typeof film === 'object' && ['warp', 'weft'].some((name) => typeof (film as Request)[name] === 'number');
 
+const layered = unless(({ layers }) => !Array.isArray(layers) || layers.length === 0, 'Each of the layers has its own.');
+
 const RULES: Rule[] = [
   { kind: 'ruled_surface', field: 'secondary_objective', reason: unless((request) => objective(request) === 'maximal_convexity', 'Only with the objective maximal convexity.'), refused: true },
   { kind: 'ruled_surface', field: 'objective=minimal_normal_variation', reason: hasNormals },
@@ -41,7 +43,9 @@ const RULES: Rule[] = [
   { kind: 'uniform_mesh', field: 'max_distinct_lengths', reason: unless(({ optimise }) => optimise === 'lengths', 'Only where the lengths are optimised.') },
   { kind: 'tensile_structure', field: 'pressure', reason: inflated('volume') },
   { kind: 'tensile_structure', field: 'volume', reason: inflated('pressure') },
-  { kind: 'tensile_structure', field: 'film.tension', reason: unless((request) => !woven(request), 'Not together with warp and weft.') },
+  { kind: 'tensile_structure', field: 'film.tension', reason: (request) => (woven(request) ? 'Not together with warp and weft.' : layered(request)) },
+  { kind: 'tensile_structure', field: 'film.weight', reason: (request) => layered(request) },
+  { kind: 'tensile_structure', field: 'film', reason: (request) => layered(request) },
 ];
 
 /** Why a field, or one of its choices, does not apply to a request; null if it does. */

@@ -136,6 +136,15 @@ export function addCable(request: Request, boundary: number, from: number, to: n
   return kept.length - 1;
 }
 
+/** The edges of the boundaries along which no cable runs, as pairs of boundary and first point. */
+export const bareEdges = (request: Request): [number, number][] => list<unknown[]>(request.boundaries).flatMap((points, boundary) =>
+  list(points).flatMap((_, from): [number, number][] => (cableAt(request, boundary, from) < 0 ? [[boundary, from]] : [])));
+
+/** Adds a cable along every edge of the boundaries that has none. */
+export function hangAll(request: Request): void {
+  for (const [boundary, from] of bareEdges(request)) addCable(request, boundary, from, (from + 1) % boundaryOf(request, boundary).length);
+}
+
 export function removeCable(request: Request, cable: number): void {
   cablesOf(request).splice(cable, 1);
 }

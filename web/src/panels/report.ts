@@ -20,9 +20,61 @@ const KEY: Record<string, [string, string, string][]> = {
   minimal_surface: [['area', 'Area', 'u²'], ['triangles', 'Triangles', ''], ['residual', 'Residual', ''], ['stability.stable', 'Stable', ''], ['certificate.gap', 'Proven: above the least area by at most', '%']],
   ruled_surface: [['area', 'Area', 'u²'], ['convex_bridge_ratio', 'Convex bridges', '%'], ['bending_energy', 'Bending energy', ''], ['largest_fold_deg', 'Largest fold', '°']],
   uniform_mesh: [['nodes', 'Nodes', ''], ['edges', 'Members', ''], ['equal_edges', 'Equal members', ''], ['distinct_lengths', 'Distinct lengths', '']],
-  cable_net: [['edges', 'Edges', ''], ['load_path', 'Load path', ''], ['balance.imbalance', 'Force imbalance', ''], ['objective_value', 'Loss', '']],
-  tensile_structure: [['area', 'Area', 'u²'], ['pressure', 'Pressure', ''], ['balance.imbalance', 'Force imbalance', ''], ['stress.deviation', 'Stress deviation', '']],
 };
+
+interface Figure { value: string; unit: string; name: string }
+type Forced = { name: string; force: number; force_max: number; force_min: number; length: number; sag?: number };
+
+const listOf = <T>(value: unknown): T[] => (Array.isArray(value) ? value as T[] : []);
+const largest = (forces: { force: number[] }[]): number => Math.max(0, ...forces.map(({ force }) => Math.hypot(...force)));
+const range = (values: number[]): string => {
+  const [low, high] = [number(Math.min(...values), 3), number(Math.max(...values), 3)];
+  return low === high ? low : `${low}–${high}`;
+};
+/** The service names a cable without a name by its number from 0. */
+const cableName = (name: string, index: number): string => (name === String(index) ? `cable ${index + 1}` : name);
+
+/** What the members of a structure or a net carry, and what its supports must hold. */
+function forces(values: Values, unit: string): Figure[] {
+  const force = String(values.force_unit ?? '');
+  const found: Figure[] = [];
+  const add = (name: string, value: number | null | undefined, of: string): void => {
+    if (typeof value === 'number') found.push({ name, value: number(value, 4), unit: of });
+  };
+  const cables = listOf<Forced>(values.cables);
+  if (cables.length > 0) {
+    const sizes = cables.map(({ force_max: most }) => Math.abs(most));
+    const index = sizes.indexOf(Math.max(...sizes));
+    add(cables.length > 1 ? `Largest cable force: ${cableName(cables[index]!.name, index)}` : 'Cable force', cables[index]!.force_max, force);
+  }
+  const reactions = listOf<{ force: number[] }>(values.reactions);
+  if (reactions.length > 0) add('Largest reaction', largest(reactions), force);
+  if (cables.length > 0) found.push({ name: cables.length > 1 ? 'Cable lengths' : 'Cable length', value: range(cables.map(({ length }) => length)), unit });
+  const masts = listOf<{ force: number }>(values.masts);
+  if (masts.length > 0) add('Largest mast force', Math.max(...masts.map(({ force: own }) => Math.abs(own))), force);
+  if (listOf(values.chambers).length > 0) {
+    add('Pressure', values.pressure as number, `${force}/${unit}²`);
+    add('Volume', values.volume as number | null, `${unit}³`);
+  }
+  const edges = listOf<{ force: number[] }>(values.edge_reactions);
+  if (reactions.length === 0 && edges.length > 0) add('Largest reaction of a boundary', largest(edges), force);
+  if (values.area) add('Area', values.area as number, `${unit}²`);
+  if (values.load_path !== undefined) add('Load path', values.load_path as number, `${force} ${unit}`);
+  return found;
+}
+
+/** The cables of a result with their forces and lengths. */
+function cableForces(values: Values, unit: string): HTMLElement[] {
+  const cables = listOf<Forced>(values.cables);
+  if (cables.length === 0) return [];
+  const heads = ['Cable', `Force ${String(values.force_unit)}`, `Length ${unit}`];
+  const rows = cables.slice(0, MOST_CABLES).map(({ name, force_max: force, length }, i) => el('tr', {}, el('th', { scope: 'row' }, cableName(name, i)), el('td', {}, number(force, 4)), el('td', {}, number(length, 4))));
+  const more = cables.length - rows.length;
+  return [el('table', { className: 'cables' }, el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows)),
+    ...(more > 0 ? [el('p', { className: 'quiet small' }, `and ${more} more, in the statistics below`)] : [])];
+}
+/** Rows of the table beneath the headlines. */
+const MOST_CABLES = 12;
 
 const at = (values: Values, path: string): unknown => path.split('.').reduce<unknown>((value, step) => (value as Values | null | undefined)?.[step], values);
 
@@ -30,13 +82,16 @@ const isShown = (values: Values, path: string): boolean => at(values, path) !== 
 
 export function keyFigures(job: JobInfo, unit: string): HTMLElement[] {
   const values = job.statistics as Values;
-  return (KEY[job.kind] ?? []).filter(([path]) => isShown(values, path)).map(([path, label, of]) => {
+  const figures = KEY[job.kind]?.filter(([path]) => isShown(values, path)).map(([path, name, of]): Figure => {
     const value = at(values, path);
-    const shown = of === '%' && typeof value === 'number' ? number(100 * value, 3) : text(value);
-    const suffix = of === '' ? '' : of === '%' || of === '°' ? of : ` ${of.replace('u', unit)}`;
-    return el('div', { className: 'figure' }, el('span', { className: 'value' }, shown, el('small', {}, suffix)), el('span', { className: 'name' }, label));
-  });
+    return { name, value: of === '%' && typeof value === 'number' ? number(100 * value, 3) : text(value), unit: of.replace('u', unit) };
+  }) ?? forces(values, unit);
+  const suffix = (of: string): string => (of === '' || of === '%' || of === '°' ? of : ` ${of}`);
+  return figures.map(({ name, value, unit: of }) => el('div', { className: 'figure' }, el('span', { className: 'value' }, value, el('small', {}, suffix(of))), el('span', { className: 'name' }, name)));
 }
+
+/** What stands between the headlines and the statistics. */
+export const details = (job: JobInfo, unit: string): HTMLElement[] => (KEY[job.kind] ? [] : cableForces(job.statistics as Values, unit));
 
 const FIRST = [
   'objective', 'objective_value', 'secondary_value', 'converged', 'stop_reason', 'residual', 'area', 'certificate', 'initial_area', 'nodes', 'vertices', 'triangles',
