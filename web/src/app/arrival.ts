@@ -110,5 +110,5 @@ function showKinds(): void {
   }));
   $('blank-starts').replaceChildren(...kinds.filter((kind) => KINDS[kind].lines.length > 0).map((kind) => el('button', {
     type: 'button', onclick: () => { $<HTMLDialogElement>('gallery').close(); startBlank(kind); },
-  }, `Draw a ${KINDS[kind].label.toLowerCase()}`)));
+  }, `Draw a ${KINDS[kind].noun}`)));
 }

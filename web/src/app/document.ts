@@ -10,7 +10,7 @@ import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from 
 import { cableTable, forceUnit } from '../panels/cable';
 import { build, disable, type FormHost, schemaOf } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
-import { capital } from '../text';
+import { OBJECTIVES } from '../words';
 import { cableModes, foundCable, redraw, showDock } from './drawing';
 import { keep } from './keeping';
 import { setMode } from './modes';
@@ -77,11 +77,7 @@ export function showForm(): void {
         if (focused) form.querySelector<HTMLElement>(`[name="${CSS.escape(focused)}"]`)?.focus();
       } else disable(form, formHost);
     },
-    describe: (name, value) => {
-      if (name !== 'objective') return undefined;
-      const found = server.objectives.find((each) => each.kind === kind && each.name === value);
-      return found ? `${capital(found.minimises)} [${found.unit.replaceAll('u', unitOf(request))}]. ${found.source}.` : undefined;
-    },
+    describe: (name, value) => (name === 'objective' ? OBJECTIVES[kind]?.[value] : undefined),
   };
   build(form, schema, request, formHost, kind === 'tensile_structure' ? cables(form, formHost) : null);
 }

@@ -56,7 +56,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
   $('details').replaceChildren(...details(job, unitOf(request)));
-  $('warnings').replaceChildren(...warnings(job.warnings));
+  $('warnings').replaceChildren(...warnings(job.warnings, unitOf(request)));
   $('statistics').replaceChildren(...statistics(values));
   $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.

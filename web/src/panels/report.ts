@@ -2,7 +2,8 @@
 
 import type { HistoryRow, JobInfo } from 'plateau-client';
 import { el } from '../dom';
-import { humanise, number, sentence } from '../text';
+import { humanise, number } from '../text';
+import { FIGURES, sayWarning } from '../words';
 import type { Sample } from './chart';
 
 type Values = Record<string, unknown>;
@@ -109,11 +110,13 @@ export function statistics(values: Values): HTMLElement[] {
   const visit = (name: string, value: unknown): void => {
     if (Array.isArray(value)) {
       if (value.length === 0) return;
-      if (value.every(isObject)) lists.push(table(name, value));
-      else if (value.length > MOST_IN_A_ROW) lists.push(folded(name, String(value.length), el('p', { className: 'numbers' }, value.map(text).join(' · '))));
+      if (value.every(isObject)) lists.push(table(name.replaceAll('.', ' '), value));
+      else if (value.length > MOST_IN_A_ROW) lists.push(folded(name.replaceAll('.', ' '), String(value.length), el('p', { className: 'numbers' }, value.map(text).join(' · '))));
       else rows.push(row(name, value.map(text).join(', ')));
     } else if (isObject(value)) {
-      Object.entries(value).forEach(([inner, each]) => visit(`${name} ${inner}`, each));
+      // The figures of an object stand below its name.
+      if (!name.includes('.')) rows.push(el('tr', { className: 'group-name' }, el('th', { scope: 'colgroup', colSpan: 2 }, humanise(name.replace(/_deg$/, '')))));
+      Object.entries(value).forEach(([inner, each]) => visit(`${name}.${inner}`, each));
     } else if (value !== undefined) rows.push(row(name, text(value)));
   };
   Object.entries(values).filter(([name]) => name !== 'comparison' && name !== 'history').sort((a, b) => rank(a) - rank(b)).forEach(([name, value]) => visit(name, value));
@@ -122,10 +125,12 @@ export function statistics(values: Values): HTMLElement[] {
 
 /** A text longer than this stands below its name, because the column of values is narrow. */
 const LONG_TEXT = 60;
-function row(name: string, value: string): HTMLElement {
-  const title = humanise(name.replace(/_deg (.*)$/, ' $1_deg'));
-  if (value.length > LONG_TEXT) return el('tr', {}, el('td', { className: 'long', colSpan: 2 }, el('span', {}, title), value));
-  return el('tr', {}, el('th', { scope: 'row' }, title), el('td', {}, value));
+function row(path: string, value: string): HTMLElement {
+  const [, ...inner] = path.split('.');
+  const title = FIGURES[path] ?? humanise(inner.length > 0 ? inner.join(' ') : path);
+  const className = inner.length > 0 ? 'inner' : '';
+  if (value.length > LONG_TEXT) return el('tr', { className }, el('td', { className: 'long', colSpan: 2 }, el('span', {}, title), value));
+  return el('tr', { className }, el('th', { scope: 'row' }, title), el('td', {}, value));
 }
 
 const folded = (name: string, of: string, inner: HTMLElement): HTMLElement =>
@@ -147,9 +152,12 @@ function flatten(item: Values, prefix = ''): Values {
   }, {});
 }
 
-/** Each warning once, in words that count from 1. */
-export const warnings = (list: JobInfo['warnings']): HTMLElement[] =>
-  (list ?? []).map(({ code, detail }) => el('p', { className: 'warning' }, el('strong', {}, humanise(code)), ` ${sentence(detail)}`));
+/** Each warning once, in the page's own words, which count from 1. */
+export const warnings = (list: JobInfo['warnings'], unit: string): HTMLElement[] => (list ?? []).map(({ code, values, detail }) => {
+  const said = sayWarning(code, values, detail, unit);
+  return el('div', { className: 'warning', 'data-code': code }, el('strong', {}, humanise(code)), said.sentence,
+    said.detail !== null && el('details', {}, el('summary', {}, 'In the words of the service, which counts from 0'), said.detail));
+});
 
 export const samplesOf = (rows: HistoryRow[] | undefined | null): Sample[] =>
   (rows ?? []).map((each) => ({ iteration: each.iteration, phase: each.phase, value: each.area ?? null, residual: each.residual ?? null }));
