@@ -1,5 +1,5 @@
 // The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
-// begins. They know each other in one direction only: session, notes, keeping, drawing, problems, modes, result, solving,
+// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, solving,
 // document, opening, arrival, wiring.
 
 import './style.css';

@@ -66,8 +66,8 @@ export function cableTable(request: Request, cables: Cable[], host: TableHost): 
   const rows = cables.slice(0, MOST_ROWS).map(row);
   const more = cables.length - rows.length;
   return el('div', { id: 'cables' },
-    el('h3', {}, cables.length === 0 ? 'No cables' : 'Cables'),
-    rows.length > 0 && el('table', {}, el('thead', {}, el('tr', {}, ...['Cable', 'holds', 'at', ''].map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows)),
+    el('h2', {}, cables.length === 0 ? 'No cables' : 'Cables'),
+    rows.length > 0 && el('table', {}, el('thead', {}, el('tr', {}, ...['Cable', 'holds', 'at'].map((head) => el('th', { scope: 'col', colSpan: head === 'at' ? 2 : 1 }, head)))), el('tbody', {}, ...rows)),
     more > 0 && el('p', { className: 'help' }, `and ${more} more: press one on the stage to change it.`),
     host.hangAll && el('button', { type: 'button', id: 'hang-all', onclick: host.hangAll }, 'Hang every edge on a cable'));
 }
