@@ -86,25 +86,15 @@ test('numbers and units read as people write them', async () => {
   assert.match(await page.textContent('#toast'), /"high" is not a number/);
 });
 
-test('failures of films offer a remedy that is one press, and one step of undo', async () => {
+test('rings that no film connects offer to let it come apart, by one press and one step of undo', async () => {
   const { page } = studio;
   await studio.open('tent');
   const ring = (z) => Array.from({ length: 24 }, (_, i) => [Math.cos((i * Math.PI) / 12), Math.sin((i * Math.PI) / 12), z]);
-  const twisted = (height) => [[0, 0, 0], [8, 8, 0], [8, 0, height], [0, 8, height]];
-  const cases = {
-    'Let the film come apart': { boundaries: [ring(0), ring(6)], resolution: { triangles: 500 } },
-    'Begin with a disk': { boundaries: [twisted(3)], resolution: { triangles: 500 } },
-  };
-  for (const [label, wanted] of Object.entries(cases)) {
-    await apply(page, wanted);
-    await page.click(`#problem .remedy:text-is("${label}")`);
-    await solved(page);
-    assert.equal(await page.isVisible('#problem'), false, label);
-    await page.click('#undo');
-    assert.deepEqual(await request(page), wanted);
-  }
-  // No mesh spans a plane boundary that crosses itself.
-  await apply(page, { boundaries: [twisted(0)] });
-  await page.waitForFunction(() => /point 1 to 2 meets/.test(document.querySelector('#problem').textContent));
-  assert.equal(await page.locator('#problem .remedy').count(), 0);
+  const wanted = { boundaries: [ring(0), ring(6)], resolution: { triangles: 500 } };
+  await apply(page, wanted);
+  await page.click('#problem .remedy:text-is("Let the film come apart")');
+  await solved(page);
+  assert.equal(await page.isVisible('#problem'), false);
+  await page.click('#undo');
+  assert.deepEqual(await request(page), wanted);
 });

@@ -1,7 +1,7 @@
 // Changes of a request that are likely to help after a failure, each made by one press.
 
 import { cablesOf } from './cables';
-import { coordinates, type Request, type Vec3 } from './request';
+import type { Request } from './request';
 
 export interface Remedy { label: string; apply(request: Request): void }
 
@@ -22,25 +22,7 @@ const REMEDIES: Record<string, (request: Request) => Remedy | null> = {
   },
   '/problems/no-connected-film': ({ topology }) => (topology === 'free' || topology === 'best' ? null
     : { label: 'Let the film come apart', apply: (changed) => { changed.topology = 'free'; } }),
-  // A curve in space may cross itself only as it is seen from one side, which does not matter to a mesh that begins as a disk.
-  '/problems/self-intersecting-boundary': ({ boundaries, initial_mesh: mesh }) => {
-    if (!Array.isArray(boundaries) || boundaries.length !== 1 || mesh === 'disk' || isPlane(boundaries[0])) return null;
-    return { label: 'Begin with a disk', apply: (changed) => { changed.initial_mesh = 'disk'; } };
-  },
 };
 
 /** The remedy for a failure; null if none is known. */
 export const remedyFor = (type: string, request: Request): Remedy | null => REMEDIES[type]?.(request) ?? null;
-
-/** Whether points lie in one plane, up to a millionth of their extent. */
-function isPlane(line: unknown): boolean {
-  const points = Array.isArray(line) ? line.flatMap((point) => { const at = coordinates(point); return at ? [at] : []; }) : [];
-  const [origin] = points;
-  if (!origin) return true;
-  const arms = points.map((point): Vec3 => [point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]]);
-  const size = Math.max(...arms.map((arm) => Math.hypot(...arm)));
-  const cross = (a: Vec3, b: Vec3): Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const far = arms.reduce((a, b) => (Math.hypot(...b) > Math.hypot(...a) ? b : a));
-  const normal = arms.map((arm) => cross(far, arm)).reduce((a, b) => (Math.hypot(...b) > Math.hypot(...a) ? b : a));
-  return arms.every((arm) => Math.abs(arm[0] * normal[0] + arm[1] * normal[1] + arm[2] * normal[2]) <= 1e-6 * size ** 3);
-}
