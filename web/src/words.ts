@@ -1,5 +1,5 @@
 // The page's own sentences: one for each warning, each failure and each objective of the service. They count from 1, as people
-// do, while the service counts from 0. What the page has no sentence for is shown in the service's words.
+// do, while the service counts from 0. Anything else is shown in the service's words.
 
 import { count, number } from './text';
 
@@ -75,7 +75,7 @@ export function sayWarning(code: string, values: Values, detail: string, unit: s
   return own === undefined ? { sentence: detail, detail: null } : { sentence: own, detail: INCOMPLETE.includes(code) ? detail : null };
 }
 
-/** What failed and what to try, by the last part of the failure's type. */
+/** Sentences of the failures, by the last part of their type: what is wrong, and what to try. */
 export const FAILURES: Record<string, string> = {
   'degenerate-boundary': 'The boundary spans no area that a mesh could begin with. Move its points apart.',
   'equilibrium-not-found': 'No shape in equilibrium was found, which does not prove that there is none. Try another resolution, or begin nearer to the shape.',
@@ -92,7 +92,7 @@ export const FAILURES: Record<string, string> = {
   'too-large': 'The mesh is too large for this service. Ask for fewer triangles or for longer edges.',
 };
 
-/** What each objective does, by kind and name. */
+/** Sentences of the objectives, by kind and name. */
 export const OBJECTIVES: Record<string, Record<string, string>> = {
   minimal_surface: {
     minimal_area: 'The film with the least area on its fixed boundary, as a soap film has.',

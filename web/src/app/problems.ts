@@ -49,7 +49,7 @@ export function showProblem(fault: unknown, turn = ask()): void {
   let counted = false;
   const items = list.flatMap((error) => {
     const found = place(host.lines, error.pointer);
-    // What the page sees itself it says in its own words, which count from 1.
+    // The page says the faults that it sees itself in its own words, which count from 1.
     const seen = found.line !== undefined && own.some(({ line, points }) => line === found.line && (found.point === undefined || points.includes(found.point)));
     if (seen) return [];
     if (found.line !== undefined && found.point !== undefined && found.point >= 0) faulty.add(`${found.line}/${found.point}`);

@@ -20,6 +20,7 @@ export const forceUnit = (request: Request): string => (request.units as { force
 /** The modes that the service offers, with what each holds constant. */
 export type Modes = { name: string; help: string | undefined }[];
 
+/** Maximum number of cables in the table, because each has controls that are made anew with the form. */
 const MOST_ROWS = 40;
 
 export interface TableHost {

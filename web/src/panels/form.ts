@@ -90,13 +90,13 @@ export interface FormHost {
   describe(name: string, value: string): string | undefined;
   /** Why a field, or `field=choice`, does not apply to the request as it is now; null if it does. */
   whyNot(field: string): string | null;
-  /** What the request has at a field now, given by names joined by dots. */
+  /** Value of a field in the request as it is now. The field is given by names joined by dots. */
   given(field: string): unknown;
   /** The unit of a field, if it has one. */
   unit(field: string): string | undefined;
 }
 
-/** A field within another one, set without a change of what else that holds. */
+/** A field within another one. Setting it leaves the other fields of that object as they are. */
 function promoted(host: FormHost, schema: Schema, path: string[]): HTMLElement | null {
   const field = path.reduce<Schema | null>((found, name) => {
     const inner = found?.properties?.[name];

@@ -35,7 +35,7 @@ const range = (values: number[]): string => {
 /** The service names a cable without a name by its number from 0. */
 const cableName = (name: string, index: number): string => (name === String(index) ? `cable ${index + 1}` : name);
 
-/** What the members of a structure or a net carry, and what its supports must hold. */
+/** Forces and lengths of the members of a structure or a net, and forces of its supports. */
 function forces(values: Values, unit: string): Figure[] {
   const force = String(values.force_unit ?? '');
   const found: Figure[] = [];
@@ -74,7 +74,7 @@ function cableForces(values: Values, unit: string): HTMLElement[] {
   return [el('table', { className: 'cables' }, el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...rows)),
     ...(more > 0 ? [el('p', { className: 'quiet small' }, `and ${more} more, in the statistics below`)] : [])];
 }
-/** Rows of the table beneath the headlines. */
+/** Maximum number of rows below the headlines; the statistics list all cables. */
 const MOST_CABLES = 12;
 
 const at = (values: Values, path: string): unknown => path.split('.').reduce<unknown>((value, step) => (value as Values | null | undefined)?.[step], values);
@@ -91,7 +91,7 @@ export function keyFigures(job: JobInfo, unit: string): HTMLElement[] {
   return figures.map(({ name, value, unit: of }) => el('div', { className: 'figure' }, el('span', { className: 'value' }, value, el('small', {}, suffix(of))), el('span', { className: 'name' }, name)));
 }
 
-/** What stands between the headlines and the statistics. */
+/** The part between the headlines and the statistics. */
 export const details = (job: JobInfo, unit: string): HTMLElement[] => (KEY[job.kind] ? [] : cableForces(job.statistics as Values, unit));
 
 const FIRST = [

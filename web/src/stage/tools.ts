@@ -348,7 +348,7 @@ export class Tools {
     this.letGo = end;
   }
 
-  /** Takes the pointer from the camera until it is released, or until a second finger comes, which gives `undo` a call. */
+  /** Takes the pointer from the camera until it is released. If a second finger comes first, `undo` is called instead of `done`. */
   private seize(event: PointerEvent, move: (event: PointerEvent) => void, done: (event: PointerEvent) => void, undo: () => void = () => {}): void {
     const { stage } = this.host;
     this.busy = true;
