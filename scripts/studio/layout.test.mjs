@@ -49,9 +49,9 @@ const faultsOfLayout = () => {
 
 /**
  * Examples whose figures, options and modes take the most room: films with and without ropes, a comparison, strips with one
- * and many pieces, lattices plane and curved. `scripts/test --long` looks at every example.
+ * and many pieces, lattices plane and curved, structures with a table of cables. `scripts/test --long` looks at every example.
  */
-const REPRESENTATIVE = ['tent', 'ridge-rope', 'rings-12-best', 'wavy-strip', 'wang-tang-v', 'vault', 'floor-fewest-nodes'];
+const REPRESENTATIVE = ['tent', 'ridge-rope', 'rings-12-best', 'wavy-strip', 'wang-tang-v', 'vault', 'floor-fewest-nodes', 'four-point-sail', 'air-hall'];
 
 test('at every size, drawing or with a point selected, nothing overlaps and nothing is wider than its box', async () => {
   const { page } = studio;
@@ -116,6 +116,11 @@ test('the accessibility rules are met, light and dark, wide and narrow, in every
     await page.waitForFunction(() => document.querySelectorAll('.tile dl').length >= 5);
     await check(`${theme}, compare`);
     await page.click('[data-mode="model"]');
+    await page.evaluate(() => window.studio.openExample('four-point-sail'));
+    await solved(page);
+    await check(`${theme}, table of cables`);
+    await page.evaluate(() => window.studio.openExample('wavy-strip'));
+    await solved(page);
     await page.click('#theme');
   }
 });

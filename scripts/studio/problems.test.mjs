@@ -85,3 +85,16 @@ test('numbers and units read as people write them', async () => {
   assert.equal((await request(page)).boundaries[0][0][2], 1.5);
   assert.match(await page.textContent('#toast'), /"high" is not a number/);
 });
+
+test('rings that no film connects offer to let it come apart, by one press and one step of undo', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const ring = (z) => Array.from({ length: 24 }, (_, i) => [Math.cos((i * Math.PI) / 12), Math.sin((i * Math.PI) / 12), z]);
+  const wanted = { boundaries: [ring(0), ring(6)], resolution: { triangles: 500 } };
+  await apply(page, wanted);
+  await page.click('#problem .remedy:text-is("Let the film come apart")');
+  await solved(page);
+  assert.equal(await page.isVisible('#problem'), false);
+  await page.click('#undo');
+  assert.deepEqual(await request(page), wanted);
+});

@@ -1,15 +1,16 @@
 // The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
-// begins. They know each other in one direction only: session, notes, keeping, drawing, problems, modes, result, solving,
+// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, solving,
 // document, opening, arrival, wiring.
 
 import './style.css';
 import { arrive } from './app/arrival';
-import { changed, gizmo, useObjective } from './app/document';
+import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { compare } from './app/modes';
 import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
 import { openExample } from './app/opening';
+import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
 import { preferredTheme, setTheme } from './app/theme';
 import { showPanel, wire } from './app/wiring';
@@ -18,6 +19,7 @@ import type { Vec3 } from './model/request';
 
 Object.assign(host, { changed: (dragging: boolean) => changed({ dragging }), selectionChanged: showDock, label, read: readSurface, readLine, announce });
 compare.use = useObjective;
+repair.by = applyRemedy;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
 stage.content = () => [...sketch.places, ...surface.outline()];
 stage.onDraw = () => {

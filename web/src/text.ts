@@ -42,18 +42,3 @@ export function duration(seconds: number): string {
   if (seconds < 90) return `${Math.round(seconds)} s`;
   return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
 }
-
-const NUMBERED = /\b(boundary|boundaries|directrix|directrices|strips?|holes?|loops?|polygons?|polylines?|rows?|points?)((?: \d+(?![.\d%°])(?:,| and| or)?)+)/g;
-
-/**
- * A sentence of the service as the studio says it. The service counts from 0, as its JSON does; people and the studio count
- * from 1. Programs print `1 places` and `3.400e0`.
- */
-export function sentence(text: string): string {
-  return text
-    .replace(NUMBERED, (_, noun: string, numbers: string) => noun + numbers.replace(/\d+/g, (digits) => String(Number(digits) + 1)))
-    .replace(/(-?\d+(?:\.\d+)?e[+-]?\d+)\b/g, (digits) => number(Number(digits)))
-    .replace(/(?<![\d.,])1 (places|points|triangles|edges|vertices|strips|boundaries|directrices|loops|members|nodes|rows)\b/g, (_, noun: string) => `1 ${singular(noun)}`);
-}
-
-const singular = (noun: string): string => ({ vertices: 'vertex', boundaries: 'boundary', directrices: 'directrix' })[noun] ?? noun.slice(0, -1);

@@ -1,12 +1,12 @@
 // What the page begins with: a link's content, what was being worked on, an example that the address names, or a canopy.
 
-import { type ExampleSummary, type JobInfo, type Kind, NotFound, Unauthorized } from 'plateau-client';
+import { type ExampleSummary, type Kind, NotFound, Unauthorized } from 'plateau-client';
 import { plateau } from '../api';
 import { $, el } from '../dom';
 import { isWhole, KINDS } from '../model/request';
 import { type OpenApi, schemaOf } from '../panels/form';
 import { gallery } from '../panels/gallery';
-import { ask, whileBusy } from './busy';
+import { ask, opening, whileBusy } from './busy';
 import { load, showForm, startBlank } from './document';
 import { showDock } from './drawing';
 import { keep, type Kept, kept, placeWorld } from './keeping';
@@ -14,7 +14,7 @@ import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
 import { hideProblem, showProblem } from './problems';
 import { doc, embedded, history, server, session } from './session';
-import { adopt, solve } from './solving';
+import { resumeJob, solve } from './solving';
 
 /** What a first visit sees: a canopy on a ring that rises and falls. */
 const HERO: Example = {
@@ -43,23 +43,32 @@ export const arrive = (): Promise<void> => whileBusy(async () => {
   }
 });
 
-async function begin(): Promise<void> {
+/** The first document. Another one that was opened or drawn while it was fetched stays. */
+function begin(): Promise<void> {
+  const before = JSON.stringify(doc());
+  return opening(first, ({ found, example }) => {
+    if (JSON.stringify(doc()) !== before) return;
+    if (found) {
+      resume(found);
+      return;
+    }
+    const { kind, title, request: { kind: _, ...request } } = example ?? HERO;
+    Object.assign(history.document, { kind, request, title });
+    load();
+    $('intro').hidden = example !== null;
+    showDock();
+    void solve();
+  }, (error) => { throw error; });
+}
+
+async function first(): Promise<{ found: Kept | null; example: Example | null }> {
   const found = await linked() ?? (named() !== null || embedded ? null : kept());
-  if (found) {
-    await resume(found);
-    return;
-  }
   // A name that the server does not know leads to the first film.
-  const example = named() === null ? null : await fetchExample(named()!).catch((error: unknown) => {
+  const example = found || named() === null ? null : await fetchExample(named()!).catch((error: unknown) => {
     if (error instanceof NotFound) return null;
     throw error;
   });
-  const { kind, title, request: { kind: _, ...request } } = example ?? HERO;
-  Object.assign(history.document, { kind, request, title });
-  load();
-  $('intro').hidden = example !== null;
-  showDock();
-  await solve();
+  return { found, example };
 }
 
 /** What the server offers: kinds, options, objectives and examples. */
@@ -78,15 +87,17 @@ async function learn(): Promise<void> {
   keep();
 }
 
-/** Goes on where a link or the last visit was: with its job, if the server knows it still. */
-async function resume({ kind, request, draft, title, camera, colour, job: id }: Kept): Promise<void> {
+/** Goes on where a link or the last visit was. A request that was cancelled then is not solved again by itself. */
+function resume({ kind, request, draft, title, camera, colour, phase, job }: Kept): void {
   Object.assign(history.document, { kind, request, draft: draft ?? null, title: title ?? null });
   session.colour = colour ?? 'plain';
   load();
   if (camera) placeWorld(camera);
-  const job = id ? await plateau.getJson<JobInfo>(`v1/jobs/${id}`).catch(() => null) : null;
-  if (job && job.status !== 'cancelled' && job.status !== 'failed') await adopt(job);
-  else if (isWhole(kind, request) && doc().draft === null) await solve();
+  if (phase === 'cancelled') {
+    session.requests.wasCancelled(kind, JSON.stringify(request));
+    say('Cancelled.');
+  } else if (job) void resumeJob(job);
+  else if (isWhole(kind, request) && doc().draft === null) void solve();
 }
 
 function showKinds(): void {
@@ -99,5 +110,5 @@ function showKinds(): void {
   }));
   $('blank-starts').replaceChildren(...kinds.filter((kind) => KINDS[kind].lines.length > 0).map((kind) => el('button', {
     type: 'button', onclick: () => { $<HTMLDialogElement>('gallery').close(); startBlank(kind); },
-  }, `Draw a ${KINDS[kind].label.toLowerCase()}`)));
+  }, `Draw a ${KINDS[kind].noun}`)));
 }

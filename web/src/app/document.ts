@@ -2,19 +2,23 @@
 
 import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
+import { dropRefused, whyNot } from '../model/applies';
+import { bareEdges, cablesOf, hangAll } from '../model/cables';
 import { Frame, originFor } from '../model/frame';
-import { blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
-import { build, schemaOf } from '../panels/form';
+import type { Remedy } from '../model/remedies';
+import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
+import { cableTable, forceUnit } from '../panels/cable';
+import { build, disable, type FormHost, schemaOf } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
-import { capital } from '../text';
-import { redraw, showDock } from './drawing';
+import { OBJECTIVES } from '../words';
+import { cableModes, foundCable, redraw, showDock } from './drawing';
 import { keep } from './keeping';
 import { setMode } from './modes';
 import { say } from './notes';
 import { hideProblem } from './problems';
 import { forget, showStale } from './result';
 import { doc, FIRST_VIEW, history, host, server, session, stage, surface, tools } from './session';
-import { solve } from './solving';
+import { abandon, solve } from './solving';
 
 /** A drawing that takes longer than this to solve is solved when a drag ends, not while it goes on. */
 const DRAG_PATIENCE_S = 1.2;
@@ -45,12 +49,21 @@ export function showForm(): void {
   $('purpose').textContent = KINDS[kind].purpose;
   const schema = schemaOf(server.openapi, KINDS[kind].path);
   if (!schema) return;
-  build($<HTMLFormElement>('options'), schema, request, {
+  const form = $<HTMLFormElement>('options');
+  const formHost: FormHost = {
     openapi: server.openapi,
+    whyNot: (field) => whyNot(kind, doc().request, field),
+    given: (field) => at(doc().request, field.split('.')),
+    unit: (field) => {
+      const [force, length] = [forceUnit(doc().request), unitOf(doc().request)];
+      return kind === 'tensile_structure' ? { 'film.tension': `${force}/${length}`, pressure: `${force}/${length}²`, 'film.weight': `${force}/${length}²` }[field] : undefined;
+    },
     set: (name, value) => {
+      let dropped = false;
       const done = history.edit(({ request: edited }) => {
         if (value === undefined) delete edited[name];
         else edited[name] = value;
+        dropped = dropRefused(kind, edited);
       });
       if (!done) return;
       if (name === 'units' || name === 'up') {
@@ -58,14 +71,38 @@ export function showForm(): void {
         load();
       }
       changed({ option: true });
+      if (dropped) {
+        const { name: focused } = document.activeElement as HTMLInputElement;
+        showForm();
+        if (focused) form.querySelector<HTMLElement>(`[name="${CSS.escape(focused)}"]`)?.focus();
+      } else disable(form, formHost);
     },
-    describe: (name, value) => {
-      if (name !== 'objective') return undefined;
-      const found = server.objectives.find((each) => each.kind === kind && each.name === value);
-      return found ? `${capital(found.minimises)} [${found.unit.replaceAll('u', unitOf(request))}]. ${found.source}.` : undefined;
+    describe: (name, value) => (name === 'objective' ? OBJECTIVES[kind]?.[value] : undefined),
+  };
+  build(form, schema, request, formHost, kind === 'tensile_structure' ? cables(form, formHost) : null);
+}
+
+/** The table of the cables, whose edits leave the rest of the form as it is. */
+function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
+  return cableTable(doc().request, cablesOf(doc().request), {
+    modes: cableModes(),
+    found: foundCable,
+    edit: (index, change) => {
+      const done = history.edit(({ request }) => {
+        const cable = cablesOf(request)[index];
+        if (cable) change(cable, request);
+      });
+      if (!done) return;
+      changed({ option: true });
+      disable(form, formHost);
     },
+    choose: (index) => tools.chooseCable(index),
+    hangAll: mayNotHang(doc().request) ? null : () => { if (history.edit(({ request }) => hangAll(request))) changed(); },
   });
 }
+
+/** Whether no edge is left for a cable, or a pressure excludes cables along the edges. */
+const mayNotHang = (request: Request): boolean => bareEdges(request).length === 0 || Boolean(request.pressure) || Boolean(request.volume);
 
 /** After every change of the document, also while a point is being dragged. */
 export function changed({ dragging = false, option = false } = {}): void {
@@ -82,7 +119,7 @@ export function changed({ dragging = false, option = false } = {}): void {
   }
   showDocument(dragging);
   if (isLive() && isWhole(doc().kind, doc().request) && doc().draft === null) {
-    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve();
+    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve(dragging);
   }
 }
 
@@ -110,6 +147,7 @@ export function showRequest(): void {
 
 const restore = (step: () => boolean): void => {
   if (!step()) return;
+  if (session.requests.underWay && session.requests.underWay.kind !== doc().kind) abandon();
   if (session.shown && session.shown.job.kind !== doc().kind) forget();
   load({ refit: false });
   stage.rememberWhetherAllIsSeen();
@@ -120,9 +158,9 @@ export const redo = (): void => restore(() => history.redo());
 
 /** Replaces the document, as one step that can be undone. */
 export function replace(kind: Kind, request: Request, title: string | null): void {
+  abandon();
   session.viewing = false;
   session.cameraGiven = false;
-  session.generation += 1;
   const same = session.shown?.job.kind === kind;
   history.edit((document) => Object.assign(document, { kind, request, title, draft: null }));
   tools.selection = [];
@@ -143,8 +181,14 @@ export function useObjective(name: string): void {
   setMode('model');
   const done = history.edit(({ request }) => {
     request.objective = name;
-    if (name !== 'maximal_convexity') delete request.secondary_objective;
+    dropRefused(doc().kind, request);
   });
   if (done) changed();
+  if (!isLive()) void solve();
+}
+
+/** Changes the request as the remedy of a failure says, and solves it. */
+export function applyRemedy({ apply }: Remedy): void {
+  if (history.edit(({ request }) => apply(request))) changed();
   if (!isLive()) void solve();
 }

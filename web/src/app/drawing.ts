@@ -40,12 +40,12 @@ export function cableModes(): Modes {
   return names.map((name, i) => ({ name, help: help?.[i] }));
 }
 
-/** The chosen cable in the result, if the result is that of the drawing. */
-export function foundCable(): Found | undefined {
+/** A cable, or the chosen one, in the result, if the result is that of the drawing. */
+export function foundCable(index = tools.cable): Found | undefined {
   if (!session.shown || session.shown.job.kind !== 'tensile_structure') return undefined;
-  const course = (request: Request): string => JSON.stringify(cablesOf(request)[tools.cable]?.along);
+  const course = (request: Request): string => JSON.stringify(cablesOf(request)[index]?.along);
   if (course(session.shown.request) !== course(doc().request)) return undefined;
-  return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[tools.cable];
+  return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[index];
 }
 
 export function showDock(): void {
@@ -69,14 +69,19 @@ export function showDock(): void {
   else $('hint').textContent = hint();
 }
 
+/** Whether the page is used by fingers, which have no wheel, no right button and no Enter. */
+const byTouch = matchMedia('(pointer: coarse)').matches;
+
 export function hint(): string {
   if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
   if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
+  if (tools.cabling && byTouch) return 'Tap an edge to hang it on a cable, or a point and then another for a cable along several edges.';
   if (tools.cabling) return 'Click an edge of the boundary to hang it on a cable, or a point and then another for a cable along several edges.';
-  if (session.mode === 'flat') return 'The strip unrolled into the plane, to scale. Drag to move it, wheel to zoom.';
+  if (session.mode === 'flat') return `The strip unrolled into the plane, to scale. Drag to move it, ${byTouch ? 'pinch' : 'wheel'} to zoom.`;
   if (host.lines.length === 0) return 'Nothing is drawn yet. Press Draw, open a file, or drop one here.';
   if (doc().kind === 'cable_net') return 'Drag a support to move it. The net is given by its request: its vertices, edges and targets.';
   if (!isWhole(doc().kind, doc().request)) return `A strip needs two ${KINDS[doc().kind].line}s: press Draw for the next one.`;
+  if (byTouch) return 'Drag a point to move it. One finger beside the points turns the view, two move and zoom it.';
   return 'Drag a point to move it, press on an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
 }
 
@@ -87,10 +92,12 @@ function showLine(): void {
   const first = kind === 'uniform_mesh' && host.lines.length === 0;
   const n = draft!.length;
   const what = first ? 'polygon' : line;
+  const press = byTouch ? 'tap' : 'click';
+  const end = byTouch ? 'Finish' : 'Enter';
   $('drawing-hint').textContent = n === 0
-    ? `Click on the ground to begin the ${what}.`
-    : n < least ? `${count(n, 'point')} of the ${what}: click to add more.`
-      : kind === 'ruled_surface' ? `${count(n, 'point')}: click to add more, Enter ends the rail.` : `${count(n, 'point')}: click the first point, or press Enter, to close the ${what}.`;
+    ? `${capital(press)} on the ground to begin the ${what}.`
+    : n < least ? `${count(n, 'point')} of the ${what}: ${press} to add more.`
+      : kind === 'ruled_surface' ? `${count(n, 'point')}: ${press} to add more, ${end} ends the rail.` : `${count(n, 'point')}: ${press} the first point, or press ${end}, to close the ${what}.`;
   $<HTMLButtonElement>('finish').disabled = n < least;
   $('level-name').textContent = `at ${'xyz'[host.frame.up]}`;
   if (document.activeElement !== $('level')) $<HTMLInputElement>('level').value = String(tools.level);

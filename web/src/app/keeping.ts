@@ -4,16 +4,19 @@ import type { JobInfo, Kind } from 'plateau-client';
 import { Frame } from '../model/frame';
 import { KINDS, type Request, type Vec3 } from '../model/request';
 import type { Pose } from '../stage/stage';
+import type { Asked, Life } from './life';
 import { toast } from './notes';
-import { doc, embedded, host, isStale, type Run, session, stage } from './session';
+import { doc, embedded, host, isStale, session, stage } from './session';
 
 const WORK = 'plateau.work', RECENT = 'plateau.recent';
 const PAUSE_MS = 250;
 /** A drawing of more characters is not kept with the list of recent jobs, which holds at most so many. */
 const MOST_CHARACTERS = 200_000, MOST_RECENT = 20;
 
-/** A document as it is kept, and as a link holds it. */
-export interface Kept { kind: Kind; request: Request; draft?: Vec3[] | null; title?: string | null; camera?: Pose; colour?: string; job?: string | null }
+/** A document as it is kept, and as a link holds it. `phase` is how far its request had come, and `job` its job. */
+export interface Kept {
+  kind: Kind; request: Request; draft?: Vec3[] | null; title?: string | null; camera?: Pose; colour?: string; phase?: Life['phase']; job?: string | null;
+}
 
 export const isKept = (found: unknown): found is Kept => {
   const { kind, request } = (found ?? {}) as Partial<Kept>;
@@ -32,10 +35,12 @@ export function keep(): void {
 export function keepNow(): void {
   if (embedded || !session.ready) return;
   const { kind, request, draft, title } = doc();
-  const { pending, shown } = session;
-  const isPending = pending?.kind === kind && pending.request === JSON.stringify(request);
-  const job = isPending ? pending.id : isStale() ? null : shown?.job.id ?? null;
-  const kept: Kept = { kind, request, draft, title, camera: worldPose(), colour: session.colour, job };
+  const { requests: { life, job: own }, shown } = session;
+  // A request that was asked for before an edit says nothing of the document as it is now.
+  const isOwn = life.phase !== 'idle' && life.asked.kind === kind && life.asked.request === JSON.stringify(request);
+  const phase = isOwn ? life.phase : 'idle';
+  const job = (isOwn ? own : isStale() ? null : shown?.job)?.id ?? null;
+  const kept: Kept = { kind, request, draft, title, camera: worldPose(), colour: session.colour, phase, job };
   const text = JSON.stringify(kept);
   try {
     sessionStorage.setItem(WORK, text);
@@ -86,7 +91,7 @@ export function recentJobs(): RecentJob[] {
   }
 }
 
-export function rememberJob(job: JobInfo, { request, title }: Run): void {
+export function rememberJob(job: JobInfo, { request, title }: Asked): void {
   if (embedded || request.length > MOST_CHARACTERS) return;
   const list = [{ id: job.id, title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, MOST_RECENT);
   try {

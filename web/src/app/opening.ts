@@ -19,7 +19,7 @@ import { say, toast } from './notes';
 import { showProblem } from './problems';
 import { forget, show } from './result';
 import { doc, embedded, FIRST_VIEW, host, server, session, stage } from './session';
-import { adopt } from './solving';
+import { abandon, adopt } from './solving';
 
 // ---- Examples and kinds ----
 
@@ -37,8 +37,8 @@ export const openExample = (name: string): Promise<void> => opening(() => fetchE
 
 /** What was last drawn of each kind, to come back to. */
 const drafts = new Map<Kind, { request: Request; title: string | null }>();
-/** The example that a kind begins with. */
-const FIRST_OF: Partial<Record<Kind, string>> = { ruled_surface: 'wavy-strip', uniform_mesh: 'vault' };
+/** The example that a kind begins with. Its result has no warning. */
+const FIRST_OF: Partial<Record<Kind, string>> = { ruled_surface: 'wavy-strip', uniform_mesh: 'courtyard', tensile_structure: 'four-point-sail', cable_net: 'four-cables' };
 
 export function switchKind(kind: Kind): void {
   const before = doc();
@@ -74,6 +74,8 @@ function takeLines(lines: Polyline[], format: string, metres: boolean, name: str
   if (short >= 0) throw new FileFault(`Line ${short + 1} of the file has ${count(own[short]!.length, 'point')}; a ${line} needs ${least}.`);
   const next: Request = { ...structuredClone(request) };
   for (const field of ['normals', 'tangents', 'constraints', 'cables', 'free_points', 'supports']) delete next[field];
+  // The file has no normals, without which this objective cannot be solved.
+  if (next.objective === 'minimal_normal_variation') delete next.objective;
   if (typeof next.initial_mesh === 'object') delete next.initial_mesh;
   if (kind === 'ruled_surface') Object.assign(next, { directrices: own, closed: lines.length > 1 && lines.every(({ closed }) => closed) });
   else if (kind === 'minimal_surface' || kind === 'tensile_structure') next.boundaries = own;
@@ -208,6 +210,7 @@ const openJob = (listed: JobInfo, mine: RecentJob | undefined): Promise<void> =>
 }, showProblem);
 
 function viewMesh(job: JobInfo, mesh: ResultMesh): void {
+  abandon();
   session.viewing = true;
   forget();
   const { unit, up } = mesh.extras as { unit?: string; up?: string };

@@ -4,13 +4,21 @@
 import { ConnectionFailed, type FieldError } from 'plateau-client';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
+import { type Remedy, remedyFor } from '../model/remedies';
 import { place } from '../model/request';
-import { capital, sentence } from '../text';
+import { capital } from '../text';
+import { FAILURES } from '../words';
 import { ask } from './busy';
 import { redraw } from './drawing';
-import { host, session, tools } from './session';
+import { doc, host, session, tools } from './session';
 
-interface Fault { title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
+interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
+
+/** Changes the request as a remedy says, and solves it. main.ts names the function, because it stands above this module. */
+export const repair = { by: (_: Remedy): void => {} };
+
+/** Texts of the service that name a part of the request by its number. */
+const NAMES_A_PLACE = /\b(point|boundary|cable|layer|edge|vertex|vertices|support|ring|directrix|triangle)s? \d|\/\d/;
 
 /** The newest of what was asked for that was answered. */
 let answered = 0;
@@ -34,32 +42,49 @@ export function hideProblem(turn = ask()): void {
 /** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
 export function showProblem(fault: unknown, turn = ask()): void {
   if (!counts(turn)) return;
-  const { title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
+  const { type, title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
   const list = errors ?? [];
   const faulty = new Set<string>();
-  const items = list.map((error) => {
+  const own = findings(host.lines);
+  let counted = false;
+  const items = list.flatMap((error) => {
     const found = place(host.lines, error.pointer);
+    // The page says the faults that it sees itself in its own words, which count from 1.
+    const seen = found.line !== undefined && own.some(({ line, points }) => line === found.line && (found.point === undefined || points.includes(found.point)));
+    if (seen) return [];
     if (found.line !== undefined && found.point !== undefined && found.point >= 0) faulty.add(`${found.line}/${found.point}`);
     const control = found.line === undefined ? $<HTMLFormElement>('options').querySelector<HTMLElement>(`[name="${CSS.escape(found.field ?? '')}"], [name^="${CSS.escape(found.field ?? '')}."]`) : null;
-    return item(capital(found.text), sentence(error.detail), found, control);
+    counted ||= NAMES_A_PLACE.test(error.detail);
+    return [item(capital(found.text), error.detail, found, control)];
   });
-  // The service may name a line and not the points: the studio sees which.
-  if (!list.some((error) => place(host.lines, error.pointer).point !== undefined)) {
-    for (const { line, points, text } of findings(host.lines)) {
+  // The service may name a line, or no place at all: the page sees which points it is.
+  if (list.length === 0 || items.length < list.length || !list.some((error) => place(host.lines, error.pointer).point !== undefined)) {
+    for (const { line, points, text } of own) {
       points.forEach((point) => faulty.add(`${line}/${point}`));
-      items.push(item('', text, { line, point: points[0]! }, null));
+      items.push(item('', capital(text), { line, point: points[0]! }, null));
     }
   }
   if (errorsOmitted) items.push(el('li', {}, 'and more'));
-  // The detail of a refused request repeats its errors.
+  const sentence = FAILURES[(type ?? '').replace('/problems/', '')];
   const summary = detail ?? message ?? '';
+  // The detail of a refused request repeats its errors.
   const repeats = list.length > 0 && (/^see errors/.test(summary) || list.some((error) => summary.includes(error.detail)));
+  const verbatim = sentence !== undefined && summary !== '' && !repeats;
   $('problem').replaceChildren(
-    el('strong', {}, title ?? 'Something went wrong'), repeats || summary === title ? '' : sentence(capital(summary)), items.length > 0 && el('ul', {}, ...items) || '',
+    el('strong', {}, title ?? 'Something went wrong'), sentence ?? (repeats || summary === title ? '' : capital(summary)), items.length > 0 && el('ul', {}, ...items) || '',
+    counted ? el('p', { className: 'small' }, 'The service counts points, cables and edges from zero.') : '',
+    remedied(type) ?? '',
+    verbatim ? el('details', {}, el('summary', {}, 'In the words of the service, which counts from 0'), summary) : '',
   );
   $('problem').hidden = false;
   session.serverFaulty = faulty;
   redraw();
+}
+
+/** The button of a failure's remedy. */
+function remedied(type: string | undefined): HTMLElement | null {
+  const remedy = type === undefined ? null : remedyFor(type, doc().request);
+  return remedy && el('button', { type: 'button', className: 'remedy', onclick: () => repair.by(remedy) }, remedy.label);
 }
 
 const unreached = ({ job }: ConnectionFailed): Fault => (job

@@ -6,7 +6,7 @@ import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
 import { charts } from '../panels/chart';
 import { showLegend } from '../panels/legend';
-import { keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/report';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
@@ -55,7 +55,8 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   $('job-id').textContent = job.id;
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
-  $('warnings').replaceChildren(...warnings(job.warnings));
+  $('details').replaceChildren(...details(job, unitOf(request)));
+  $('warnings').replaceChildren(...warnings(job.warnings, unitOf(request)));
   $('statistics').replaceChildren(...statistics(values));
   $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.
@@ -107,7 +108,7 @@ export function showStale(): void {
     surface.setGhost(stale || doc().draft !== null);
     stage.invalidate();
   };
-  if (stale && session.run && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
+  if (stale && session.requests.underWay && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
   else apply();
 }
 

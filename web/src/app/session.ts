@@ -1,7 +1,7 @@
 // What the whole page shares: the document, the stage that it is drawn on, and what is shown of a result. Nothing here acts:
 // the modules beside it read and change it, and each of them knows only those that main.ts names before it.
 
-import type { ExampleSummary, JobInfo, Kind, Objective } from 'plateau-client';
+import type { ExampleSummary, JobInfo, Objective } from 'plateau-client';
 import { $ } from '../dom';
 import { Frame } from '../model/frame';
 import { type Document, History } from '../model/history';
@@ -13,6 +13,7 @@ import { Sketch, type SketchLook } from '../stage/sketch';
 import { Stage } from '../stage/stage';
 import { type Look, Surface } from '../stage/surface';
 import { type Host, Tools } from '../stage/tools';
+import { Requests } from './life';
 
 /** The direction that a model is first seen from. */
 export const FIRST_VIEW: Vec3 = [0.62, 0.5, 0.85];
@@ -32,8 +33,6 @@ export const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [str
 
 /** A result on the stage, and the request that it belongs to, also as the text that was solved. */
 export interface Shown { job: JobInfo; mesh: ResultMesh; solved: string; request: Request; dragging: boolean }
-/** A job under way, and the document as it was when it began. `stop` ends the wait for it. */
-export interface Run { job: JobInfo | null; since: number; stop: AbortController; dragging: boolean; request: string; kind: Kind; title: string | null; generation: number }
 
 /** What the server offers. */
 export const server = { openapi: {} as OpenApi, objectives: [] as Objective[], examples: [] as ExampleSummary[] };
@@ -46,9 +45,7 @@ export const session = {
   shown: null as Shown | null,
   /** A job is shown of which only the mesh is known here: the drawing is put aside. */
   viewing: false,
-  run: null as Run | null,
-  /** A job that has not ended and the document that it solves, to be found again after a reload. */
-  pending: null as { id: string; kind: Kind; request: string } | null,
+  requests: new Requests(),
   /** How long the last job took, in seconds. */
   lastDuration: 0,
   /** The quantity that the surface is coloured by: its name, and its values. */
@@ -56,8 +53,6 @@ export const session = {
   quantity: null as Quantity | null,
   /** Points that the server found wrong, as `line/point`. */
   serverFaulty: new Set<string>(),
-  /** Counts replacements of the whole document: what was asked before one is not shown after it. */
-  generation: 0,
   /** Whether the camera came with the document, so that its first result does not move it. */
   cameraGiven: false,
   /** Whether the server was heard and the document is one. */

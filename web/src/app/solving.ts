@@ -1,17 +1,18 @@
-// From the document to a result: one job at a time, live, with its progress, and cancelled on demand.
+// From the document to a result: one request at a time, live, with its progress, and cancelled on demand.
 
-import { hasEnded, type JobInfo, JobFailed, type Progress, type Request as ApiRequest } from 'plateau-client';
+import { hasEnded, type JobInfo, JobFailed, NotFound, type Progress, type Request as ApiRequest } from 'plateau-client';
 import { plateau } from '../api';
 import { $ } from '../dom';
 import { charts, phaseName, type Sample } from '../panels/chart';
-import { parseMesh } from '../stage/mesh';
+import { parseMesh, type ResultMesh } from '../stage/mesh';
 import { duration, number } from '../text';
 import { ask, whileBusy } from './busy';
-import { keep, rememberJob } from './keeping';
+import { keep, keepNow, rememberJob } from './keeping';
+import type { Asked, Source } from './life';
 import { say } from './notes';
 import { hideProblem, showProblem } from './problems';
 import { show, showStale, toleranceOf } from './result';
-import { doc, type Run, session } from './session';
+import { doc, session } from './session';
 
 /** In live mode, a job that takes longer than this is cancelled when its input has changed. */
 const PATIENCE_MS = 2000;
@@ -20,101 +21,180 @@ const BAR_AFTER_MS = 300;
 /** Seconds that the answer to a submission waits for the end, so that a quick job comes back finished. */
 const SHORT_WAIT_S = 1;
 
-type Submit = (run: Run) => Promise<JobInfo>;
-/** Where the next run gets its job: from the document as it is then, or from a job that is there already. */
-let next: { submit: Submit; turn: number } | null = null;
+const { requests } = session;
 let barTimer = 0;
 let patienceTimer = 0;
 
+/** The service behind this page. */
+const service: Source = {
+  submit: async ({ kind, request }) => (await plateau.submit({ ...JSON.parse(request) as object, kind } as ApiRequest, { waitS: SHORT_WAIT_S })).info,
+  follow: (job, asked) => follow(job, asked),
+  mesh: async (job, { stop }) => parseMesh(await plateau.download(job.id, 'glb', stop.signal)),
+  cancel: (job) => plateau.cancel(job.id),
+};
+
 /** Solves the document; in live mode what changed meanwhile is solved next. */
-export const solve = (): Promise<void> => start(async ({ kind, request, stop: { signal } }) => {
-  const asked = { ...JSON.parse(request) as object, kind } as ApiRequest;
-  return (await plateau.submit(asked, { waitS: SHORT_WAIT_S, signal })).info;
+export const solve = (dragging = false): Promise<void> => request(service, dragging);
+
+/** Follows a job that belongs to the document as it is, such as one from the list of recent jobs. */
+export const adopt = (job: JobInfo): Promise<void> => request({ ...service, submit: () => Promise.resolve(job) });
+
+/** Goes on with the job of a document from the last visit. The document is solved anew if the service no longer has its job. */
+export const resumeJob = (id: string): Promise<void> => request({
+  ...service,
+  submit: (asked) => plateau.getJson<JobInfo>(`v1/jobs/${id}`).catch((error: unknown) => {
+    if (error instanceof NotFound) return service.submit(asked);
+    throw error;
+  }),
 });
 
-/** Follows a job that belongs to the document as it is: after a reload, or from the list of recent jobs. */
-export const adopt = (job: JobInfo): Promise<void> => start(() => Promise.resolve(job));
+/** Asks for a result of the document as it is now. While a request is under way, the last that was asked for waits. */
+async function request(source: Source, dragging = false): Promise<void> {
+  const { kind, request: document, title } = doc();
+  const asked: Asked = { turn: ask(), kind, request: JSON.stringify(document), title, dragging, since: performance.now(), stop: new AbortController(), source };
+  const before = requests.underWay;
+  if (requests.ask(asked)) await begin(asked);
+  else if (before) {
+    clearTimeout(patienceTimer);
+    patienceTimer = window.setTimeout(() => void giveWay(before), before.since + PATIENCE_MS - performance.now());
+  }
+}
 
-/** One job at a time: while one runs, the last that was asked for waits. */
-async function start(submit: Submit): Promise<void> {
-  next = { submit, turn: ask() };
-  if (session.run) {
-    giveWay(session.run);
+/** Takes the request that has just become the current one to its end. */
+const begin = (asked: Asked): Promise<void> => whileBusy(async () => {
+  clearTimeout(patienceTimer);
+  asked.since = performance.now();
+  showRunning(true);
+  if (!asked.dragging) say('Solving…');
+  try {
+    await carryOut(asked);
+  } catch (error) {
+    if (requests.enter({ phase: 'failed', asked, job: requests.job, error })) {
+      if (!requests.hasWaiting) {
+        showProblem(error, asked.turn);
+        say('Not solved.');
+      }
+      goOn();
+    }
+  }
+});
+
+/** After the end of a request: the one that waited begins, or the page rests. */
+function goOn(): void {
+  const next = requests.next();
+  if (next) {
+    void begin(next);
     return;
   }
-  await whileBusy(async () => {
-    showRunning(true);
-    while (next) {
-      const { submit: from, turn } = next;
-      next = null;
-      const { kind, request, title } = doc();
-      const run: Run = {
-        job: null, since: performance.now(), stop: new AbortController(), dragging: document.querySelector('canvas:active') !== null,
-        request: JSON.stringify(request), kind, title, generation: session.generation,
-      };
-      session.run = run;
-      try {
-        await carryOut(run, from, turn).catch((error: unknown) => {
-          if (!run.stop.signal.aborted) throw error;
-          return cancelled(run);
-        });
-      } catch (error) {
-        if (!next && run.generation === session.generation) {
-          showProblem(error, turn);
-          say('Not solved.');
-        }
-      } finally {
-        session.run = null;
-        clearTimeout(patienceTimer);
-        keep();
-      }
+  clearTimeout(patienceTimer);
+  showRunning(false);
+  showStale();
+  keep();
+}
+
+/** Waits for an answer, unless the request is stopped first. */
+const unlessStopped = <T>(answer: Promise<T>, { signal }: AbortController): Promise<T> => new Promise((resolve, reject) => {
+  signal.addEventListener('abort', () => reject(signal.reason as Error), { once: true });
+  answer.then(resolve, reject);
+});
+
+async function carryOut(asked: Asked): Promise<void> {
+  const { source, stop } = asked;
+  const submission = source.submit(asked);
+  // A job that is accepted after its request was given up is cancelled then.
+  submission.then((job) => { if (stop.signal.aborted) void endJob(asked, job).catch(() => {}); }, () => {});
+  let job = await unlessStopped(submission, stop);
+  if (!requests.isCurrent(asked)) return;
+  hideProblem(asked.turn);
+  if (!hasEnded(job.status)) {
+    requests.enter({ phase: 'running', asked, job });
+    keep();
+    job = await source.follow(job, asked);
+  }
+  if (job.status === 'failed') {
+    if (requests.life.phase === 'submitting') requests.enter({ phase: 'running', asked, job });
+    throw new JobFailed(job);
+  }
+  if (job.status === 'cancelled') {
+    if (requests.enter({ phase: 'cancelled', asked })) {
+      if (!requests.hasWaiting) say('Cancelled.');
+      goOn();
     }
-    showRunning(false);
-    showStale();
+    return;
+  }
+  const mesh = await unlessStopped(source.mesh(job, asked), stop);
+  if (requests.enter({ phase: 'shown', asked, job })) {
+    present(asked, job, mesh);
+    goOn();
+  }
+}
+
+function present(asked: Asked, job: JobInfo, mesh: ResultMesh): void {
+  const before = session.shown;
+  session.lastDuration = (performance.now() - asked.since) / 1000;
+  show(job, mesh, asked.request, asked.dragging);
+  // A film of a moment within a drag is of no use once it was superseded.
+  if (before?.dragging && before.job.id !== job.id) plateau.delete(before.job.id).catch(() => {});
+  if (!asked.dragging) rememberJob(job, asked);
+}
+
+const endJob = (asked: Asked, job: JobInfo | null): Promise<unknown> => (job && !hasEnded(job.status) ? asked.source.cancel(job) : Promise.resolve());
+
+/** Ends a request that is under way, and its job. Gives null if the request is no longer under way. */
+function end(asked: Asked): Promise<unknown> | null {
+  const { job } = requests;
+  if (!requests.enter({ phase: 'cancelled', asked })) return null;
+  asked.stop.abort();
+  return endJob(asked, job);
+}
+
+/** Makes room for the request that waits, which does not wait for the end of this one's job. */
+function giveWay(asked: Asked): void {
+  const ending = end(asked);
+  if (!ending) return;
+  ending.catch(() => {});
+  goOn();
+}
+
+/** Ends the request under way, and forgets the one that waits, because another document takes the place of theirs. */
+export function abandon(): void {
+  requests.dropWaiting();
+  const { underWay } = requests;
+  if (!underWay) return;
+  giveWay(underWay);
+  say('');
+}
+
+/** Cancels the request under way, and what would come after it. */
+export function giveUp(): void {
+  requests.dropWaiting();
+  const { underWay } = requests;
+  if (!underWay) return;
+  const ending = end(underWay);
+  goOn();
+  // A reload finds that it was cancelled, even at once.
+  keepNow();
+  const { life } = requests;
+  say('Cancelling…');
+  void whileBusy(async () => {
+    try {
+      await ending;
+      if (requests.life === life) say('Cancelled.');
+    } catch (error) {
+      showProblem(error, underWay.turn);
+      if (requests.life === life) say('Not cancelled.');
+    }
   });
 }
 
-/** A run makes room for the next: at once if the document is another one, else when the patience with it has ended. */
-function giveWay({ generation, since, stop }: Run): void {
-  clearTimeout(patienceTimer);
-  if (generation !== session.generation) stop.abort();
-  else patienceTimer = window.setTimeout(() => stop.abort(), since + PATIENCE_MS - performance.now());
-}
-
-/** Takes a job from its submission, or from wherever it is, to its end. */
-async function carryOut(run: Run, submit: Submit, turn: number): Promise<void> {
-  if (!run.dragging) say('Solving…');
-  session.pending = null;
-  run.job = await submit(run);
-  hideProblem(turn);
-  if (!hasEnded(run.job.status)) {
-    session.pending = { id: run.job.id, kind: run.kind, request: run.request };
-    keep();
-    run.job = await follow(run.job, run.stop.signal);
-    session.pending = null;
-  }
-  const { job } = run;
-  if (job.status === 'failed') throw new JobFailed(job);
-  if (job.status === 'cancelled') {
-    if (!next) say('Cancelled.');
-  } else {
-    const mesh = await parseMesh(await plateau.download(job.id, 'glb', run.stop.signal));
-    if (run.generation !== session.generation || session.viewing) return;
-    const before = session.shown;
-    session.lastDuration = (performance.now() - run.since) / 1000;
-    show(job, mesh, run.request, run.dragging);
-    // A film of a moment within a drag is of no use once it was superseded.
-    if (before?.dragging && before.job.id !== job.id) plateau.delete(before.job.id).catch(() => {});
-    if (!run.dragging) rememberJob(job, run);
-  }
-}
-
 /** Shows how a job gets on until it has ended. */
-async function follow(job: JobInfo, signal: AbortSignal): Promise<JobInfo> {
+async function follow(job: JobInfo, asked: Asked): Promise<JobInfo> {
+  const { signal } = asked.stop;
   const samples: Sample[] = [];
   const since = Date.now();
   let connected = true;
   const report = (progress: Progress | null, text?: string): void => {
+    if (!requests.isCurrent(asked)) return;
     if (connected) showProgress(progress, samples, since, text);
     else say(`Connection interrupted, the job goes on, reconnecting · ${duration((Date.now() - since) / 1000)}`);
   };
@@ -137,12 +217,12 @@ async function follow(job: JobInfo, signal: AbortSignal): Promise<JobInfo> {
     });
   } finally {
     clearInterval(ticking);
-    $('running-charts').replaceChildren();
   }
 }
 
 function showRunning(is: boolean): void {
   $('cancel').hidden = !is;
+  $('running-charts').replaceChildren();
   const bar = $<HTMLProgressElement>('progress');
   clearTimeout(barTimer);
   if (is) {
@@ -163,23 +243,4 @@ function showProgress(progress: Progress | null, samples: Sample[], since: numbe
     bar.position > 0 && `${Math.round(bar.position * 100)} %`, text ?? (last ? phaseName(last.phase) : 'Running'), last && last.iteration > 0 && `iteration ${number(last.iteration)}`, elapsed,
   ];
   say(parts.filter(Boolean).join(' · '));
-}
-
-/** Cancels the job under way, and what would come after it. */
-export function giveUp(): void {
-  next = null;
-  session.run?.stop.abort();
-}
-
-/** Cancels on the server the job of a run that was stopped. What comes next does not wait for that. */
-async function cancelled({ job }: Run): Promise<void> {
-  const cancelling = job && !hasEnded(job.status) ? plateau.cancel(job.id) : Promise.resolve();
-  if (next) {
-    cancelling.catch(() => {});
-    return;
-  }
-  say('Cancelling…');
-  await cancelling;
-  session.pending = null;
-  say('Cancelled.');
 }

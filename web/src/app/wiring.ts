@@ -8,7 +8,7 @@ import { isWhole, print, type Request, type Vec3 } from '../model/request';
 import { changeMode } from '../panels/cable';
 import { typed } from '../text';
 import { arrive } from './arrival';
-import { changed, isLive, redo, showRequest, startBlank, undo } from './document';
+import { changed, isLive, load, redo, showRequest, startBlank, undo } from './document';
 import { foundCable, hint, showDock, showPoint } from './drawing';
 import { keep, keepNow } from './keeping';
 import { fitAll, setMode } from './modes';
@@ -41,7 +41,13 @@ export function showPanel(name: string): void {
 }
 
 function wireSetup(): void {
-  on('solve', 'click', () => (isWhole(doc().kind, doc().request) ? solve() : say(hint())));
+  on('solve', 'click', () => {
+    if (session.viewing) {
+      session.viewing = false;
+      load({ refit: false });
+    }
+    return isWhole(doc().kind, doc().request) ? solve() : say(hint());
+  });
   on('cancel', 'click', giveUp);
   on('live', 'change', () => isLive() && isStale() && solve());
   // A click or a key on the summary fills the box before it opens, since the toggle event comes only later. Find-in-page

@@ -40,6 +40,12 @@ export class History {
     return true;
   }
 
+  /** Gives up a change that was begun: the document is again what it was before it. */
+  abandon(): void {
+    if (this.opened !== null) this.document = JSON.parse(this.opened) as Document;
+    this.opened = null;
+  }
+
   /** One change as one step; a change inside another one belongs to that. */
   edit(change: (document: Document) => void): boolean {
     const nested = this.opened !== null;

@@ -7,14 +7,14 @@ export type Request = Record<string, unknown>;
 export type Path = (string | number)[];
 
 /** `lines` is empty for a kind whose points are moved but not drawn. */
-interface KindFacts { path: string; label: string; line: string; lines: string[]; least: number; purpose: string }
+interface KindFacts { path: string; label: string; noun: string; line: string; lines: string[]; least: number; purpose: string }
 
 export const KINDS: Record<Kind, KindFacts> = {
-  minimal_surface: { path: '/v1/minimal-surfaces', label: 'Film', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A membrane of least area on its boundary' },
-  ruled_surface: { path: '/v1/ruled-surfaces', label: 'Strip', line: 'rail', lines: ['directrices'], least: 2, purpose: 'A ruled strip between two rails' },
-  uniform_mesh: { path: '/v1/uniform-meshes', label: 'Lattice', line: 'hole', lines: ['domain', 'holes'], least: 3, purpose: 'A gridshell or floor of equal members' },
-  tensile_structure: { path: '/v1/tensile-structures', label: 'Tensile', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A film with cables, pressure and weight in equilibrium' },
-  cable_net: { path: '/v1/cable-nets', label: 'Net', line: 'net', lines: [], least: 2, purpose: 'A net of cables with target forces and lengths' },
+  minimal_surface: { path: '/v1/minimal-surfaces', label: 'Film', noun: 'film', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A membrane of least area on its boundary' },
+  ruled_surface: { path: '/v1/ruled-surfaces', label: 'Strip', noun: 'strip', line: 'rail', lines: ['directrices'], least: 2, purpose: 'A ruled strip between two rails' },
+  uniform_mesh: { path: '/v1/uniform-meshes', label: 'Lattice', noun: 'lattice', line: 'hole', lines: ['domain', 'holes'], least: 3, purpose: 'A gridshell or floor of equal members' },
+  tensile_structure: { path: '/v1/tensile-structures', label: 'Tensile', noun: 'tensile structure', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A film with cables, pressure and weight in equilibrium' },
+  cable_net: { path: '/v1/cable-nets', label: 'Net', noun: 'cable net', line: 'net', lines: [], least: 2, purpose: 'A net of cables with target forces and lengths' },
 };
 
 const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
@@ -89,6 +89,17 @@ export function at(request: Request, path: Path): unknown {
 
 export interface Place { text: string; line?: number; point?: number; axis?: number; field?: string }
 
+const SINGULAR: Record<string, string> = { vertices: 'vertex', boundaries: 'boundary', directrices: 'rail' };
+const singular = (list: string): string => SINGULAR[list] ?? list.replace(/s$/, '').replaceAll('_', ' ');
+
+/** The steps of a pointer as words: `edges`, `4` is edge 5. */
+const wordsOf = (steps: string[]): string[] => steps.flatMap((step, i) => {
+  const isNumbered = /^\d+$/.test(steps[i + 1] ?? '');
+  if (!/^\d+$/.test(step)) return isNumbered ? [] : [step.replaceAll('_', ' ')];
+  const list = steps[i - 1] ?? '';
+  return [`${/^\d*$/.test(list) ? '' : `${singular(list)} `}${Number(step) + 1}`];
+});
+
 /** A pointer as words counted from 1, and the point or the field that it names. */
 export function place(lines: Line[], pointer: string): Place {
   const steps = pointer.split('/').slice(1).map((step) => step.replaceAll('~1', '/').replaceAll('~0', '~'));
@@ -99,8 +110,7 @@ export function place(lines: Line[], pointer: string): Place {
     if (companion >= 0 && /^\d+$/.test(steps[2] ?? '')) {
       return { text: `${steps[0]} of ${lines[companion]!.name}, point ${Number(steps[2]) + 1}`, line: companion, point: Number(steps[2]), field: steps[0]! };
     }
-    const words = steps.map((step) => (/^\d+$/.test(step) ? String(Number(step) + 1) : step.replaceAll('_', ' ')));
-    return { text: words.join(' › ') || 'the request', ...(steps[0] !== undefined && { field: steps[0] }) };
+    return { text: wordsOf(steps).join(', ') || 'the request', ...(steps[0] !== undefined && { field: steps[0] }) };
   }
   const line = lines[index]!;
   const [point, axis] = steps.slice(line.path.length).map(Number);

@@ -5,7 +5,19 @@ import { humanise, number } from '../text';
 
 export interface Sample { iteration: number; phase: string; value: number | null; residual: number | null }
 
-const WIDTH = 300, HEIGHT = 118, LEFT = 56, RIGHT = 8, TOP = 8, BOTTOM = 22;
+const WIDTH = 300, HEIGHT = 118, RIGHT = 8, TOP = 8, BOTTOM = 22;
+/** Size of the labels, as in style.css, and the space between a label and the axis. */
+const TEXT = 10, GAP = 6;
+
+const ruler = document.createElement('canvas').getContext('2d');
+
+/** Width of a label. The page's digits are all as wide as the widest, which is wider than a canvas draws them. */
+function widthOf(text: string): number {
+  if (!ruler) return 7 * text.length;
+  ruler.font = `${TEXT}px ${getComputedStyle(document.body).fontFamily}`;
+  const digit = Math.max(...[...'0123456789'].map((each) => ruler.measureText(each).width));
+  return [...text].reduce((sum, each) => sum + (/\d/.test(each) ? digit : ruler.measureText(each).width), 0);
+}
 
 /** The charts of a run that is under way or over; none for fewer than three samples. */
 export function charts(samples: Sample[], valueLabel: string, tolerance: number | null): HTMLElement[] {
@@ -25,23 +37,25 @@ function chart(label: string, points: { x: number; y: number }[], logarithmic: b
   if (logarithmic) [low, high] = [Math.floor(low), Math.ceil(high)];
   if (high - low < 1e-12 * Math.max(Math.abs(high), 1e-300)) [low, high] = [low - Math.abs(low || 1) * 0.01, high + Math.abs(high || 1) * 0.01];
   const lastX = points.at(-1)!.x || 1;
-  const x = (value: number): number => LEFT + ((WIDTH - LEFT - RIGHT) * value) / lastX;
-  const y = (value: number): number => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - low)) / (high - low);
-  const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'chart', role: 'img', 'aria-label': `${label} over ${points.length} steps, from ${number(points[0]!.y, 4)} to ${number(points.at(-1)!.y, 4)}` });
   const marks = ticks(low, high, logarithmic);
   // As many digits as it takes to tell one mark from the next.
   const digits = logarithmic ? 4 : Math.min(9, Math.max(4, 1 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / Math.abs(marks[1]! - marks[0]!)))));
-  for (const tick of marks) {
+  const labels = marks.map((tick) => number(logarithmic ? 10 ** tick : tick, digits));
+  const left = Math.ceil(Math.max(...labels.map(widthOf))) + GAP + 2;
+  const x = (value: number): number => left + ((WIDTH - left - RIGHT) * value) / lastX;
+  const y = (value: number): number => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - low)) / (high - low);
+  const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'chart', role: 'img', 'aria-label': `${label} over ${points.length} steps, from ${number(points[0]!.y, 4)} to ${number(points.at(-1)!.y, 4)}` });
+  marks.forEach((tick, i) => {
     picture.append(
-      svg('line', { class: 'rule', x1: LEFT, x2: WIDTH - RIGHT, y1: y(tick).toFixed(1), y2: y(tick).toFixed(1) }),
-      svg('text', { x: LEFT - 6, y: (y(tick) + 3.5).toFixed(1), 'text-anchor': 'end' }, number(logarithmic ? 10 ** tick : tick, digits)),
+      svg('line', { class: 'rule', x1: left, x2: WIDTH - RIGHT, y1: y(tick).toFixed(1), y2: y(tick).toFixed(1) }),
+      svg('text', { x: left - GAP, y: (y(tick) + 3.5).toFixed(1), 'text-anchor': 'end' }, labels[i]!),
     );
-  }
+  });
   picture.append(
-    svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
+    svg('text', { x: left, y: HEIGHT - 6 }, '0'),
     svg('text', { x: WIDTH - RIGHT, y: HEIGHT - 6, 'text-anchor': 'end' }, `${number(points.length - 1)} steps`),
   );
-  if (floor !== null && floor > 0) picture.append(svg('path', { class: 'floor', d: `M${LEFT},${y(scale(floor)).toFixed(1)}H${WIDTH - RIGHT}` }));
+  if (floor !== null && floor > 0) picture.append(svg('path', { class: 'floor', d: `M${left},${y(scale(floor)).toFixed(1)}H${WIDTH - RIGHT}` }));
   picture.append(svg('path', { class: 'curve', d: points.map((point, i) => `${i ? 'L' : 'M'}${x(point.x).toFixed(1)},${y(scale(point.y)).toFixed(1)}`).join('') }));
   return el('figure', { className: 'chart-box' }, el('figcaption', {}, label), picture);
 }

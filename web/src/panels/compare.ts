@@ -3,6 +3,7 @@
 import { JobFailed, type Request as ApiRequest } from 'plateau-client';
 import { plateau } from '../api';
 import { $, el } from '../dom';
+import { dropRefused, whyNot } from '../model/applies';
 import type { Frame } from '../model/frame';
 import { type Request, unitOf } from '../model/request';
 import { parseMesh } from '../stage/mesh';
@@ -38,8 +39,7 @@ export class Compare {
   async open(request: Request, frame: Frame, objectives: string[], fail: (error: unknown) => void): Promise<void> {
     this.close();
     const { signal } = this.stop = new AbortController();
-    const normals = Array.isArray(request.normals);
-    const names = objectives.filter((name) => normals || name !== 'minimal_normal_variation');
+    const names = objectives.filter((name) => whyNot('ruled_surface', request, `objective=${name}`) === null);
     this.tiles = names.map((name) => {
       const button = el('button', { type: 'button', onclick: () => this.use(name) }, 'Use this');
       button.setAttribute('aria-label', `Use this: ${humanise(name)}`);
@@ -71,8 +71,8 @@ export class Compare {
   }
 
   private async solve(tile: Tile, request: Request, frame: Frame, signal: AbortSignal): Promise<void> {
-    const { secondary_objective: secondary, ...rest } = request;
-    const asked = { ...rest, objective: tile.name, all_objectives: false, ...(tile.name === 'maximal_convexity' && secondary ? { secondary_objective: secondary } : {}) };
+    const asked: Request = { ...request, objective: tile.name, all_objectives: false };
+    dropRefused('ruled_surface', asked);
     const { info } = await plateau.submit({ ...asked, kind: 'ruled_surface' } as unknown as ApiRequest, { waitS: 1 });
     const job = await plateau.waitFor(info, { signal });
     if (job.status !== 'succeeded') throw new JobFailed(job);

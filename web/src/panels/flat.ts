@@ -20,20 +20,33 @@ export class Flat {
       const { left, top } = this.box.getBoundingClientRect();
       this.zoom(event.clientX - left, event.clientY - top, Math.exp(-event.deltaY * 0.0015));
     }, { passive: false });
+    // One pointer moves the pattern, two fingers zoom it as well.
+    const held = new Map<number, { x: number; y: number }>();
+    /** The middle of the pointers, and their distance from it. */
+    const grip = (): { x: number; y: number; reach: number } => {
+      const all = [...held.values()];
+      const [x, y] = (['x', 'y'] as const).map((axis) => all.reduce((sum, each) => sum + each[axis], 0) / all.length) as [number, number];
+      return { x, y, reach: Math.max(...all.map((each) => Math.hypot(each.x - x, each.y - y))) };
+    };
+    const local = ({ clientX, clientY }: PointerEvent): { x: number; y: number } => {
+      const { left, top } = this.box.getBoundingClientRect();
+      return { x: clientX - left, y: clientY - top };
+    };
     this.box.addEventListener('pointerdown', (event) => {
-      const from = { x: event.clientX - this.x, y: event.clientY - this.y };
       this.box.setPointerCapture(event.pointerId);
-      const move = (next: PointerEvent): void => {
-        [this.x, this.y] = [next.clientX - from.x, next.clientY - from.y];
-        this.place();
-      };
-      const up = (): void => {
-        this.box.removeEventListener('pointermove', move);
-        this.box.removeEventListener('pointerup', up);
-      };
-      this.box.addEventListener('pointermove', move);
-      this.box.addEventListener('pointerup', up);
+      held.set(event.pointerId, local(event));
     });
+    this.box.addEventListener('pointermove', (event) => {
+      if (!held.has(event.pointerId)) return;
+      const before = grip();
+      held.set(event.pointerId, local(event));
+      const after = grip();
+      this.x += after.x - before.x;
+      this.y += after.y - before.y;
+      if (before.reach > 0 && after.reach > 0) this.zoom(after.x, after.y, after.reach / before.reach);
+      else this.place();
+    });
+    for (const type of ['pointerup', 'pointercancel'] as const) this.box.addEventListener(type, (event) => held.delete(event.pointerId));
     this.box.addEventListener('keydown', (event) => {
       const { clientWidth, clientHeight } = this.box;
       if (event.key === '+' || event.key === '=') this.zoom(clientWidth / 2, clientHeight / 2, 1.2);

@@ -71,11 +71,15 @@ export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
 }
 
 const SHOWN_FIRST = ['objective', 'secondary_objective', 'resolution', 'edge_length', 'closed', 'optimise', 'max_distinct_lengths', 'topology', 'units', 'up'];
+/** Fields within others that stand before all others, in this order. */
+const PROMOTED = ['film.tension', 'pressure', 'film.weight'];
+/** Fields about the job and not its result, which stand last. */
+const LAST = ['cache', 'callback_url', 'label', 'metadata'];
 /** Titles where a field's name says too little. */
-const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise', certify: 'Prove a lower bound of the area' };
+const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise', certify: 'Prove a lower bound of the area', film: 'Woven film', callback_url: 'Callback' };
 /** Fields about the sending of a request, which the studio does itself. */
 const LEFT_OUT = ['kind', 'supersede', 'cancel_on_disconnect'];
-const rank = (name: string): number => SHOWN_FIRST.indexOf(name) + 1 || SHOWN_FIRST.length + 1;
+const rank = (name: string): number => SHOWN_FIRST.indexOf(name) + 1 || SHOWN_FIRST.length + 1 + Math.max(0, LAST.indexOf(name) + 1);
 const titleOf = (name: string): string => TITLES[name] ?? humanise(name);
 
 export interface FormHost {
@@ -84,14 +88,35 @@ export interface FormHost {
   set(name: string, value: unknown): void;
   /** Text below a choice: what it does. */
   describe(name: string, value: string): string | undefined;
+  /** Why a field, or `field=choice`, does not apply to the request as it is now; null if it does. */
+  whyNot(field: string): string | null;
+  /** Value of a field in the request as it is now. The field is given by names joined by dots. */
+  given(field: string): unknown;
+  /** The unit of a field, if it has one. */
+  unit(field: string): string | undefined;
 }
 
-/** Fills the form for a request. */
-export function build(form: HTMLFormElement, schema: Schema, request: Request, host: FormHost): void {
+/** A field within another one. Setting it leaves the other fields of that object as they are. */
+function promoted(host: FormHost, schema: Schema, path: string[]): HTMLElement | null {
+  const field = path.reduce<Schema | null>((found, name) => {
+    const inner = found?.properties?.[name];
+    return inner ? resolve(host.openapi, inner) : null;
+  }, schema);
+  const control = field && controlOf(host.openapi, field);
+  if (!field || !control) return null;
+  const [first, second] = path as [string, string?];
+  const set = (value: unknown): void => host.set(first, second === undefined ? value : without({ ...host.given(first) as object, [second]: value }));
+  return make(host, path.at(-1)!, field, control, host.given(path.join('.')), set, path);
+}
+
+/** Fills the form for a request. `lead` stands below the promoted fields. */
+export function build(form: HTMLFormElement, schema: Schema, request: Request, host: FormHost, lead: HTMLElement | null = null): void {
   const open = form.querySelector('details')?.open ?? false;
   form.replaceChildren();
   const rest = el('div', { className: 'fields' });
-  const names = Object.keys(schema.properties ?? {}).filter((name) => !LEFT_OUT.includes(name));
+  form.append(...PROMOTED.flatMap((path) => promoted(host, schema, path.split('.')) ?? []));
+  if (lead) form.append(lead);
+  const names = Object.keys(schema.properties ?? {}).filter((name) => !LEFT_OUT.includes(name) && !PROMOTED.includes(name));
   names.sort((a, b) => rank(a) - rank(b));
   for (const name of names) {
     const field = resolve(host.openapi, schema.properties![name]!);
@@ -104,9 +129,43 @@ export function build(form: HTMLFormElement, schema: Schema, request: Request, h
   if (rest.childElementCount > 0) form.append(el('details', { className: 'more', open }, el('summary', {}, 'More options'), rest));
 }
 
+/**
+ * Disables what does not apply to the request as it is now, with the reason below it. A field that has a value stays enabled,
+ * so that it can be removed.
+ */
+export function disable(form: HTMLFormElement, host: FormHost): void {
+  for (const field of form.querySelectorAll<HTMLElement>('[data-path]')) disableField(field, host);
+}
+
+function disableField(field: HTMLElement, host: FormHost): void {
+  const path = field.dataset.path!;
+  const reason = host.whyNot(path);
+  if (reason !== null || field.dataset.excluded) {
+    const name = CSS.escape(path);
+    for (const control of field.querySelectorAll<HTMLInputElement>(`[name="${name}"], [name^="${name}."]`)) control.disabled = reason !== null && (host.given(path) ?? null) === null;
+    field.dataset.excluded = reason ?? '';
+  }
+  field.querySelector(':scope > .why')?.remove();
+  if (reason !== null) field.append(el('p', { className: 'help why' }, reason));
+  for (const option of field.querySelectorAll<HTMLOptionElement>(`select[name="${CSS.escape(path)}"] option`)) {
+    const excluded = host.whyNot(`${path}=${option.value}`);
+    if (excluded === null && !option.dataset.text) continue;
+    option.dataset.text ??= option.textContent ?? '';
+    option.disabled = excluded !== null;
+    option.textContent = excluded === null ? option.dataset.text : `${option.dataset.text}: ${excluded.charAt(0).toLowerCase()}${excluded.slice(1).replace(/\.$/, '')}`;
+  }
+}
+
 type Set = (value: unknown) => void;
 
 function make(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
+  const made = controlFor(host, name, field, control, given, set, path);
+  made.dataset.path = path.join('.');
+  disableField(made, host);
+  return made;
+}
+
+function controlFor(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
   const value = given ?? field['x-default'];
   const title = field.description ?? '';
   const id = `option-${path.join('-')}`;
@@ -123,7 +182,8 @@ function make(host: FormHost, name: string, field: Schema, control: Control, giv
   if (control.type === 'number') {
     const input = numberInput(path.join('.'), id, field, control.whole, value);
     input.addEventListener('change', () => { if (input.checkValidity()) set(input.value === '' ? undefined : input.valueAsNumber); else input.reportValidity(); });
-    return el('label', { className: 'field', title, htmlFor: id }, el('span', {}, titleOf(name)), input);
+    const unit = host.unit(path.join('.'));
+    return el('label', { className: 'field', title, htmlFor: id }, el('span', {}, titleOf(name), unit && el('small', {}, ` ${unit}`)), input);
   }
   if (control.type === 'text') {
     const input = el('input', { type: 'text', name: path.join('.'), id, value: (value as string | null) ?? '', placeholder: 'none', autocomplete: 'off' });
@@ -200,13 +260,15 @@ const without = (object: Record<string, unknown>): Record<string, unknown> => Ob
 
 function group(host: FormHost, name: string, field: Schema, given: unknown, set: Set, path: string[]): HTMLElement {
   let held = (given ?? null) as Record<string, unknown> | null;
+  const names = Object.keys(field.properties ?? {}).filter((each) => !PROMOTED.includes([...path, each].join('.')));
   const inner = el('div', { className: 'fields nested' });
   const optional = field.nullable === true;
   const fill = (): void => {
-    inner.replaceChildren(...Object.entries(field.properties ?? {}).map(([each, schema]) => {
-      const found = resolve(host.openapi, schema);
+    inner.replaceChildren(...names.map((each) => {
+      const found = resolve(host.openapi, field.properties![each]!);
       return make(host, each, found, controlOf(host.openapi, found)!, held?.[each], (next) => {
-        held = without({ ...held, [each]: next });
+        // A promoted field of the same object may have been set meanwhile.
+        held = without({ ...(path.length === 1 ? host.given(name) as object | null : held), [each]: next });
         set(held);
       }, [...path, each]);
     }));

@@ -15,6 +15,8 @@ CameraControls.install({ THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, 
 /** Field of view across the stage's smaller side. */
 const FIELD = 30;
 const MOST_PIXELS_PER_PIXEL = 2;
+/** Speed of a pinch, by which fingers that end twice as far apart show the model about twice as large. The wheel does not use it. */
+const PINCH_SPEED = 2.5;
 
 export interface Pose { eye: Vec3; target: Vec3 }
 export interface Bounds { low: Vec3; high: Vec3; points: Float32Array[]; offsets: Vec3[] }
@@ -57,7 +59,7 @@ export class Stage {
     sun.position.set(-3.4, 2.2, 0.6);
     this.scene.add(sun, studioLight());
     this.controls = new CameraControls(this.camera, canvas);
-    Object.assign(this.controls, { smoothTime: 0.12, draggingSmoothTime: 0.05, minPolarAngle: 0.001, maxPolarAngle: Math.PI - 0.001, dollyToCursor: true });
+    Object.assign(this.controls, { smoothTime: 0.12, draggingSmoothTime: 0.05, minPolarAngle: 0.001, maxPolarAngle: Math.PI - 0.001, dollyToCursor: true, dollySpeed: PINCH_SPEED });
     const { ACTION } = CameraControls;
     Object.assign(this.controls.mouseButtons, { left: ACTION.ROTATE, right: ACTION.TRUCK, middle: ACTION.TRUCK, wheel: ACTION.NONE });
     for (const event of ['controlstart', 'control', 'transitionstart'] as const) this.controls.addEventListener(event, () => this.wake());

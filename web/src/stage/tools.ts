@@ -61,6 +61,11 @@ export class Tools {
   /** The point at which a cable of several segments begins. */
   private cableFrom: PointRef | null = null;
   private marquee: HTMLElement;
+  /** The fingers on the stage, with where each is now. */
+  private readonly fingers = new Map<number, PointerEvent>();
+  /** Gives up what the first finger does when a second one comes; null if it does nothing. */
+  private letGo: (() => void) | null = null;
+  private handingOver = false;
 
   constructor(private readonly host: Host) {
     const { canvas } = host.stage;
@@ -69,6 +74,13 @@ export class Tools {
     this.marquee.hidden = true;
     canvas.parentElement!.append(this.marquee);
     canvas.addEventListener('pointerdown', (event) => this.press(event), { capture: true });
+    for (const type of ['pointermove', 'pointerup', 'pointercancel'] as const) {
+      document.addEventListener(type, (event) => {
+        if (!this.fingers.has(event.pointerId)) return;
+        if (type === 'pointermove') this.fingers.set(event.pointerId, event);
+        else this.fingers.delete(event.pointerId);
+      }, { capture: true });
+    }
     canvas.addEventListener('pointermove', (event) => this.glide(event));
     canvas.addEventListener('pointerleave', () => {
       if (this.busy) return;
@@ -251,10 +263,17 @@ export class Tools {
 
   private press(event: PointerEvent): void {
     const { stage, host } = { stage: this.host.stage, host: this.host };
+    if (this.handingOver) return;
     stage.canvas.focus({ preventScroll: true });
+    const touch = event.pointerType === 'touch';
+    if (touch) this.fingers.set(event.pointerId, event);
+    // Two fingers move the camera, whatever the first one began.
+    if (this.fingers.size > 1) {
+      this.letGo?.();
+      return;
+    }
     if (event.button !== 0 || this.busy || this.host.fixed) return;
     const start = stage.local(event);
-    const touch = event.pointerType === 'touch';
     if (this.drawing) {
       this.onRelease(event, (x, y, travelled, last) => {
         if (travelled <= STILL) this.place(this.snap(x, y, last.altKey));
@@ -311,21 +330,26 @@ export class Tools {
       const { x, y } = stage.local(next);
       travelled = Math.max(travelled, Math.hypot(x - from.x, y - from.y));
     };
-    const up = (last: PointerEvent): void => {
-      if (last.pointerId !== event.pointerId) return;
+    const end = (): void => {
       document.removeEventListener('pointermove', move);
       document.removeEventListener('pointerup', up);
       document.removeEventListener('pointercancel', up);
+      this.letGo = null;
+    };
+    const up = (last: PointerEvent): void => {
+      if (last.pointerId !== event.pointerId) return;
+      end();
       const { x, y } = stage.local(last);
       if (last.type === 'pointerup') done(x, y, travelled, last);
     };
     document.addEventListener('pointermove', move);
     document.addEventListener('pointerup', up);
     document.addEventListener('pointercancel', up);
+    this.letGo = end;
   }
 
-  /** Takes the pointer from the camera until it is released. */
-  private seize(event: PointerEvent, move: (event: PointerEvent) => void, done: (event: PointerEvent) => void): void {
+  /** Takes the pointer from the camera until it is released. If a second finger comes first, `undo` is called instead of `done`. */
+  private seize(event: PointerEvent, move: (event: PointerEvent) => void, done: (event: PointerEvent) => void, undo: () => void = () => {}): void {
     const { stage } = this.host;
     this.busy = true;
     stage.controls.enabled = false;
@@ -336,18 +360,35 @@ export class Tools {
       // A pointer that is gone already is released below.
     }
     const moving = (next: PointerEvent): void => { if (next.pointerId === event.pointerId) move(next); };
-    const up = (last: PointerEvent): void => {
-      if (last.pointerId !== event.pointerId) return;
+    const end = (): void => {
       document.removeEventListener('pointermove', moving);
       document.removeEventListener('pointerup', up);
       document.removeEventListener('pointercancel', up);
       this.busy = false;
+      this.letGo = null;
       stage.controls.enabled = true;
+    };
+    const up = (last: PointerEvent): void => {
+      if (last.pointerId !== event.pointerId) return;
+      end();
       done(last);
     };
     document.addEventListener('pointermove', moving);
     document.addEventListener('pointerup', up);
     document.addEventListener('pointercancel', up);
+    this.letGo = () => {
+      end();
+      undo();
+      this.handOver(this.fingers.get(event.pointerId) ?? event);
+    };
+  }
+
+  /** Tells the camera of a finger that it was not told of when that came down. */
+  private handOver({ pointerId, pointerType, clientX, clientY }: PointerEvent): void {
+    this.handingOver = true;
+    const given = { pointerId, pointerType, clientX, clientY, button: 0, buttons: 1, isPrimary: true, bubbles: true, cancelable: true };
+    this.host.stage.canvas.dispatchEvent(new PointerEvent('pointerdown', given));
+    this.handingOver = false;
   }
 
   private drag(event: PointerEvent, ref: PointRef, mode: Mode): void {
@@ -388,6 +429,11 @@ export class Tools {
         else if (!event.shiftKey) this.select([ref]);
       }
       if (history.commit()) host.changed(false);
+    }, () => {
+      this.lifting = false;
+      host.label(null);
+      history.abandon();
+      if (moved) host.changed(false);
     });
   }
 
