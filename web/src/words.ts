@@ -24,6 +24,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   film: () => 'The film under the lattice has a warning.',
   films_cross: () => 'The films pass through each other or through themselves.',
   folds: (v) => `Strip ${nth(v, 'strip')}: neighbouring triangles fold back, by up to ${figure(v, 'largest_fold_deg')}°.`,
+  held_points: (v) => `${many(v, 'count', 'fixed point')} ${verb(v, 'count', 'holds', 'hold')} the film, but a film cannot hang on a single point: what the mesh shows there shrinks as it gets finer. Draw a small closed curve in place of a point.`,
   identical_directrices: (v) => `Rails ${nth(v, 'directrix')} and ${nth(v, 'directrix', 1)} are the same line, so the strip between them has no area.`,
   junction_point: (v) => `In ${many(v, 'points', 'point')} a number of junctions other than four meet, for example ${figure(v, 'junctions')}. A soap film would split there.`,
   large_area: (v) => `Strip ${nth(v, 'strip')} has ${figure(v, 'factor', 3)} times the area of the strip of least area.`,
