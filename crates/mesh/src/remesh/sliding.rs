@@ -11,9 +11,11 @@ use glam::DMat3;
 
 // Tunables. The figures in docs/papers/chen-cai-zheng.md were obtained with these values.
 
-/// Number of sweeps over the vertices of a mesh that has not slid. A larger value lowers the largest gradient further
-/// and makes angles smaller.
+/// Number of sweeps over the vertices. A larger value lowers the largest gradient further and makes angles smaller.
 pub const SWEEPS: u32 = 4;
+/// Gradient by area, times the radius of the boundary, above which the last sweeps visit a vertex once more. A larger
+/// value takes less time and leaves larger gradients.
+const UNEVEN: f64 = 1e-2;
 /// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane. A larger
 /// value gives shorter steps.
 const DAMPING: f64 = 3e-3;
@@ -37,32 +39,43 @@ const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 /// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative
 /// Σ |e|²/(4A) n nᵀ, where n and A are the normal and the area of a triangle and e is its edge opposite to x. A sweep
 /// takes a damped step of Newton's method. No step takes an angle below 21 degrees, or below the ring's smallest angle
-/// if that is less. `radius` is the radius of the boundary, and `sweeps` the number of sweeps, usually [`SWEEPS`].
+/// if that is less. `radius` is the radius of the boundary. The first `full` of the [`SWEEPS`] visit every vertex, and
+/// the others those whose gradient was large when they were visited last.
 ///
 /// # Errors
 /// The interruptions of `exec`. Some vertices have slid then, and others have not.
-pub fn slide(film: &mut Film, radius: f64, sweeps: u32, exec: &Execution) -> Result<(), Interruption> {
-    let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
+pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Result<(), Interruption> {
+    let mut visited: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     let mut ring = Vec::new();
-    for sweep in 0..sweeps {
-        for k in 0..free.len() {
+    for sweep in 0..SWEEPS {
+        let mut uneven = Vec::new();
+        for k in 0..visited.len() {
             if k % VERTICES_BETWEEN_LOOKS == 0 {
                 exec.look(WORK_PER_VERTEX * VERTICES_BETWEEN_LOOKS as u64)?;
             }
-            let v = free[if sweep % 2 == 0 { k } else { free.len() - 1 - k }];
+            let v = visited[k];
             let edges = film.topology.outgoing_half_edges(v);
             ring.clear();
             ring.extend(
                 edges.map(|h| [film.topology.to(h), film.topology.opposite(h)].map(|w| film.vertices[w as usize])),
             );
-            film.vertices[v as usize] = slid(film.vertices[v as usize], &ring, radius);
+            let (place, gradient) = slid(film.vertices[v as usize], &ring, radius);
+            film.vertices[v as usize] = place;
+            if gradient > UNEVEN {
+                uneven.push(v);
+            }
         }
+        if sweep + 1 >= full {
+            visited = uneven;
+        }
+        visited.reverse();
     }
     Ok(())
 }
 
-/// The place of a vertex after one step, given the edges opposite to it in its triangles.
-fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> DVec3 {
+/// The place of a vertex after one step, given the edges opposite to it in its triangles, and the gradient by area
+/// before the step, times the radius.
+fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
     let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
     let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);
     for &[from, to] in ring {
@@ -70,7 +83,7 @@ fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> DVec3 {
         let normal = edge.cross(here - from);
         let doubled = normal.length();
         if doubled == 0.0 {
-            return here;
+            return (here, 0.0);
         }
         let normal = normal / doubled;
         let weight = edge.length_squared() / doubled;
@@ -81,11 +94,12 @@ fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> DVec3 {
         shortest = shortest.min(from.distance_squared(here));
         smallest = smallest.min(least_tangent([here, from, to]));
     }
-    if gradient.length() * radius < NEGLIGIBLE * 2.0 * double_area {
-        return here;
+    let size = gradient.length() * radius / (2.0 * double_area);
+    if size < NEGLIGIBLE {
+        return (here, size);
     }
     let step = -((second + DMat3::from_diagonal(DVec3::splat(DAMPING * trace))).inverse() * gradient);
     let step = step * (REACH * shortest.sqrt() / step.length()).min(1.0);
     let keeps = |place: DVec3| ring.iter().all(|&[from, to]| least_tangent([place, from, to]) >= smallest);
-    PARTS.iter().map(|part| here + *part * step).find(|&place| keeps(place)).unwrap_or(here)
+    (PARTS.iter().map(|part| here + *part * step).find(|&place| keeps(place)).unwrap_or(here), size)
 }

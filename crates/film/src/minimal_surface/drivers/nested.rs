@@ -64,9 +64,9 @@ const INERTIA_TRIANGLES: usize = 250_000;
 /// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh. With a larger value
 /// more requests are solved coarse to fine.
 const LONG_EDGE: f64 = 1.6;
-/// Number of sweeps in which the vertices of the finest mesh slide. Its triangles are halves of good ones, so that
-/// fewer sweeps do than elsewhere. A larger value lowers the largest gradient further and takes longer.
-const FINEST_SWEEPS: u32 = 2;
+/// Number of sweeps in which all vertices of the finest mesh slide. Its triangles are halves of good ones, so that
+/// fewer do than elsewhere. A larger value lowers the largest gradient further and takes longer.
+const FULL_SWEEPS: u32 = 2;
 /// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
 /// converge.
 const STEPS_PER_LEVEL: u32 = 12;
@@ -182,7 +182,7 @@ fn climb(
         let slides = slides && last;
         if slides {
             // The correction that follows makes the motion along the normals good, too.
-            slide(film, solve.radius, FINEST_SWEEPS, solve.exec)?;
+            slide(film, solve.radius, FULL_SWEEPS, solve.exec)?;
         }
         let Some(mut corrected) = correct(film, &pattern, parents, &hierarchy, tolerance, solve)? else {
             return Ok(None);
