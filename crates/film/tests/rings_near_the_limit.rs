@@ -102,7 +102,7 @@ fn beyond_the_largest_distance_nothing_converges_and_below_it_nothing_is_lost() 
         sweep(&[1.0, 0.1], &[[48, 24]], &[300], &factors);
         sweep(&[1.0, 0.1, 0.001], &[[48, 24]], &[2000], &factors);
         // At so few triangles the edges at the small ring are many times as long as the ring is wide.
-        sweep(&[0.005], &[[48, 24]], &[300], &[0.98, 0.99]);
+        sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[0.98, 0.99]);
         sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[1.005, 1.5]);
         return;
     }

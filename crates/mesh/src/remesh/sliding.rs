@@ -15,7 +15,7 @@ use glam::DMat3;
 pub const SWEEPS: u32 = 4;
 /// Gradient by area, times the radius of the boundary, above which the last sweeps visit a vertex once more. A larger
 /// value takes less time and leaves larger gradients.
-const UNEVEN: f64 = 1e-2;
+const UNEVEN: f64 = 1.6e-2;
 /// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane. A larger
 /// value gives shorter steps.
 const DAMPING: f64 = 3e-3;

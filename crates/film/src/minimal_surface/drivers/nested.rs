@@ -66,7 +66,7 @@ const INERTIA_TRIANGLES: usize = 250_000;
 const LONG_EDGE: f64 = 1.6;
 /// Number of sweeps in which all vertices of the finest mesh slide. Its triangles are halves of good ones, so that
 /// fewer do than elsewhere. A larger value lowers the largest gradient further and takes longer.
-const FULL_SWEEPS: u32 = 2;
+const FULL_SWEEPS: u32 = 1;
 /// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
 /// converge.
 const STEPS_PER_LEVEL: u32 = 12;

@@ -181,17 +181,8 @@ impl<'a> Solve<'a> {
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
         // A film with one boundary has no neck.
         let may_refine = self.may_refine && film.boundaries.len() > 1;
-        let start = may_refine.then(|| film.clone());
+        let mut start = may_refine.then(|| film.clone());
         let (mut reason, mut converged) = self.converge(film)?;
-        if let (None, Some(start)) = (&converged, start)
-            && reason != StopReason::MaxIterations
-            && let Some(sizes) = sizes_at_narrow_ends(&start)
-            && let Some(finer) = self.refined(&start, sizes)?
-        {
-            *film = finer;
-            self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
-            (reason, converged) = self.converge(film)?;
-        }
         let mut returns = 0;
         let mut looks = 0;
         loop {
@@ -202,6 +193,17 @@ impl<'a> Solve<'a> {
                 None => None,
             };
             let Some((pattern, direct, (mut stability, variation, state))) = found else {
+                // Beside a narrow boundary a coarse mesh loses films that exist.
+                if reason != StopReason::MaxIterations
+                    && let Some(start) = start.take()
+                    && let Some(sizes) = sizes_at_narrow_ends(&start)
+                    && let Some(finer) = self.refined(&start, sizes)?
+                {
+                    *film = finer;
+                    self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+                    (reason, converged) = self.converge(film)?;
+                    continue;
+                }
                 // If the refined mesh does not hold the film, no such film exists.
                 let is_lost = looks > 0 && reason != StopReason::MaxIterations;
                 return Ok((if is_lost { StopReason::Collapsed } else { reason }, None));
