@@ -748,6 +748,7 @@ class JobWarning(TypedDict):
     - `film`: The film under a lattice has a warning. The detail begins with the code of that warning.
     - `films_cross`: The films of the least topology pass through each other or themselves.
     - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
+    - `held_points`: A single point does not hold a film, however finely it is meshed: `count`.
     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
     - `junction_point`: Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.
     - `large_area`: A strip has a much larger area than the strip of minimal area: `strip`, `factor`.
