@@ -49,11 +49,10 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
     let mut ring = Vec::new();
     for sweep in 0..SWEEPS {
         let mut uneven = Vec::new();
-        for k in 0..visited.len() {
+        for (k, &v) in visited.iter().enumerate() {
             if k % VERTICES_BETWEEN_LOOKS == 0 {
                 exec.look(WORK_PER_VERTEX * VERTICES_BETWEEN_LOOKS as u64)?;
             }
-            let v = visited[k];
             let edges = film.topology.outgoing_half_edges(v);
             ring.clear();
             ring.extend(
