@@ -44,7 +44,10 @@ test('each warning of the service has a sentence of the page, made of its values
 test('each objective that the service offers, and each failure that the page knows, has its sentence', async () => {
   const { OBJECTIVES, FAILURES } = await words();
   const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
-  for (const { kind, name } of objectives) assert.match(OBJECTIVES[kind]?.[name] ?? '', /^[A-Z][^_[\]]*\.$/, `${kind}, ${name}`);
+  // A program that is built for tests has a kind more.
+  const offered = objectives.filter(({ kind }) => kind !== 'enlargement');
+  assert.ok(offered.length > 10);
+  for (const { kind, name } of offered) assert.match(OBJECTIVES[kind]?.[name] ?? '', /^[A-Z][^_[\]]*\.$/, `${kind}, ${name}`);
   for (const name of Object.keys(FAILURES)) assert.equal((await fetch(`${studio.url}/problems/${name}`)).status, 200, `the service has the failure ${name}`);
 });
 
