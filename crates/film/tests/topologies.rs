@@ -110,8 +110,8 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(told.detail.contains("0.94"), "{}", told.detail);
 }
 
-/// Input: plane curves beside each other, and a saddle beside a square. Symptom: the mesh in a plane, which consists of
-/// separate discs, counted as a connected film, and `best` said that one exists.
+/// Input: plane curves beside each other, and a saddle beside a square. Symptom: `best` said that a connected film
+/// exists, because the mesh in a plane consists of separate discs and counted as connected.
 #[test]
 fn discs_beside_each_other_are_no_connected_film() {
     let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);

@@ -1,4 +1,4 @@
-//! Boundaries between which no connected minimal surface exists, shown by a cone before any film is solved.
+//! Shows by a cone, before any film is solved, that no connected minimal surface spans some boundaries.
 //!
 //! **Theorem** (J. C. C. Nitsche, S. Hildebrandt; Dierkes, Hildebrandt, Sauvigny, *Minimal Surfaces*, section 6.2). A
 //! double cone r ≤ z sinh τ, where τ tanh τ = 1, contains in its two halves the parts A and B of a boundary. Then no
@@ -72,7 +72,7 @@ pub(crate) fn part(boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option
     Ok(None)
 }
 
-/// The error that no connected film spans boundaries that are parted so.
+/// The error of boundaries that a cone parts: no connected film spans them.
 pub(crate) fn refusal(parted: &Parted) -> Error {
     let [one, other] = parted.each_ref().map(|part| {
         let names: Vec<String> = part.iter().map(usize::to_string).collect();

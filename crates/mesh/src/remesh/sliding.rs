@@ -72,8 +72,8 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
     Ok(())
 }
 
-/// The place of a vertex after one step, given the edges opposite to it in its triangles, and the gradient by area
-/// before the step, times the radius.
+/// Returns the place of a vertex after one step, and the gradient by area before the step, times the radius. `ring` has
+/// the edges opposite to the vertex in its triangles.
 fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
     let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
     let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);
