@@ -68,11 +68,9 @@ pub use statistics::{MeanCurvature, Statistics};
 
 use drivers::{best_topology, free_topology, nested};
 use outcome::finish;
-use plateau_mesh::codes::Reason;
 use plateau_mesh::complex::has_junctions;
-use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
-use plateau_mesh::{DVec3, Error, Execution, Place};
+use plateau_mesh::{DVec3, Error, Execution};
 use request::Input;
 use run::Run;
 use solved_film::SolvedFilm;
@@ -170,13 +168,7 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     if statistics.components >= statistics.boundary_loops {
         return Ok(());
     }
-    let detail = format!(
-        "no minimal film that connects the {} boundaries was found: the mesh {ended}. Ask for topology best or free, \
-         which let it come apart, or move the boundaries closer together",
-        statistics.boundary_loops
-    );
-    let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");
-    Err(Error::NoResult { reason: Reason::NoConnectedFilm, detail, places: vec![place] })
+    Err(cone::not_connected(&format!("the mesh {ended}")))
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.

@@ -558,9 +558,9 @@ impl Equations for Motion<'_> {
             });
         }
         let yielding: f64 = constraints.iter().map(|c| 0.5 * c.compliance * c.multiplier * c.multiplier).sum();
-        let values = || body.terms.iter().map(|term| term.value(vertices));
-        let energy = values().sum::<f64>() + yielding;
-        let magnitude = values().map(f64::abs).sum::<f64>() + yielding.abs();
+        let values: Vec<f64> = body.terms.iter().map(|term| term.value(vertices)).collect();
+        let energy = values.iter().sum::<f64>() + yielding;
+        let magnitude = values.iter().map(|value| value.abs()).sum::<f64>() + yielding.abs();
         let frame = Frame { directions, gradient, shares };
         let mut state = State { frame, energy, magnitude, gradient: along, mass, residual: 0.0, constraints };
         let unmet = state.constraints.iter().map(|c| c.excess.abs() / c.scale).fold(0.0, f64::max);

@@ -438,8 +438,8 @@ fn a_constraint_is_reached_from_a_start_that_does_not_meet_it() {
 
 #[test]
 fn energies_that_cancel_do_not_stall_a_body() {
-    // A sheet of tension 1 and lines in compression, whose lengths are given: the sum of the energies is nearly zero,
-    // and its rounding error is that of its parts.
+    // A sheet of tension 1, and a line in compression along a fixed edge: the sum of the energies is zero, and its
+    // rounding error is that of its parts.
     let film = patch(12, 12, |u, v| DVec3::new(u, v, 0.3 * (u - v) * (u + v - 1.0)));
     let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
     let mut body = Body::new(film.vertices, &complex, &[1.0]);

@@ -78,12 +78,18 @@ pub(crate) fn refusal(parted: &Parted) -> Error {
         let names: Vec<String> = part.iter().map(usize::to_string).collect();
         if names.len() == 1 { format!("boundary {}", names[0]) } else { format!("boundaries {}", names.join(", ")) }
     });
-    let detail = format!(
-        "no minimal film connects the boundaries: a double cone with sides of {:.1}° to its axis holds {one} in one \
-         half and {other} in the other, and no connected minimal surface reaches through its apex (Nitsche, \
-         Hildebrandt). Ask for topology best or free, which let the film come apart, or move the boundaries closer \
-         together",
+    not_connected(&format!(
+        "a double cone with sides of {:.1}° to its axis holds {one} in one half and {other} in the other, and no \
+         connected minimal surface reaches through its apex (Nitsche, Hildebrandt)",
         libm::atan(SLOPE).to_degrees()
+    ))
+}
+
+/// The error that no film connects the boundaries, with the reason.
+pub(super) fn not_connected(reason: &str) -> Error {
+    let detail = format!(
+        "no minimal film connects the boundaries: {reason}. Ask for topology best or free, which let the film come \
+         apart, or move the boundaries closer together"
     );
     let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");
     Error::NoResult { reason: Reason::NoConnectedFilm, detail, places: vec![place] }

@@ -333,10 +333,6 @@ impl<'a> SpanningProblem<'a> {
         let share = 0.9 / sets.len() as f64;
         for (k, &set) in sets.iter().enumerate() {
             let share = [share * k as f64, share * (k + 1) as f64];
-            let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
-            if cone::part(&boundaries, exec).is_ok_and(|parted| parted.is_some()) {
-                continue;
-            }
             let known = coarse.and_then(|coarse| coarse.films[set as usize].as_ref());
             let start = known.map(|film| start_of(film.kind));
             match exec.part(share, |exec| self.part(set, start.as_ref(), exec)) {
@@ -403,7 +399,10 @@ impl<'a> SpanningProblem<'a> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
         match start {
             Some(start) => self.connected(&boundaries, start, true, exec),
-            None => self.least(&boundaries, exec),
+            None => match cone::part(&boundaries, exec)? {
+                Some(parted) => Err(cone::refusal(&parted)),
+                None => self.least(&boundaries, exec),
+            },
         }
     }
 

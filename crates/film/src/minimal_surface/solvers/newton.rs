@@ -200,8 +200,7 @@ impl<'a> Solve<'a> {
                     && let Some(finer) = self.refined(&start, sizes)?
                 {
                     *film = finer;
-                    self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
-                    (reason, converged) = self.converge(film)?;
+                    (reason, converged) = self.converge_again(film)?;
                     continue;
                 }
                 // If the refined mesh does not hold the film, no such film exists.
@@ -221,8 +220,7 @@ impl<'a> Solve<'a> {
                 if let Some(finer) = finer {
                     looks += 1;
                     *film = finer;
-                    self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
-                    (reason, converged) = self.converge(film)?;
+                    (reason, converged) = self.converge_again(film)?;
                     continue;
                 }
                 return Ok(match look {
@@ -271,8 +269,7 @@ impl<'a> Solve<'a> {
         let mut first = None;
         for vertices in ways {
             *film = Film { vertices, ..before.clone() };
-            self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
-            let (reason, converged) = self.converge(film)?;
+            let (reason, converged) = self.converge_again(film)?;
             if converged.is_some() && film.flipped_triangles() == 0 {
                 return Ok((reason, converged));
             }
@@ -315,6 +312,12 @@ impl<'a> Solve<'a> {
             Look::Exists(margin) if !has_fine_ends(film) => Look::Unresolved(Some(margin)),
             look => look,
         })
+    }
+
+    /// [`converge`](Self::converge) with as many further solves as each way is allowed.
+    fn converge_again(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
+        self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
+        self.converge(film)
     }
 
     /// Steps 1 and 2, repeated where Newton's method stalls. Also returns the pattern and the factorisation of the
