@@ -438,24 +438,23 @@ fn a_constraint_is_reached_from_a_start_that_does_not_meet_it() {
 
 #[test]
 fn energies_that_cancel_do_not_stall_a_body() {
-    // A sheet of tension 1, and a line in compression along a fixed edge: the sum of the energies is zero, and its
-    // rounding error is that of its parts.
+    // The energies of two lines along a fixed edge are large and cancel that of the sheet, so that the sum is zero and
+    // does not show how much a step gains.
     let film = patch(12, 12, |u, v| DVec3::new(u, v, 0.3 * (u - v) * (u + v - 1.0)));
     let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
     let mut body = Body::new(film.vertices, &complex, &[1.0]);
-    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
-    body.relax(&settings, &Execution::default(), &mut |_, _| {}).unwrap();
-    // The edge from vertex 0 to vertex 1 is fixed, so that its energy is a constant.
+    relaxed(&mut body);
     let length = body.vertices[0].distance(body.vertices[1]);
-    let tension = -body.energy() / length;
-    body.terms.push(Box::new(Length { segments: vec![[0, 1]], tension }));
-    let middle = (0..body.vertices.len()).filter(|&v| body.freedoms[v] == Freedom::Normal);
-    for v in middle.collect::<Vec<_>>() {
-        body.vertices[v].z += 1e-8 * libm::sin(v as f64);
+    for energy in [1e6, -1e6 - body.energy()] {
+        body.terms.push(Box::new(Length { segments: vec![[0, 1]], tension: energy / length }));
     }
-    let report = body.relax(&settings, &Execution::default(), &mut |_, _| {}).unwrap();
     assert!(body.energy().abs() < 1e-9, "{}", body.energy());
-    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+    for v in 0..body.vertices.len() {
+        if body.freedoms[v] == Freedom::Normal {
+            body.vertices[v].z += 1e-6 * libm::sin(v as f64);
+        }
+    }
+    relaxed(&mut body);
 }
 
 #[test]
