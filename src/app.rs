@@ -40,12 +40,12 @@ const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
 /// Time without a sweep after which another process takes it over.
 const SWEEP_LEAD: Duration = Duration::from_secs(150);
-/// Size of the ballast file, whose space is given up on a full disk: 8 MiB for the results of accepted jobs, and 24 MiB for
-/// a sweep, which copies up to 16 MiB of the write-ahead log and writes a few megabytes.
+/// Size of the ballast file, whose space is given up on a full disk: 8 MiB for the results of accepted jobs, and 24 MiB
+/// for a sweep, which copies up to 16 MiB of the write-ahead log and writes a few megabytes.
 const BALLAST_BYTES: u64 = 32 << 20;
 
-/// Runs until the process is told to stop (SIGTERM, Ctrl-C). In the role [`Role::Mcp`] it also stops when standard input
-/// ends.
+/// Runs until the process is told to stop (SIGTERM, Ctrl-C). In the role [`Role::Mcp`] it also stops when standard
+/// input ends.
 ///
 /// # Errors
 /// A store that cannot be opened, or an address that cannot be bound.
@@ -143,14 +143,15 @@ pub fn check(config: &Config, role: Role) -> Result<(Keys, Option<Sender>), Stri
     }
     if role == Role::Mcp && keys.required() {
         return Err(
-            "plateau mcp serves one user, whose links carry no key: remove auth.keys and auth.keys_file, or use the setting \
-             http.mcp of plateau serve"
+            "plateau mcp serves one user, whose links carry no key: remove auth.keys and auth.keys_file, or use the \
+             setting http.mcp of plateau serve"
                 .into(),
         );
     }
     if role != Role::Worker && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
         return Err(format!(
-            "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
+            "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set \
+             auth.open_without_keys"
         ));
     }
     Ok((keys, Sender::load(&config.webhooks)?))

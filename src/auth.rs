@@ -94,8 +94,8 @@ struct Allowance {
 }
 
 impl Allowance {
-    /// Takes one request from the bucket and returns what is left. If the bucket is empty, returns the seconds until the
-    /// next request is available.
+    /// Takes one request from the bucket and returns what is left. If the bucket is empty, returns the seconds until
+    /// the next request is available.
     fn take(&mut self, per_minute: f64, now: Instant) -> Result<Left, f64> {
         let per_second = per_minute / 60.0;
         let elapsed_s = now.saturating_duration_since(self.at).as_secs_f64();
@@ -111,7 +111,7 @@ impl Allowance {
     }
 }
 
-/// What a key has left of its requests.
+/// Requests that a key may still make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Left {
     /// Number of requests that the key may make at once.
@@ -125,7 +125,7 @@ pub struct Left {
 pub struct Admitted {
     /// Name of the key, or `None` if the server requires no key.
     pub name: Option<Arc<str>>,
-    /// What the key has left, if its requests are limited.
+    /// Requests that the key may still make, if they are limited.
     pub left: Option<Left>,
 }
 
@@ -183,7 +183,8 @@ impl Keys {
         loop {
             if !std::mem::replace(&mut detached, is_detached(path)) && detached {
                 tracing::error!(
-                    "auth.keys_file {} was replaced outside of its mount and is never read again here: mount its folder",
+                    "auth.keys_file {} was replaced outside of its mount and is never read again here: mount its \
+                     folder",
                     path.display()
                 );
             }

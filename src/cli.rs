@@ -173,8 +173,8 @@ pub fn main() -> ExitCode {
             };
             let role = role(&command);
             let ended = runtime.block_on(app::run(config, role));
-            // A thread may still run a solver that does not answer. Another may wait for standard input, which nothing can
-            // interrupt.
+            // A thread may still run a solver that does not answer. Another may wait for standard input, which nothing
+            // can interrupt.
             runtime.shutdown_background();
             match ended {
                 Ok(()) => ExitCode::SUCCESS,

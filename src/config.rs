@@ -43,16 +43,17 @@ pub struct HttpConfig {
     pub header_timeout_ms: u64,
     /// Time that a client has to send a request's body. After it the answer is 408.
     pub body_timeout_ms: u64,
-    /// Lowest rate at which a request's body may arrive, in bytes per second. A slower body is answered with 408. 0 means
-    /// no lowest rate.
+    /// Lowest rate at which a request's body may arrive, in bytes per second. A slower body is answered with 408. 0
+    /// means no lowest rate.
     pub body_rate_bytes_per_s: u64,
     /// Period over which the rate of a body is measured. Each period until the body is complete must bring its share of
     /// bytes, so this is also the pause that a client may make.
     pub body_rate_grace_ms: u64,
-    /// Lowest rate at which a client may take an answer, in bytes per second. A connection whose client is slower is closed.
-    /// 0 means no lowest rate.
+    /// Lowest rate at which a client may take an answer, in bytes per second. A connection whose client is slower is
+    /// closed. 0 means no lowest rate.
     pub answer_rate_bytes_per_s: u64,
-    /// Period over which the rate of an answer is measured. Only the time counts in which the server waits for the client.
+    /// Period over which the rate of an answer is measured. Only the time counts in which the server waits for the
+    /// client.
     pub answer_rate_grace_ms: u64,
     /// Interval at which a comment is sent on every event stream, so that proxies keep the stream open.
     pub event_keep_alive_ms: u64,
@@ -63,18 +64,18 @@ pub struct HttpConfig {
     /// notice).
     pub shutdown_grace_ms: u64,
     /// Number of connections that may be open at once. A further connection replaces the one that has been idle for
-    /// longest. If no connection is idle, requests of the new one wait for a second and are then answered with 503. Health
-    /// checks are always answered.
+    /// longest. If no connection is idle, requests of the new one wait for a second and are then answered with 503.
+    /// Health checks are always answered.
     pub connections: usize,
-    /// Share of `connections` that the open requests of one key may take, in percent: event streams, waits, downloads and
-    /// uploads. A further request is answered with 429. On a server without keys it is the share of one client's address,
-    /// or of the proxy that all clients come through.
+    /// Share of `connections` that the open requests of one key may take, in percent: event streams, waits, downloads
+    /// and uploads. A further request is answered with 429. On a server without keys it is the share of one client's
+    /// address, or of the proxy that all clients come through.
     pub requests_share_percent: u32,
-    /// Number of bytes that the request bodies of all clients together may take while they are read. The first 16 KiB of
-    /// each body are not counted, so that small bodies never wait.
+    /// Number of bytes that the request bodies of all clients together may take while they are read. The first 16 KiB
+    /// of each body are not counted, so that small bodies never wait.
     pub bodies_in_flight_bytes: usize,
-    /// Share of `bodies_in_flight_bytes` that the bodies of one key may take, in percent. On a server without keys it is
-    /// the share of one client's address, or of the proxy that all clients come through.
+    /// Share of `bodies_in_flight_bytes` that the bodies of one key may take, in percent. On a server without keys it
+    /// is the share of one client's address, or of the proxy that all clients come through.
     pub bodies_share_percent: u32,
     /// Host names other than localhost that a server on a loopback address answers to, such as a proxy's upstream name.
     pub hosts: Vec<String>,
@@ -87,19 +88,21 @@ pub struct HttpConfig {
     /// Number of bytes of memory for a cache of files that were made from results (meshes in a format, flat patterns).
     /// Files above 256 KiB are on disk and do not count.
     pub files_kept_bytes: usize,
-    /// Number of bytes that the files above 256 KiB may take on disk. They have no name and are in `store.data`, or in the
-    /// system's folder for temporary files if `store.data` cannot be written. If all of them are being downloaded, a
-    /// further file is answered with 503.
+    /// Number of bytes that the files above 256 KiB may take on disk. They have no name and are in `store.data`, or in
+    /// the system's folder for temporary files if `store.data` cannot be written. If all of them are being downloaded,
+    /// a further file is answered with 503.
     pub files_disk_bytes: u64,
-    /// Whether long answers are compressed with zstd or gzip for clients that accept it. Turn it off if a proxy does it.
+    /// Whether long answers are compressed with zstd or gzip for clients that accept it. Turn it off if a proxy does
+    /// it.
     pub compression: bool,
     /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
     /// HTTP). `plateau mcp` offers the same tools on standard input and output and needs no setting.
     pub mcp: bool,
-    /// Whether `/hops` offers components for Hops in Grasshopper, which posts their inputs to `/solve` and `/hops/solve`.
+    /// Whether `/hops` offers components for Hops in Grasshopper, which posts their inputs to `/solve` and
+    /// `/hops/solve`.
     pub hops: bool,
-    /// Longest time in seconds for which a component of Hops waits for its job. After it the job is cancelled. Hops itself
-    /// gives up after 100 s.
+    /// Longest time in seconds for which a component of Hops waits for its job. After it the job is cancelled. Hops
+    /// itself gives up after 100 s.
     pub hops_wait_s: u64,
     /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty,
     /// `/metrics` is served by the main listener.
@@ -159,8 +162,8 @@ pub struct StoreConfig {
     /// Number of bytes that all results together may take (with SQLite including the database file). If they take more,
     /// the oldest jobs of the keys with the largest results expire early. 0 means no limit.
     pub max_bytes: u64,
-    /// Number of finished jobs that are kept. If there are more, the oldest jobs of the keys with the most jobs expire early,
-    /// so that a key with few jobs loses none.
+    /// Number of finished jobs that are kept. If there are more, the oldest jobs of the keys with the most jobs expire
+    /// early, so that a key with few jobs loses none.
     pub max_jobs: u64,
     /// Number of connections to PostgreSQL that one process opens for its statements. The process opens one more to
     /// listen for notifications.
@@ -189,16 +192,16 @@ pub struct JobsConfig {
     /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves no jobs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<usize>,
-    /// Number of further solvers for jobs that need at most 16 MiB of memory, so that these do not wait until a long job has
-    /// ended. If absent, 1 if `jobs.workers` is absent too, and otherwise 0.
+    /// Number of further solvers for jobs that need at most 16 MiB of memory, so that these do not wait until a long
+    /// job has ended. If absent, 1 if `jobs.workers` is absent too, and otherwise 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub small_workers: Option<usize>,
     /// Number of jobs that may wait in the queue. A further submission is answered with 429.
     pub queue_length: usize,
     /// Time limit of a solver. After it the solver returns the best mesh that it has reached.
     pub deadline_ms: u64,
-    /// Time that a solver has to end after a cancel or its deadline. A solver that has not ended by then has a defect: its job
-    /// fails with the type `unresponsive`, and its thread is given up and replaced.
+    /// Time that a solver has to end after a cancel or its deadline. A solver that has not ended by then has a defect:
+    /// its job fails with the type `unresponsive`, and its thread is given up and replaced.
     pub unresponsive_ms: u64,
     /// Number of given-up threads at which the process ends with the exit status 1, so that it is started anew. At
     /// least 1.
@@ -252,8 +255,8 @@ pub struct LimitsConfig {
     pub grid_cells: u64,
     /// Largest `max_iterations` that a request may ask for.
     pub iterations: u32,
-    /// Number of bytes of memory that solving one request may take, by estimate. A server with workers accepts no request for
-    /// more than `jobs.memory_bytes`.
+    /// Number of bytes of memory that solving one request may take, by estimate. A server with workers accepts no
+    /// request for more than `jobs.memory_bytes`.
     pub memory_bytes: u64,
     /// Number of requests that one batch may have.
     pub batch_requests: usize,
@@ -378,8 +381,8 @@ pub enum LogFormat {
 }
 
 impl Config {
-    /// Returns the defaults of `plateau mcp`. The program is a part of its user's assistant: it takes any free port of this
-    /// machine, and no load balancer has to notice that it stops.
+    /// Returns the defaults of `plateau mcp`. The program is a part of its user's assistant: it takes any free port of
+    /// this machine, and no load balancer has to notice that it stops.
     #[must_use]
     pub fn of_mcp() -> Self {
         let http = HttpConfig {
@@ -503,8 +506,8 @@ impl Config {
         Ok(())
     }
 
-    /// Returns true if jobs may belong to several keys. A server with a keys file has several owners even if the file is
-    /// empty, because keys may be added to it later.
+    /// Returns true if jobs may belong to several keys. A server with a keys file has several owners even if the file
+    /// is empty, because keys may be added to it later.
     #[must_use]
     pub fn has_owners(&self) -> bool {
         !self.auth.keys.is_empty() || !self.auth.keys_file.as_os_str().is_empty()

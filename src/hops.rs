@@ -26,8 +26,8 @@ pub enum Refusal {
     Invalid(Vec<String>),
 }
 
-/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by later
-/// versions, at the root of the host.
+/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by
+/// later versions, at the root of the host.
 #[must_use]
 pub fn is_solve(path: &str) -> bool {
     matches!(path, "/solve" | "/hops/solve")

@@ -1,5 +1,5 @@
-//! HTTP: parses requests, calls `jobs` and writes responses. [`mcp`] offers the same operations as tools. Business rules belong to `jobs`, and only [`problem`]
-//! knows the status codes of failures.
+//! HTTP: parses requests, calls `jobs` and writes responses. [`mcp`] offers the same operations as tools. Business
+//! rules belong to `jobs`, and only [`problem`] knows the status codes of failures.
 
 pub mod access;
 pub mod assets;

@@ -8,15 +8,15 @@
 //!   on. A result is therefore visible exactly once, however late a stalled worker wakes up.
 //! - A lease that runs out puts the job back to its old place in the queue. After `max_attempts` lost leases the job
 //!   fails, and its error describes each attempt. A lease that ran out because the database could not be reached is not
-//!   lost: its worker renews it after the outage ([`contact`]). If another process could reach the database and took the
-//!   job over meanwhile, the loss is taken back when the worker returns.
+//!   lost: its worker renews it after the outage ([`contact`]). If another process could reach the database and took
+//!   the job over meanwhile, the loss is taken back when the worker returns.
 //!
 //! The caller chooses identifiers, which must sort by time (ULID) because lists are ordered by them. Times are
 //! milliseconds since 1970 by the database's clock. An owner is the name of an API key; a server without keys has no
 //! owners. Functions that take an `owner` see only that owner's jobs, or every job if `owner` is `None`.
 //!
-//! Each operation is a plain function on a transaction ([`tx::Tx`]) in the module of its subject. [`operations`] lists all
-//! of them and runs each on the engine's own threads ([`sqlite`], [`postgres`]).
+//! Each operation is a plain function on a transaction ([`tx::Tx`]) in the module of its subject. [`operations`] lists
+//! all of them and runs each on the engine's own threads ([`sqlite`], [`postgres`]).
 
 mod ballast;
 mod batches;
@@ -76,9 +76,9 @@ pub struct StoreOptions {
     pub expired_retention: Duration,
     /// Number of finished jobs that are kept. If there are more, the oldest expire early.
     pub max_jobs: u64,
-    /// Number of bytes that all results together may take. If they take more than four fifths of it, the oldest finished
-    /// jobs expire early. On SQLite this also limits the size of the database itself in the same way, so that many small
-    /// results do not fill it.
+    /// Number of bytes that all results together may take. If they take more than four fifths of it, the oldest
+    /// finished jobs expire early. On SQLite this also limits the size of the database itself in the same way, so that
+    /// many small results do not fill it.
     pub max_bytes: Option<u64>,
     /// Storage of results larger than `inline_bytes`: a folder or `s3://BUCKET/PREFIX`. If `None`, large results go
     /// into the database. Every instance that shares the database must see the same storage.

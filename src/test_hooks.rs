@@ -28,7 +28,8 @@ const EACH_PROGRESS: &str = "each_progress";
 /// signal meanwhile, as if it were in a loop that does not end.
 const STUBBORN: &str = "stubborn";
 /// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
-/// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault happens.
+/// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault
+/// happens.
 const FAULT: &str = "fault";
 /// Name of a file to which every statement of SQLite is written: the text of the statement before it and its own, with
 /// [`BETWEEN`] between them and [`END`] behind them.
@@ -116,9 +117,9 @@ fn folder() -> Option<PathBuf> {
     std::env::var_os(HOLD_DIR).map(PathBuf::from)
 }
 
-/// A place at which a statement of SQLite can fail.
+/// A point at which a statement of SQLite can fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum FailurePoint {
     /// Before the statement runs.
     Before,
     /// After the statement ran. After a COMMIT, the failure means that its answer is lost.
@@ -130,33 +131,34 @@ thread_local! {
     static PREVIOUS: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Returns true if a statement of SQLite must fail at this place. The faults `fail_before` and `fail_after` make it fail,
-/// and `die_before` and `die_after` end the process as a kill does. A statement outside of a transaction has none before it.
-pub(crate) fn statement_fails(text: &str, place: Place, in_transaction: bool) -> bool {
+/// Returns true if a statement of SQLite must fail at this point. The faults `fail_before` and `fail_after` make it
+/// fail, and `die_before` and `die_after` end the process as a kill does. A statement outside of a transaction has none
+/// before it.
+pub(crate) fn statement_fails(text: &str, point: FailurePoint, in_transaction: bool) -> bool {
     let Some(folder) = folder() else { return false };
     if text.starts_with("BEGIN") {
         PREVIOUS.set(String::new());
     }
     let previous = if in_transaction { PREVIOUS.with_borrow(Clone::clone) } else { String::new() };
-    let fails = fails(&folder, &previous, text, place);
-    if place == Place::Before && folder.join(STATEMENTS).exists() {
+    let fails = fails(&folder, &previous, text, point);
+    if point == FailurePoint::Before && folder.join(STATEMENTS).exists() {
         let line = format!("{previous}{BETWEEN}{text}{END}");
         let written = std::fs::OpenOptions::new().append(true).open(folder.join(STATEMENTS));
         // A test that has ended removes its folder.
         let _ = written.and_then(|mut file| file.write_all(line.as_bytes()));
     }
-    if place == Place::After {
+    if point == FailurePoint::After {
         PREVIOUS.set(text.to_owned());
     }
     fails
 }
 
-fn fails(folder: &Path, previous: &str, text: &str, place: Place) -> bool {
+fn fails(folder: &Path, previous: &str, text: &str, point: FailurePoint) -> bool {
     let file = folder.join(FAULT);
     let Ok(asked) = std::fs::read_to_string(&file) else { return false };
-    let Some((fault, place_asked)) = asked.split_once(BETWEEN) else { return false };
-    let name = if place == Place::Before { "before" } else { "after" };
-    if place_asked.split_once(BETWEEN) != Some((previous, text)) || !fault.ends_with(name) {
+    let Some((fault, point_asked)) = asked.split_once(BETWEEN) else { return false };
+    let name = if point == FailurePoint::Before { "before" } else { "after" };
+    if point_asked.split_once(BETWEEN) != Some((previous, text)) || !fault.ends_with(name) {
         return false;
     }
     // Of several threads, the one that removes the file has the fault.

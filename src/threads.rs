@@ -10,8 +10,8 @@ use std::thread::{Builder, JoinHandle};
 
 use tokio::sync::oneshot;
 
-/// Stack size of threads that run solvers or conversions. Sparse orderings and Delaunay walks may recurse deeply. A large
-/// stack costs only address space.
+/// Stack size of threads that run solvers or conversions. Sparse orderings and Delaunay walks may recurse deeply. A
+/// large stack costs only address space.
 pub const STACK_BYTES: usize = 64 << 20;
 
 type Work<S> = Box<dyn FnOnce(&mut S) + Send>;

@@ -4,8 +4,8 @@
 //! The client chooses the URL, so the server must not trust it. Only https is allowed, redirects are not followed, and
 //! no proxy is used. At every attempt the host name is resolved again. Each of its addresses must be public
 //! ([`address`]) or in a network that the operator allows. The connection goes to the address that was checked, and the
-//! certificate is checked for the name. Only the status of the response is read. The client who named the URL sees whether
-//! the message was accepted, but not the status.
+//! certificate is checked for the name. Only the status of the response is read. The client who named the URL sees
+//! whether the message was accepted, but not the status.
 //!
 //! Every key has its own signing secret, derived from the operator's secret. One client therefore cannot forge messages
 //! for another.
@@ -90,8 +90,8 @@ impl Secret {
         self.0.iter().map(derived)
     }
 
-    /// Returns the secrets that sign messages about this key's jobs, the newest first, in the form that a Standard Webhooks
-    /// library takes. Without a name, returns those for the jobs of a server without keys.
+    /// Returns the secrets that sign messages about this key's jobs, the newest first, in the form that a Standard
+    /// Webhooks library takes. Without a name, returns those for the jobs of a server without keys.
     #[must_use]
     pub fn of(&self, owner: Option<&str>) -> Vec<String> {
         self.bytes_of(owner).map(|secret| format!("{SECRET_PREFIX}{}", BASE64.encode(secret))).collect()

@@ -14,9 +14,9 @@ use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Least order of a row without a reason. The meshes have no structure, so that the order of one row may be a tenth or
-/// two below what it is on the mean; the table's least is 1.8.
-const LEAST_ORDER: f64 = 1.6;
+/// Least order of a row without a reason, and of a row with one.
+const LEAST_ORDER: f64 = 1.8;
+const LEAST_ORDER_WITH_REASON: f64 = 1.6;
 /// Error below which a figure is exact at every mesh, relative to its value.
 const EXACT: f64 = 1e-9;
 
@@ -36,9 +36,14 @@ struct Figure {
     pointer: &'static str,
     exact: f64,
     formula: &'static str,
-    /// Why the order may be lower than [`LEAST_ORDER`].
+    /// Why the order may be lower than [`LEAST_ORDER`]. The table has it below the rows.
     reason: Option<&'static str>,
 }
+
+/// The vertex farthest from the chord stands up to half a segment from the middle of the arc.
+const SAG: &str = "The stated sag is that of the vertex farthest from the chord. This vertex stands up to half a \
+    segment of the cable from the middle of the arc, at another part of a segment in each mesh, so the error is below \
+    a constant times the square of the edge length, but its fraction of this bound changes from mesh to mesh.";
 
 fn figure(name: &'static str, pointer: &'static str, exact: f64, formula: &'static str) -> Figure {
     Figure { name, pointer, exact, formula, reason: None }
@@ -78,7 +83,10 @@ fn sail(name: &'static str, cable: Value, radius: f64, given: &[&str]) -> Case {
             "a² - 4 r² (θ - sin θ cos θ)",
         ),
         figure("length of a cable", "/cables/0/length", 2.0 * radius * half, "2 r θ"),
-        figure("sag of a cable", "/cables/0/sag", radius * (1.0 - cosine), "r (1 - cos θ)"),
+        Figure {
+            reason: Some(SAG),
+            ..figure("sag of a cable", "/cables/0/sag", radius * (1.0 - cosine), "r (1 - cos θ)")
+        },
         figure("force of a cable", "/cables/0/force", radius, "σ r"),
     ];
     let request = move |_| {
@@ -233,7 +241,10 @@ fn catenoid_area((c, z0): (f64, f64), height: f64) -> f64 {
 fn catenoids() -> Vec<Case> {
     let rings = |name, (radius, other, height): (f64, f64, f64)| {
         let shape = neck(radius, other, height);
-        let request = move |count| json!({ "boundaries": [circle(radius, 0.0, count), circle(other, height, count)], "film": { "tension": 1 } });
+        let request = move |count| {
+            let boundaries = [circle(radius, 0.0, count), circle(other, height, count)];
+            json!({ "boundaries": boundaries, "film": { "tension": 1 } })
+        };
         let figures = vec![
             figure("area", "/area", catenoid_area(shape, height), "π c (H + c/2 (sinh(2(H - z0)/c) + sinh(2 z0/c)))"),
             figure("pull on a ring", "/edge_reactions/1/force/2", 2.0 * PI * shape.0, "2 π c σ"),
@@ -278,13 +289,14 @@ fn statistics(case: &Case, level: usize) -> Value {
 fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
     let cases: Vec<Case> = sails().into_iter().chain(heavy_cables()).chain(caps()).chain(catenoids()).collect();
     let mut table = String::from(
-        "# Closed forms\n\nFigures of tensile structures at three meshes, beside their closed forms. `tests/closed_forms.rs` \
-         has the structures, and fails if an\nerror falls with less than the power 1.6 of the edge length. It writes this \
-         file anew with `PLATEAU_WRITE=1 cargo test --test closed_forms`.\nCircles have 32, 64 and 128 points, so that \
-         the polygons come nearer to them with the mesh.\n\n| structure | figure | closed form | value | error | | | \
-         order |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "# Closed forms\n\nFigures of tensile structures at three meshes, beside their closed forms. \
+         `tests/closed_forms.rs` has the structures, and fails if an\nerror falls with less than the power 1.8 of the \
+         edge length, or 1.6 where the table has a reason. It writes this file anew with `PLATEAU_WRITE=1 \
+         cargo test --test closed_forms`.\nCircles have 32, 64 and 128 points, so that the polygons come nearer to them with the \
+         mesh.\n\n| structure | figure | \
+         closed form | value | error | | | order |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
-    let (mut rows, mut faults) = (0, Vec::new());
+    let (mut rows, mut faults, mut reasons) = (0, Vec::new(), Vec::new());
     for case in &cases {
         let levels = [0, 1, 2].map(|level| statistics(case, level));
         let triangles = levels.each_ref().map(|found| found["triangles"].as_f64().expect("a count"));
@@ -295,15 +307,27 @@ fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
             });
             let order = 2.0 * (errors[0] / errors[2]).ln() / (triangles[2] / triangles[0]).ln();
             let is_exact = errors.iter().all(|error| *error < EXACT);
-            if !(is_exact || order >= LEAST_ORDER || reason.is_some()) {
+            let least = if reason.is_some() { LEAST_ORDER_WITH_REASON } else { LEAST_ORDER };
+            if !(is_exact || order >= least) {
                 faults.push(format!("{}, {name}: {errors:?}, order {order:.2}", case.name));
             }
-            let order = if is_exact { "exact".into() } else { format!("{order:.1}") };
+            let mut text = if is_exact { "exact".into() } else { format!("{order:.1}") };
+            if let Some(reason) = reason.filter(|_| !is_exact && order < LEAST_ORDER) {
+                let known = reasons.iter().position(|known| *known == reason);
+                let number = known.unwrap_or_else(|| {
+                    reasons.push(reason);
+                    reasons.len() - 1
+                });
+                write!(text, " ({})", number + 1).expect("a text grows");
+            }
             let [a, b, c] = errors.map(|error| format!("{error:.0e}"));
-            writeln!(table, "| {} | {name} | {formula} | {exact:.6} | {a} | {b} | {c} | {order} |", case.name)
+            writeln!(table, "| {} | {name} | {formula} | {exact:.6} | {a} | {b} | {c} | {text} |", case.name)
                 .expect("a text grows");
             rows += 1;
         }
+    }
+    for (number, reason) in reasons.iter().enumerate() {
+        write!(table, "\n({}) {reason}\n", number + 1).expect("a text grows");
     }
     println!("{table}");
     assert!(faults.is_empty(), "{}", faults.join("\n"));

@@ -136,8 +136,9 @@ fn a_path_that_does_not_exist_is_found_in_any_form() {
             .map(str::to_owned)
             .into();
     let found = |text: &str| missing(&[("docs/a.md".into(), text.into())], &tree);
-    let right = "See `src/store/jobs.rs`, `store/jobs.rs`, jobs.rs. [this](../src/store/jobs.rs#L3), `src/{store,http}/`, \
-                 `api/one-*.json`, https://example.org/b.md, `/v1/jobs.json`, `.hidden/c.md`, 3.5 or and/or.";
+    let right = "See `src/store/jobs.rs`, `store/jobs.rs`, jobs.rs. [this](../src/store/jobs.rs#L3), \
+        `src/{store,http}/`, `api/one-*.json`, https://example.org/b.md, `/v1/jobs.json`, `.hidden/c.md`, 3.5 or \
+        and/or.";
     assert_eq!(found(right), Vec::<String>::new());
     for wrong in ["src/store/queue.rs", "queue.rs", "../src/none.rs", "src/none", "api/two-*.json", "ore/jobs.rs"] {
         assert_eq!(found(&format!("-- The order: see `{wrong}`.")), [format!("docs/a.md names {wrong}")]);

@@ -52,8 +52,8 @@ const GEOMETRY: [(&str, &[&str]); 5] = [
     ("lower-bound", &["plateau_mesh", "glam", "libm"]),
 ];
 
-/// Returns the first function of `f64` or of a vector in `code` whose last bit depends on the machine, because the system's
-/// mathematical library computes it.
+/// Returns the first function of `f64` or of a vector in `code` whose last bit depends on the machine, because the
+/// system's mathematical library computes it.
 fn depends_on_the_machine(code: &str) -> Option<&'static str> {
     const FUNCTIONS: [&str; 27] = [
         "sin",
@@ -451,7 +451,8 @@ fn the_arrows_between_modules_are_the_committed_ones() {
     let committed = std::fs::read_to_string(root().join("tests/arrows.txt")).unwrap_or_default();
     assert!(
         found == committed,
-        "the arrows between modules changed. If that is meant, say why in docs/ARCHITECTURE.md and commit tests/arrows.txt as:\n{found}"
+        "the arrows between modules changed. If that is meant, say why in docs/ARCHITECTURE.md and commit \
+         tests/arrows.txt as:\n{found}"
     );
 }
 
@@ -499,7 +500,7 @@ fn lines_fit_and_comments_begin_with_their_subject() {
     assert_eq!(unreadable("/// Code:\n///\n/// ```\n///\n/// One::of()\n/// ```\n", ""), [""; 0]);
     let published = std::fs::read_to_string(root().join("api/openapi.json")).expect("the API document");
     let mut found = Vec::new();
-    for path in sources(&root().join("crates")) {
+    for path in ["crates", "src", "tests", "examples"].iter().flat_map(|folder| sources(&root().join(folder))) {
         let text = std::fs::read_to_string(&path).expect("a source file");
         found.extend(unreadable(&text, &published).into_iter().map(|fault| format!("{}:{fault}", path.display())));
     }

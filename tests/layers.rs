@@ -28,6 +28,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "order",
             "disjoint_sets",
             "lib",
+            "axis_box",
             "polyline",
             "topology",
             "measure",
@@ -135,7 +136,7 @@ const CRATES: [(&str, &[&str]); 10] = [
 /// Name of the service in the list of crates. Its source is the folder `src` beside the crates.
 const SERVICE: &str = "plateau";
 
-/// One file of the crate: its path below `src` without `.rs`, and its text.
+/// A file of the crate: its path below `src` without `.rs`, and its text.
 struct Source {
     path: String,
     text: String,
@@ -194,7 +195,7 @@ fn use_tree(tokens: &[Token], mut at: usize, prefix: &[String], exported: bool, 
     at
 }
 
-/// What one file says: its use declarations, the paths in its code, its child modules.
+/// Contents of a file: its use declarations, the paths in its code, its child modules.
 #[derive(Debug, Default)]
 struct Contents {
     uses: Vec<Use>,

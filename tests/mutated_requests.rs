@@ -102,7 +102,7 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
     let number = *random.pick(&NUMBERS);
     let axis = random.below(3);
     match random.below(16) {
-        // One value is replaced by another.
+        // A value is replaced by another.
         0 | 1 => {
             let mut all = leaves(request);
             let at = random.below(all.len());
@@ -130,7 +130,7 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
         7 => each_coordinate(request, |a, c| if a == axis { c + number } else { c }),
         8 => each_coordinate(request, |_, c| c.round()),
         9 => each_coordinate(request, |_, c| c + (random.below(2001) as f64 / 1000.0 - 1.0) * 0.3),
-        // One polyline gets a repeated point, a moved point, two swapped points or one fewer, or is reversed or cut
+        // A polyline gets a repeated point, a moved point, two swapped points or one fewer, or is reversed or cut
         // short.
         operation => {
             let mut all = polylines(request);

@@ -118,10 +118,10 @@ fn poll_title(kind: Kind) -> String {
 }
 
 /// Text of the input with which every field of a request can be given.
-const OPTIONS: &str = "Further fields of the service's request as a JSON object, which replace those made of the other inputs. \
-    Lists are appended. GET /openapi.json describes them.";
-const TOLERANCE: &str = "Largest distance between a curve and the polyline that stands for it. Polylines are taken as they are. \
-    0 means a two-thousandth of the diagonal of the curve's box.";
+const OPTIONS: &str = "Further fields of the service's request as a JSON object, which replace those made of the other \
+    inputs. Lists are appended. GET /openapi.json describes them.";
+const TOLERANCE: &str = "Largest distance between a curve and the polyline that stands for it. Polylines are taken as \
+    they are. 0 means a two-thousandth of the diagonal of the curve's box.";
 
 fn inputs(block: &Block) -> Vec<Input> {
     let mut inputs = block.inputs.to_vec();

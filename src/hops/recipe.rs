@@ -83,7 +83,7 @@ struct Maker<'a> {
     draft: Draft,
 }
 
-/// What is made of the inputs of a block that do not become fields as they are, such as curves.
+/// Function that converts inputs of a block, such as curves, which the request does not take as they are.
 type Use = fn(&mut Maker<'_>);
 
 /// Recipes of the blocks that have such inputs, by the names of the blocks.
@@ -509,9 +509,9 @@ fn joined(mesh: &Mesh) -> (Vec<Point>, Vec<[u32; 3]>) {
     };
     let mut triangles = Vec::new();
     for &[a, b, c, d] in &mesh.faces {
-        let at = |vertex: u32| mesh.vertices[vertex as usize];
+        let position = |vertex: u32| mesh.vertices[vertex as usize];
         let triangle = [[a, b, c]];
-        let halves = if at(a).distance(at(c)) <= at(b).distance(at(d)) {
+        let halves = if position(a).distance(position(c)) <= position(b).distance(position(d)) {
             [[a, b, c], [a, c, d]]
         } else {
             [[a, b, d], [b, c, d]]

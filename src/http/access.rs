@@ -124,8 +124,8 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
     }
 }
 
-/// Passes a request on if its client may have one more request open. The seat stays with the response until its body has
-/// ended.
+/// Passes a request on if its client may have one more request open. The seat stays with the response until its body
+/// has ended.
 async fn seated(app: &App, client: &str, request: Request, next: Next) -> Response {
     let Some(seat) = app.seats.take(client) else {
         let most = app.seats.most();

@@ -12,14 +12,15 @@ use tower_http::compression::predicate::{Predicate, SizeAbove};
 /// takes longer than sending them.
 const LEAST_BYTES: u64 = 8192;
 
-/// Media types that are compressed. Event streams are left out, because each event is sent at once. So are pictures, fonts
-/// and ZIP files, which are compressed already.
-const COMPRESSED: [&str; 12] = [
+/// Media types that are compressed. Event streams are left out, because each event is sent at once. So are pictures,
+/// fonts and ZIP files, which are compressed already.
+const COMPRESSED: [&str; 13] = [
     "application/json",
     "application/problem+json",
     "application/vnd.plateau.mesh+json",
     "application/x-ply",
     "application/octet-stream",
+    "application/wasm",
     "image/svg+xml",
     "image/vnd.dxf",
     "model/gltf+json",
@@ -42,8 +43,8 @@ fn is_compressed(headers: &HeaderMap) -> bool {
     media_type != "text/event-stream" && COMPRESSED.iter().any(|known| media_type.starts_with(known))
 }
 
-/// Makes the entity tag of a compressed answer a weak one. A strong tag stands for exactly these bytes, and a client that
-/// asks for a part of the file by it would get a part of the other bytes.
+/// Makes the entity tag of a compressed answer a weak one. A strong tag stands for exactly these bytes, and a client
+/// that asks for a part of the file by it would get a part of the other bytes.
 fn weaken_tag(mut response: Response<Body>) -> Response<Body> {
     let headers = response.headers_mut();
     let tag = headers.get(header::ETAG).and_then(|tag| tag.to_str().ok()).filter(|tag| !tag.starts_with("W/"));

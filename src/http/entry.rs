@@ -43,7 +43,8 @@ pub fn json_response(description: &str, component: &str) -> Value {
 /// Returns the entry of a GET without parameters that answers 200 with `schema` as `media_type`.
 pub fn plain_get(tag: &str, operation: &str, summary: &str, media_type: &str, schema: &Value) -> Value {
     let ok = json!({ "description": summary, "content": { media_type: { "schema": schema } } });
-    json!({ "operationId": operation, "tags": [tag], "summary": summary, "responses": with_problems(json!({ "200": ok }), &[]) })
+    json!({ "operationId": operation, "tags": [tag], "summary": summary,
+        "responses": with_problems(json!({ "200": ok }), &[]) })
 }
 
 /// Pattern of a ULID. Lower-case letters are accepted too.
@@ -71,8 +72,8 @@ pub fn prefer_parameter() -> Value {
         "schema": { "type": "string" }, "example": "wait=10" })
 }
 
-/// Media type under which every file can be fetched. Client generators take bytes of this type as bytes, and do not know
-/// the media types of meshes.
+/// Media type under which every file can be fetched. Client generators take bytes of this type as bytes, and do not
+/// know the media types of meshes.
 pub const BYTES: &str = "application/octet-stream";
 
 /// Returns the parameter `format` and the responses of a file in several formats, each given as `(name, media type)`.

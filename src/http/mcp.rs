@@ -39,9 +39,9 @@ use std::time::Duration;
 fn instructions() -> String {
     let finds: Vec<&str> = Kind::ALL.iter().map(|kind| kind.finds()).collect();
     format!(
-        "Plateau finds forms: {}. Call describe to see the kinds, and describe with a kind for its request's schema and an \
-         example. Then call solve, or start and get for requests that take minutes. link gives the address of the mesh. \
-         Lengths are in the request's unit, and angles are in degrees.",
+        "Plateau finds forms: {}. Call describe to see the kinds, and describe with a kind for its request's schema \
+         and an example. Then call solve, or start and get for requests that take minutes. link gives the address of \
+         the mesh. Lengths are in the request's unit, and angles are in degrees.",
         finds.join("; ")
     )
 }
@@ -101,7 +101,8 @@ fn address(http: &HttpConfig, scheme: &str, authority: &str) -> String {
 }
 
 impl Tools {
-    /// Returns the tools for a request. `host` is the authority that the client used, and `scheme` is `http` or `https`.
+    /// Returns the tools for a request. `host` is the authority that the client used, and `scheme` is `http` or
+    /// `https`.
     #[must_use]
     pub fn of_request(app: App, owner: Option<&str>, scheme: &str, host: Option<&str>) -> Self {
         let host = host.and_then(|host| host.parse::<Authority>().ok());

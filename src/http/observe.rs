@@ -84,8 +84,9 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
     let status = response.status().as_u16();
     let elapsed = started.elapsed();
     span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "answered"));
-    metrics::counter!(metric::HTTP_REQUESTS, "method" => label, "route" => route.clone(), "status" => status.to_string())
-        .increment(1);
+    metrics::counter!(metric::HTTP_REQUESTS, "method" => label, "route" => route.clone(),
+        "status" => status.to_string())
+    .increment(1);
     metrics::histogram!(metric::HTTP_SECONDS, "method" => label, "route" => route).record(elapsed.as_secs_f64());
     response
 }

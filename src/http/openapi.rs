@@ -39,9 +39,11 @@ fn document() -> Value {
         "info": {
             "title": "Plateau",
             "version": env!("CARGO_PKG_VERSION"),
-            "summary": "Form finding: minimal surfaces, optimal ruled strips, uniform meshes, tensile structures and cable nets, as glTF meshes with statistics.",
-            "description": "Post curves, a film with its cables, or a net to create a job. Follow the job, then fetch its mesh. Lengths are in \
-                the request's unit, and angles are in degrees. Every error is a problem document (RFC 9457). Results are deterministic.",
+            "summary": "Form finding: minimal surfaces, optimal ruled strips, uniform meshes, tensile structures and \
+             cable nets, as glTF meshes with statistics.",
+            "description": "Post curves, a film with its cables, or a net to create a job. Follow the job, then fetch \
+             its mesh. Lengths are in the request's unit, and angles are in degrees. Every error is a problem document \
+             (RFC 9457). Results are deterministic.",
             "license": { "name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0" },
         },
         "servers": [{ "url": "/" }],
@@ -57,15 +59,19 @@ fn document() -> Value {
         "paths": paths(),
         "components": {
             "securitySchemes": {
-                "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
+                "key": { "type": "http", "scheme": "bearer",
+                    "description": "API key of this server, created with `plateau key new`." },
             },
             "schemas": components(),
             "responses": problems(),
             "headers": {
-                "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
+                "RequestId": { "description": "Identifier of this request in the server's logs.",
+                    "schema": { "type": "string" } },
                 "WwwAuthenticate": { "description": "Bearer", "schema": { "type": "string" } },
-                "RateLimit": { "description": "Requests that the key has left (`r`), and seconds until it has all of a minute's again (`t`): `\"requests\";r=57;t=3`.", "schema": { "type": "string" } },
-                "RateLimitPolicy": { "description": "Requests that the key may make (`q`) in a number of seconds (`w`): `\"requests\";q=60;w=60`.", "schema": { "type": "string" } },
+                "RateLimit": { "description": "Requests that the key has left (`r`), and seconds until it has all of a \
+                 minute's again (`t`): `\"requests\";r=57;t=3`.", "schema": { "type": "string" } },
+                "RateLimitPolicy": { "description": "Requests that the key may make (`q`) in a number of seconds \
+                 (`w`): `\"requests\";q=60;w=60`.", "schema": { "type": "string" } },
                 "RetryAfter": { "description": "Seconds to wait.", "schema": { "type": "integer", "minimum": 0 } },
             },
         },

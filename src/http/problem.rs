@@ -176,7 +176,8 @@ impl From<JobsError> for Failure {
             JobsError::NotFound => Self::not_found("no such job"),
             JobsError::NoBatch => Self::not_found("no such batch"),
             JobsError::Expired => Self::expired(
-                "the job and its mesh were removed: their retention time ended, or the server needed the place for newer jobs",
+                "the job and its mesh were removed: their retention time ended, or the server needed the place for \
+                 newer jobs",
             ),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
@@ -184,7 +185,8 @@ impl From<JobsError> for Failure {
                 Self::no_callback("there is no message to send; name a `callback_url` in the request")
             }
             JobsError::NoCertificate => Self::not_found(
-                "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if it is missing",
+                "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if \
+                 it is missing",
             ),
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
             JobsError::TooMuch(detail) => Self::unwritable(detail),
@@ -232,8 +234,8 @@ impl IntoResponse for Failure {
     }
 }
 
-/// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an answer
-/// in its own form. `base` is the base path of this server, and `path` is the request's path below it.
+/// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an
+/// answer in its own form. `base` is the base path of this server, and `path` is the request's path below it.
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         if hops::is_solve(path) {

@@ -1,5 +1,5 @@
-//! Limits the number of requests that one client has open at once, so that the event streams, waits and downloads of one
-//! client leave connections for others.
+//! Limits the number of requests that one client has open at once, so that the event streams, waits and downloads of
+//! one client leave connections for others.
 
 use axum::extract::ConnectInfo;
 use axum::http::Extensions;

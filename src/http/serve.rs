@@ -56,8 +56,8 @@ async fn accept(listener: &TcpListener, connections: &Connections) {
             Ok((stream, peer)) => {
                 // This disables Nagle's algorithm, so that small answers are not delayed.
                 let _ = stream.set_nodelay(true);
-                let place = connections.place().await;
-                connections.start(stream, peer, place);
+                let permit = connections.place().await;
+                connections.start(stream, peer, permit);
             }
             Err(error) => {
                 // The most likely cause is a lack of file descriptors, so other connections must close first.
@@ -72,10 +72,10 @@ async fn accept(listener: &TcpListener, connections: &Connections) {
 struct Connections {
     http: http1::Builder,
     router: Router,
-    /// One permit for each connection that may be open.
+    /// Permits of the connections that may be open.
     permits: Arc<Semaphore>,
     max_open: u32,
-    /// One permit for each extra connection.
+    /// Permits of the extra connections.
     extra: Arc<Semaphore>,
     /// Lowest rate and period of [`Paced`].
     pace: (u64, Duration),
@@ -85,7 +85,7 @@ struct Connections {
 
 /// Permit of an open connection.
 #[derive(Debug)]
-enum Place {
+enum ConnectionPermit {
     Ordinary {
         _permit: OwnedSemaphorePermit,
     },
@@ -110,25 +110,25 @@ struct Activity {
     fresh: AtomicBool,
     /// Value of [`Open::clock`] when the connection became idle, or [`BUSY`], or [`DISMISSED`].
     idle_since: AtomicU64,
-    place: Mutex<Place>,
+    permit: Mutex<ConnectionPermit>,
     /// Wakes the connection's task when the connection has been dismissed.
     dismissed: Notify,
 }
 
 impl Activity {
-    fn place(&self) -> MutexGuard<'_, Place> {
-        self.place.lock().unwrap_or_else(PoisonError::into_inner)
+    fn permit(&self) -> MutexGuard<'_, ConnectionPermit> {
+        self.permit.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn is_extra(&self) -> bool {
-        matches!(*self.place(), Place::Extra { .. })
+        matches!(*self.permit(), ConnectionPermit::Extra { .. })
     }
 }
 
 /// Number of connections beyond the maximum that may be open.
 const EXTRA: usize = 64;
-/// Time that a request on an extra connection waits until another connection ends. Health checks may wait as long if all
-/// extra connections are waiting too.
+/// Time that a request on an extra connection waits until another connection ends. Health checks may wait as long if
+/// all extra connections are waiting too.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Marks a connection that is answering a request.
 const BUSY: u64 = u64::MAX;
@@ -151,8 +151,8 @@ impl Open {
         self.clock.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Dismisses the connection that has been idle for longest. Returns whether it is an extra one, or `None` if none is
-    /// idle.
+    /// Dismisses the connection that has been idle for longest. Returns whether it is an extra one, or `None` if none
+    /// is idle.
     fn dismiss_longest_idle(&self) -> Option<bool> {
         let connections = self.connections();
         loop {
@@ -191,9 +191,9 @@ impl Connections {
 
     /// Waits for a place for one more connection. If none is free, dismisses the connection that has been idle for
     /// longest. If none is idle, the new connection is an extra one.
-    async fn place(&self) -> Place {
+    async fn place(&self) -> ConnectionPermit {
         if let Ok(permit) = self.permits.clone().try_acquire_owned() {
-            return Place::Ordinary { _permit: permit };
+            return ConnectionPermit::Ordinary { _permit: permit };
         }
         let mut permit = std::pin::pin!(self.permits.clone().acquire_owned());
         let mut extra = std::pin::pin!(self.extra.clone().acquire_owned());
@@ -202,8 +202,10 @@ impl Connections {
             let dismissed = self.open.dismiss_longest_idle();
             tokio::select! {
                 biased;
-                permit = &mut permit => return Place::Ordinary { _permit: permit.expect(OPEN) },
-                extra = &mut extra, if dismissed != Some(false) => return Place::Extra { _permit: extra.expect(OPEN) },
+                permit = &mut permit => return ConnectionPermit::Ordinary { _permit: permit.expect(OPEN) },
+                extra = &mut extra, if dismissed != Some(false) => {
+                    return ConnectionPermit::Extra { _permit: extra.expect(OPEN) };
+                }
                 () = self.open.became_idle.notified(), if dismissed.is_none() => {}
                 // The dismissed connection may have received a request at the same moment, so another one is tried
                 // after a while.
@@ -213,13 +215,13 @@ impl Connections {
     }
 
     /// Serves a connection of this peer in its own task.
-    fn start(&self, stream: TcpStream, peer: SocketAddr, place: Place) {
+    fn start(&self, stream: TcpStream, peer: SocketAddr, permit: ConnectionPermit) {
         let open = self.open.clone();
         let number = open.tick();
         let activity = Arc::new(Activity {
             fresh: AtomicBool::new(true),
             idle_since: AtomicU64::new(number),
-            place: Mutex::new(place),
+            permit: Mutex::new(permit),
             dismissed: Notify::new(),
         });
         open.connections().insert(number, activity.clone());
@@ -269,7 +271,7 @@ impl Connections {
                 leaving = true;
                 connection.as_mut().graceful_shutdown();
             }
-            // This drops the place, unless a request is still being answered.
+            // This drops the permit, unless a request is still being answered.
             open.connections().remove(&number);
         });
     }
@@ -311,7 +313,7 @@ async fn wait_for_place(activity: &Activity, permits: Arc<Semaphore>, path: &str
         return true;
     }
     match tokio::time::timeout(PATIENCE, permits.acquire_owned()).await {
-        Ok(Ok(permit)) => *activity.place() = Place::Ordinary { _permit: permit },
+        Ok(Ok(permit)) => *activity.permit() = ConnectionPermit::Ordinary { _permit: permit },
         Ok(Err(_)) | Err(_) => return false,
     }
     true

@@ -1,4 +1,4 @@
-//! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
+//! An attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
 use super::memory::Share;
@@ -235,16 +235,16 @@ impl Attempt {
             match renewed {
                 Ok(Renewed::Held) => {}
                 Ok(Renewed::Cancelled | Renewed::Lost) => self.line.stop(),
-                // The solver goes on even if the lease runs out, because no other process may have noticed: the outage may
-                // be everywhere. If the job was taken over, the next renewal says so.
+                // The solver goes on even if the lease runs out, because no other process may have noticed: the outage
+                // may be everywhere. If the job was taken over, the next renewal says so.
                 Err(error) => tracing::warn!(%error, "cannot reach the store"),
             }
         }
     }
 
     /// Stores an outcome. If the store cannot be written, the attempt holds the outcome, renews the claim and tries
-    /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the attempt's
-    /// number. It also says whether an earlier try was stored although its answer was lost.
+    /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the
+    /// attempt's number. It also says whether an earlier try was stored although its answer was lost.
     async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> End {
         let (store, lease) = (self.jobs.store(), self.lease());
         let status = outcome.status();
@@ -394,8 +394,8 @@ fn outcome(ended: Ended) -> Option<Outcome> {
             failure("refused", detail, errors)
         }
         Ended::Unresponsive => {
-            let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect of this \
-                server; the request is not the cause";
+            let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect \
+                of this server; the request is not the cause";
             failure("unresponsive", detail, Vec::new())
         }
         Ended::Panicked => {

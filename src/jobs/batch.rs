@@ -1,4 +1,4 @@
-//! One file with all meshes of a batch.
+//! The file with all meshes of a batch.
 
 use super::converters::Length;
 use super::files::File;
@@ -192,7 +192,8 @@ impl Writing {
             }
         }
         self.listed.push(json!({
-            "index": index, "id": job.id, "kind": job.kind, "status": job.status, "file": file, "file_error": file_error,
+            "index": index, "id": job.id, "kind": job.kind, "status": job.status, "file": file,
+            "file_error": file_error,
             "statistics": job.statistics, "warnings": job.warnings, "error": job.error,
         }));
         Ok(())

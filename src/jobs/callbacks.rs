@@ -186,8 +186,8 @@ async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
     Ok(message.to_string())
 }
 
-/// Returns the callback of a job or batch in the form that clients see. It says whether an attempt succeeded but not why it
-/// failed, because that would tell about hosts that only this server can reach.
+/// Returns the callback of a job or batch in the form that clients see. It says whether an attempt succeeded but not
+/// why it failed, because that would tell about hosts that only this server can reach.
 pub(super) fn view(row: CallbackRow) -> Callbacks {
     let seen = |attempted: &Attempted| callback::Delivery {
         attempt: attempted.number.unsigned_abs(),

@@ -2,8 +2,8 @@
 //! Their number is small, so that conversions cannot take every core from the solvers and the server, nor much memory.
 //! They are never replaced, because an allocator keeps for each thread the memory that the thread once needed.
 //!
-//! The owners who wait for a thread get one in turn. One more thread is only for short work, which therefore does not wait
-//! for long work.
+//! The owners who wait for a thread get one in turn. One more thread is only for short work, which therefore does not
+//! wait for long work.
 
 use super::JobsError;
 use super::turns::{Turn, Turns};
@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 #[derive(Debug)]
 pub struct Converters {
-    /// One permit for each thread, except for the one for short work.
+    /// Permits of the threads, except for the thread for short work.
     permits: Arc<Turns>,
     /// The permit of the thread for short work.
     short: Arc<Turns>,

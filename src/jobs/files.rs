@@ -1,5 +1,5 @@
-//! FileCache made from results, and their cache. A stored mesh never changes, so a file made from it in one format is the
-//! same for every reader, range request and revalidation.
+//! FileCache made from results, and their cache. A stored mesh never changes, so a file made from it in one format is
+//! the same for every reader, range request and revalidation.
 //!
 //! Small files are in memory. Others are unnamed files on disk, so that a slow reader occupies one piece of its file in
 //! memory. The cache drops the longest unused files. A file on disk that is still being read keeps its space until its
@@ -131,7 +131,7 @@ pub struct FileCache {
     /// Folders for files on disk. The first one in which a file can be created is used.
     folders: Vec<PathBuf>,
     used_disk_bytes: Arc<AtomicU64>,
-    /// One permit for each piece that is being read.
+    /// Permits of the pieces that may be read at once.
     reads: Arc<Semaphore>,
     kept: Mutex<Kept>,
 }

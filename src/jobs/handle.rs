@@ -34,12 +34,12 @@ pub(super) struct Inner {
     pub(super) converters: Converters,
     /// FileCache that conversions have made.
     pub(super) files: FileCache,
-    /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
+    /// Permits of the solvers that may run in this process at once. They are given out in the order of requests.
     pub(super) slots: Arc<Semaphore>,
     pub(super) solvers: usize,
     /// Number of solvers that were given up because they did not answer, and that have not ended since.
     pub(super) unresponsive: AtomicUsize,
-    /// One permit for each worker and attempt that a shutdown waits for.
+    /// Permits of the workers and attempts that a shutdown waits for.
     pub(super) under_way: Arc<Semaphore>,
     /// Name of this process in the records of attempts.
     pub(super) process: String,
@@ -195,8 +195,8 @@ impl Jobs {
         &self.0.converters
     }
 
-    /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the async
-    /// runtime.
+    /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the
+    /// async runtime.
     pub async fn off_runtime<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> T + Send + 'static,

@@ -55,8 +55,8 @@ impl MemoryBudget {
 }
 
 impl Share {
-    /// Raises the share to `bytes`, even beyond the budget. This is for a job whose stored estimate was made by a version
-    /// that estimated less.
+    /// Raises the share to `bytes`, even beyond the budget. This is for a job whose stored estimate was made by a
+    /// version that estimated less.
     pub fn raise_to(&mut self, bytes: u64) {
         let more = bytes.saturating_sub(self.bytes);
         self.budget.used_bytes.send_modify(|used| *used = used.saturating_add(more));

@@ -60,7 +60,7 @@ impl Jobs {
     }
 }
 
-/// One job.
+/// Operations on a single job.
 impl Jobs {
     /// Waits until the job ends, the wait is over or a shutdown begins, and then returns the job.
     ///
@@ -109,8 +109,8 @@ impl Jobs {
         self.callbacks_of(Subject::Job, id, owner).await
     }
 
-    /// Sends the message to a job's callback URL again, or at once if an attempt is due later. The message of a job that has
-    /// not ended is still sent at the end.
+    /// Sends the message to a job's callback URL again, or at once if an attempt is due later. The message of a job
+    /// that has not ended is still sent at the end.
     ///
     /// # Errors
     /// Returns the errors of [`Jobs::get`], and [`JobsError::NoCallback`] if the request named no URL.

@@ -1,8 +1,8 @@
 //! The results from which requests begin.
 //!
-//! A request is checked with its source, so the source is read while the request is read. A request that waits keeps the
-//! result from which it begins (`requests.source`), so that its job can be solved after the source's job has expired or was
-//! deleted.
+//! A request is checked with its source, so the source is read while the request is read. A request that waits keeps
+//! the result from which it begins (`requests.source`), so that its job can be solved after the source's job has
+//! expired or was deleted.
 
 use super::progress::Line;
 use super::{Jobs, JobsError};
@@ -88,8 +88,8 @@ impl Sources {
         }
     }
 
-    /// Returns the error for a batch with a request that was refused. Several requests may be wrong for different reasons,
-    /// so only a defect of this server counts as the cause.
+    /// Returns the error for a batch with a request that was refused. Several requests may be wrong for different
+    /// reasons, so only a defect of this server counts as the cause.
     pub(super) fn refused_batch(&self, rejection: Rejection) -> JobsError {
         match &*self.missing.borrow() {
             Some(JobsError::Unavailable(_) | JobsError::Internal(_)) => {}
@@ -99,8 +99,8 @@ impl Sources {
     }
 }
 
-/// Returns the result of a name for a job that was claimed. While the store cannot be reached, it is asked again until the
-/// solver is told to end. Must be called on a blocking thread of the runtime.
+/// Returns the result of a name for a job that was claimed. While the store cannot be reached, it is asked again until
+/// the solver is told to end. Must be called on a blocking thread of the runtime.
 ///
 /// # Errors
 /// Returns the reason as a phrase for which the result cannot be read.

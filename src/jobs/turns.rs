@@ -58,7 +58,8 @@ impl Turns {
             // A permit that reaches a waiter which goes away at the same moment comes back when it is dropped.
             match waiter.map(|waiter| waiter.send(Turn(Some(self.clone())))) {
                 Some(Ok(())) => return,
-                // The waiter has gone away. Its permit is void, because it must not come back while the state is locked.
+                // The waiter has gone away. Its permit is void, because it must not come back while the state is
+                // locked.
                 Some(Err(mut turn)) => turn.0 = None,
                 None => {}
             }

@@ -54,8 +54,8 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     })
 }
 
-/// Figures from the statistics of any kind that also appear in the final progress, tell which files the job has, or give
-/// the size of its mesh. They are stored apart as the job's summary, in which a present member stands for a file.
+/// Figures from the statistics of any kind that also appear in the final progress, tell which files the job has, or
+/// give the size of its mesh. They are stored apart as the job's summary, in which a present member stands for a file.
 #[derive(Debug, Deserialize, Serialize)]
 pub(super) struct Figures {
     iterations: Option<u64>,

@@ -7,16 +7,16 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
 
-/// Longest interval at which an idle worker looks for a job without having been notified of one. It looks at least three
-/// times in a lease, because the store takes a longer pause for an outage.
+/// Longest interval at which an idle worker looks for a job without having been notified of one. It looks at least
+/// three times in a lease, because the store takes a longer pause for an outage.
 const IDLE_POLL: Duration = Duration::from_secs(1);
 
 /// Largest memory of the jobs that a worker for small jobs claims, by estimate. Films of 16,000 triangles and tensile
 /// structures of 3,000 take this much, and some seconds.
 pub(super) const SMALL_BYTES: u64 = 16 << 20;
 
-/// Claims jobs of at most `most_bytes` until a shutdown is asked for. Any number of workers may run in this process and in
-/// others. A solver runs with a permit of `slots`.
+/// Claims jobs of at most `most_bytes` until a shutdown is asked for. Any number of workers may run in this process and
+/// in others. A solver runs with a permit of `slots`.
 pub(super) async fn run(jobs: Jobs, name: String, slots: Arc<Semaphore>, most_bytes: u64) {
     let Some(_working) = jobs.under_way() else { return };
     let lease = Duration::from_millis(jobs.config().jobs.lease_ms);

@@ -1,8 +1,8 @@
-//! A file whose only purpose is to occupy disk space. On a full disk its space is needed in two ways. Accepted jobs must
-//! be able to end, and the sweep must be able to run: the sweep writes before it frees space, and the write-ahead log has
-//! to be copied into the database before its own space comes back. A quarter of the file is therefore given to jobs, and
-//! the rest to the sweep alone, because jobs that took all of it would leave the disk full for ever. New jobs are refused
-//! until the whole file is back.
+//! A file whose only purpose is to occupy disk space. On a full disk its space is needed in two ways. Accepted jobs
+//! must be able to end, and the sweep must be able to run: the sweep writes before it frees space, and the write-ahead
+//! log has to be copied into the database before its own space comes back. A quarter of the file is therefore given to
+//! jobs, and the rest to the sweep alone, because jobs that took all of it would leave the disk full for ever. New jobs
+//! are refused until the whole file is back.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -20,7 +20,7 @@ const NOTHING: u8 = 2;
 pub(super) struct Ballast {
     path: PathBuf,
     bytes: u64,
-    /// One of the constants above.
+    /// `WHOLE`, `FOR_SWEEP` or `NOTHING`.
     reserve: AtomicU8,
 }
 
@@ -56,7 +56,8 @@ impl Ballast {
         if self.bytes == 0 || !self.change(WHOLE, FOR_SWEEP) {
             return;
         }
-        tracing::error!(file = %self.path.display(), "the disk is full: shortened the ballast file; new jobs are refused");
+        tracing::error!(file = %self.path.display(),
+            "the disk is full: shortened the ballast file; new jobs are refused");
         let cut = OpenOptions::new().write(true).open(&self.path).and_then(|file| file.set_len(self.for_sweep()));
         if let Err(error) = cut {
             tracing::error!(%error, file = %self.path.display(), "cannot shorten the ballast file");
@@ -104,8 +105,8 @@ impl Ballast {
                 file.write_all(&zeros[..step as usize])?;
                 left -= step;
             }
-            // The file is not synced, because file systems allocate the space when it is written, and losing the file in
-            // a crash does no harm.
+            // The file is not synced, because file systems allocate the space when it is written, and losing the file
+            // in a crash does no harm.
             file.set_len(kept)
         });
         if written.is_err() {

@@ -120,8 +120,8 @@ impl Subject {
     }
 }
 
-/// SQL condition for rows whose owner and host are not busy. `$1` has the busy owners and `$2` the busy hosts, both as JSON
-/// arrays of texts.
+/// SQL condition for rows whose owner and host are not busy. `$1` has the busy owners and `$2` the busy hosts, both as
+/// JSON arrays of texts.
 fn idle(tx: &Tx<'_>) -> String {
     let texts = |parameter: &str| match tx.is_postgres() {
         true => format!("SELECT jsonb_array_elements_text(CAST({parameter} AS jsonb))"),

@@ -38,16 +38,17 @@ pub enum Renewed {
     Lost,
 }
 
-/// SQL condition for running jobs whose lease, of at most `$1` ms, has run out. A lease that ends more than twice its length in the future
-/// was given by a clock that has since been set back, so it counts as run out too. Smaller steps back do no harm.
+/// SQL condition for running jobs whose lease, of at most `$1` ms, has run out. A lease that ends more than twice its
+/// length in the future was given by a clock that has since been set back, so it counts as run out too. Smaller steps
+/// back do no harm.
 const LEASE_EXPIRED: &str =
     "status = 'running' AND ((lease_until <= now_ms() AND lease_ms <= $1) OR lease_until > now_ms() + 2 * lease_ms)";
 
 /// Number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;
 
-/// Number of jobs that may be claimed before a job that does not fit into the free memory. After that many, memory is left
-/// free until the job fits.
+/// Number of jobs that may be claimed before a job that does not fit into the free memory. After that many, memory is
+/// left free until the job fits.
 const MAX_OVERTAKEN: i64 = 16;
 
 /// Memory of the jobs that a worker may claim.
@@ -91,8 +92,8 @@ pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration, room: Room) 
     };
     let Some(row) = tx.row(&fitting("id, turn", "$1"), &[room.bytes().into()])? else { return Ok(None) };
     let (id, turn): (String, i64) = (row.get("id")?, row.get("turn")?);
-    let too_large = "SELECT id, overtaken FROM jobs WHERE status = 'queued' AND memory_bytes > $1 AND (turn, id) < ($2, $3) \
-                     ORDER BY turn, id LIMIT 1 /* skip locked */";
+    let too_large = "SELECT id, overtaken FROM jobs WHERE status = 'queued' AND memory_bytes > $1 AND \
+        (turn, id) < ($2, $3) ORDER BY turn, id LIMIT 1 /* skip locked */";
     let overtaken = tx.row(too_large, &[limit(room.free_bytes).into(), turn.into(), (&id).into()])?;
     if let Some(row) = overtaken {
         if row.get::<i64>("overtaken")? >= MAX_OVERTAKEN {
@@ -172,9 +173,9 @@ fn update_if_held(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Va
     Ok(if tx.exists(cancelled, &[id.into(), attempt.into()])? { Renewed::Cancelled } else { Renewed::Lost })
 }
 
-/// Ends the attempt. If an earlier call has already stored this outcome, changes nothing and returns true: the connection
-/// may have been lost after the commit, so that the worker did not learn of it. If the worker had lost the job, changes
-/// nothing and returns false.
+/// Ends the attempt. If an earlier call has already stored this outcome, changes nothing and returns true: the
+/// connection may have been lost after the commit, so that the worker did not learn of it. If the worker had lost the
+/// job, changes nothing and returns false.
 pub(super) fn finish(
     tx: &mut Tx<'_>,
     id: &str,
@@ -278,8 +279,8 @@ fn loss_of(attempt: i64) -> String {
     format!("attempt {attempt} on ")
 }
 
-/// Takes back the loss of an attempt whose worker turns out to be alive: it could not reach the database while its lease
-/// ran out. The job stays with the attempt that took it over.
+/// Takes back the loss of an attempt whose worker turns out to be alive: it could not reach the database while its
+/// lease ran out. The job stays with the attempt that took it over.
 fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
     let text = "SELECT losses FROM jobs WHERE id = $1 AND lost_leases > 0 AND status IN ('queued', 'running')";
     let Some(row) = tx.row(text, &[id.into()])? else { return Ok(()) };
@@ -296,8 +297,8 @@ fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
 /// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue, or fails them if that happened too
 /// often. Returns the number of these jobs.
 ///
-/// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has not
-/// renewed its lease since then may have been stopped because of the outage, so its loss is not counted.
+/// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has
+/// not renewed its lease since then may have been stopped because of the outage, so its loss is not counted.
 pub(super) fn recover(
     tx: &mut Tx<'_>,
     lease_max_ms: i64,

@@ -1,8 +1,8 @@
 //! How long this process has been in contact with the database without a break.
 //!
 //! A lease that runs out says that a worker died only if the worker could have renewed it. After an outage of the
-//! database every lease has run out, and the workers need a moment to renew theirs. A process therefore counts a lease as
-//! lost only if its own contact has lasted for the length of the lease.
+//! database every lease has run out, and the workers need a moment to renew theirs. A process therefore counts a lease
+//! as lost only if its own contact has lasted for the length of the lease.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -19,7 +19,8 @@ pub(super) struct Contact {
 
 #[derive(Debug, Clone, Copy)]
 struct State {
-    /// Start of the contact. `None` if no other process uses the database, so that there was no outage before the start.
+    /// Start of the contact. `None` if no other process uses the database, so that there was no outage before the
+    /// start.
     since: Option<Instant>,
     last: Instant,
     /// End of the last break that began with a failed operation.

@@ -85,7 +85,8 @@ impl Store {
         Ok(store)
     }
 
-    /// Checks the form of a database's URL and of the place of its results (empty for the default), without reaching either.
+    /// Checks the form of a database's URL and of the place of its results (empty for the default), without reaching
+    /// either.
     pub fn check_places(url: &str, results: &str) -> Result<()> {
         if url.starts_with("postgres://") || url.starts_with("postgresql://") {
             Server::at(url)?;

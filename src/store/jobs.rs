@@ -96,7 +96,8 @@ pub struct EarlyEnd {
     pub started_ms: i64,
 }
 
-/// Seed of the hash that gives each series its advisory lock in PostgreSQL, so that other uses of such locks have others.
+/// Seed of the hash that gives each series its advisory lock in PostgreSQL, so that other uses of such locks have
+/// others.
 const SERIES_LOCKS: i64 = 7_019_839_176;
 
 /// Permission for later equal requests to reuse a job's result.
@@ -204,8 +205,8 @@ pub(super) fn read_status(row: &Row) -> Result<Status> {
     Status::from_name(&name).ok_or_else(|| StoreError::Internal(format!("unknown status {name:?}")))
 }
 
-/// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `summary`, `warnings` and `error`
-/// are JSON texts as they were stored.
+/// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `summary`, `warnings` and
+/// `error` are JSON texts as they were stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JobRow {
     pub id: String,
@@ -224,7 +225,7 @@ pub struct JobRow {
     pub progress: Option<String>,
     /// Value of `sequence` when `progress` was written, or 0 without progress.
     pub progress_sequence: i64,
-    /// `None` also in a list that was asked for without statistics.
+    /// `None` if there are none, or if the list was requested without statistics.
     pub statistics: Option<String>,
     pub summary: Option<String>,
     pub warnings: String,
@@ -603,8 +604,8 @@ pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &S
 }
 
 /// Cancels the owner's jobs of a series that have not ended, and returns them. The newer job is stored in the same
-/// transaction, so the order of the commits decides which job is the newest, not the clocks of the machines that made the
-/// identifiers.
+/// transaction, so the order of the commits decides which job is the newest, not the clocks of the machines that made
+/// the identifiers.
 fn supersede(tx: &mut Tx<'_>, owner: &str, series: &str, options: &StoreOptions) -> Result<Vec<JobRow>> {
     if tx.is_postgres() {
         // Two submissions of a series at once would not see each other's job.

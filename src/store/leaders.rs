@@ -5,8 +5,8 @@ use std::time::Duration;
 use super::tx::Tx;
 use super::{Result, milliseconds};
 
-/// Takes a task or keeps it for the time `length`. Returns false if another process has it. A task that is held for longer
-/// than `length` from now was taken by a clock that has since been set back, so it is free.
+/// Takes a task or keeps it for the time `length`. Returns false if another process has it. A task that is held for
+/// longer than `length` from now was taken by a clock that has since been set back, so it is free.
 pub(super) fn take(tx: &mut Tx<'_>, task: &str, holder: &str, length: Duration) -> Result<bool> {
     let text = "INSERT INTO leaders (task, holder, held_until) VALUES ($1, $2, now_ms() + $3) \
                 ON CONFLICT (task) DO UPDATE SET holder = excluded.holder, held_until = excluded.held_until \

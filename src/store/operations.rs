@@ -25,8 +25,8 @@ impl Store {
         self.read(move |tx| queue::check_room(tx, owner.as_deref(), &options)).await
     }
 
-    /// Stores a job, and cancels the older jobs of its series in the same transaction. Fails with `QueueFull` if the queue or the owner's share of it is full. A job that reuses a kept
-    /// result is exempt.
+    /// Stores a job, and cancels the older jobs of its series in the same transaction. Fails with `QueueFull` if the
+    /// queue or the owner's share of it is full. A job that reuses a kept result is exempt.
     pub async fn add_job(&self, job: NewJob) -> Result<Addition> {
         self.check_ballast()?;
         self.write_with(move |tx, options| jobs::add(tx, &job, None, None, options)).await
@@ -145,8 +145,8 @@ impl Store {
         self.claim_within(worker, lease, Room::ANY).await
     }
 
-    /// Claims a job as [`Store::claim`] does, for a worker with this room. A limited number of jobs may overtake one that
-    /// does not fit into the free memory. Then nothing is claimed until that job fits.
+    /// Claims a job as [`Store::claim`] does, for a worker with this room. A limited number of jobs may overtake one
+    /// that does not fit into the free memory. Then nothing is claimed until that job fits.
     pub async fn claim_within(&self, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
         // Idle workers only read, because SQLite has one writer.
         let (recovered, waiting) = self.recover_for(room).await?;
@@ -157,8 +157,9 @@ impl Store {
         self.write(move |tx| claims::claim(tx, &worker, lease, room)).await
     }
 
-    /// Returns the job that an earlier claim under this name has claimed, with a new lease, or `None`. A worker calls this
-    /// after a failed claim, because the claim may be committed although the answer was lost. Each claim needs its own name.
+    /// Returns the job that an earlier claim under this name has claimed, with a new lease, or `None`. A worker calls
+    /// this after a failed claim, because the claim may be committed although the answer was lost. Each claim needs its
+    /// own name.
     pub async fn claimed_by(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
         let worker = worker.to_owned();
         self.write(move |tx| claims::claimed_by(tx, &worker, lease)).await
@@ -176,9 +177,9 @@ impl Store {
         self.write(move |tx| claims::progress(tx, &id, attempt, &progress)).await
     }
 
-    /// Ends the attempt. The outcome and the new status become visible together. Returns true also if an earlier call has
-    /// already stored this outcome, so that a worker may repeat a call whose answer was lost. If the worker had lost the
-    /// job, changes nothing and returns false.
+    /// Ends the attempt. The outcome and the new status become visible together. Returns true also if an earlier call
+    /// has already stored this outcome, so that a worker may repeat a call whose answer was lost. If the worker had
+    /// lost the job, changes nothing and returns false.
     pub async fn finish(&self, id: &str, attempt: i64, outcome: Arc<Outcome>) -> Result<bool> {
         if self.inner.ballast.is_gone() {
             return Err(StoreError::NoSpace("the disk is full".into()));
@@ -258,8 +259,8 @@ impl Store {
         self.read(move |tx| callbacks::find(tx, subject, &id, owner.as_deref())).await
     }
 
-    /// Makes the callback of a job or batch due at once. A settled callback gets all of its attempts again. The callback of a
-    /// job or batch that has not ended stays due at the end. Returns false if there is no callback.
+    /// Makes the callback of a job or batch due at once. A settled callback gets all of its attempts again. The
+    /// callback of a job or batch that has not ended stays due at the end. Returns false if there is no callback.
     pub async fn send_callback_again(&self, subject: Subject, id: &str, owner: Option<&str>) -> Result<bool> {
         let (id, owner) = owned(id, owner);
         self.write(move |tx| callbacks::send_again(tx, subject, &id, owner.as_deref())).await
@@ -274,8 +275,9 @@ impl Store {
 
 /// Retention.
 impl Store {
-    /// Returns true if this instance sweeps for all that share the database: it swept last, or the instance that swept last
-    /// has been silent for `length`. One instance sweeps for all, because a sweep lists the whole storage of results.
+    /// Returns true if this instance sweeps for all that share the database: it swept last, or the instance that swept
+    /// last has been silent for `length`. One instance sweeps for all, because a sweep lists the whole storage of
+    /// results.
     pub async fn leads_the_sweep(&self, length: Duration) -> Result<bool> {
         if matches!(self.inner.engine, Engine::Sqlite(_)) {
             return Ok(true);
@@ -286,8 +288,8 @@ impl Store {
 
     /// Expires finished jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`. Then deletes the
     /// oldest expired identifiers, removes results without a job and recovers lost leases. Any number of instances may
-    /// sweep at once. On a full disk the sweep uses the space of the ballast, and then restores as much of the ballast as
-    /// the disk has space for.
+    /// sweep at once. On a full disk the sweep uses the space of the ballast, and then restores as much of the ballast
+    /// as the disk has space for.
     pub async fn sweep(&self) -> Result<Swept> {
         let Engine::Sqlite(database) = &self.inner.engine else { return self.sweep_once().await };
         if !self.inner.ballast.is_given_up() {
@@ -312,10 +314,10 @@ impl Store {
         retention::sweep(self, recovered).await
     }
 
-    /// Puts jobs whose lease has run out back into the queue, or fails them. A lease that may have run out because of an
-    /// outage of the database is left alone until its worker has had time to renew it. Returns the number of jobs that were
-    /// recovered, and whether a job waits. Every process calls this more often than half of a lease, because a long pause
-    /// looks like an outage.
+    /// Puts jobs whose lease has run out back into the queue, or fails them. A lease that may have run out because of
+    /// an outage of the database is left alone until its worker has had time to renew it. Returns the number of jobs
+    /// that were recovered, and whether a job waits. Every process calls this more often than half of a lease, because
+    /// a long pause looks like an outage.
     pub async fn recover(&self) -> Result<(usize, bool)> {
         self.recover_for(Room::ANY).await
     }

@@ -15,7 +15,7 @@ const STACK_BYTES: usize = 2 << 20;
 
 pub(super) struct Pool<C> {
     open: Open<C>,
-    /// One permit for each thread.
+    /// Permits of the threads.
     permits: Arc<Semaphore>,
     /// Time that a caller waits for a free thread. `None` means no limit.
     patience: Option<Duration>,

@@ -124,8 +124,8 @@ pub(super) fn discard(tx: &mut Tx<'_>, hash: &[u8], touched_at: i64) -> Result<(
     stop_sharing(tx, hash)
 }
 
-/// Returns the SQL condition for a result that belongs to no job and is the source of no waiting request. `name` is SQL for the
-/// result's name.
+/// Returns the SQL condition for a result that belongs to no job and is the source of no waiting request. `name` is SQL
+/// for the result's name.
 fn orphaned(name: &str) -> String {
     format!(
         "NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = {name}) \
@@ -145,7 +145,8 @@ pub(super) fn remove(tx: &mut Tx<'_>, hash: &[u8], orphan_age: Duration) -> Resu
     Ok(true)
 }
 
-/// Returns the size of a result without a job and whether its bytes are in the database, or `None` if a job has the result.
+/// Returns the size of a result without a job and whether its bytes are in the database, or `None` if a job has the
+/// result.
 pub(super) fn orphan_size(tx: &mut Tx<'_>, hash: &[u8]) -> Result<Option<(i64, bool)>> {
     let text = format!("SELECT size, file FROM artefacts WHERE hash = $1 AND {}", orphaned("$1"));
     let Some(row) = tx.row(&text, &[hash.into()])? else { return Ok(None) };
@@ -170,7 +171,8 @@ pub(super) fn bytes_in_use(tx: &mut Tx<'_>) -> Result<i64> {
 /// owner. Returns `None` if no finished job has a result.
 pub(super) fn largest_owner(tx: &mut Tx<'_>) -> Result<Option<(String, i64)>> {
     let text = "SELECT owner, CAST(sum(size) AS BIGINT) AS total \
-                FROM (SELECT DISTINCT owner, artefact FROM jobs WHERE artefact IS NOT NULL AND expires_at IS NOT NULL) AS own \
+                FROM (SELECT DISTINCT owner, artefact FROM jobs \
+                WHERE artefact IS NOT NULL AND expires_at IS NOT NULL) AS own \
                 JOIN artefacts ON hash = artefact GROUP BY owner ORDER BY total DESC LIMIT 2";
     let rows = tx.rows(text, &[])?;
     let Some(largest) = rows.first() else { return Ok(None) };

@@ -14,8 +14,9 @@ use super::{Result, batches, limit, milliseconds, results};
 const SWEEP_STEP: i64 = 50;
 /// Number of jobs that one transaction expires to get below the byte budget.
 const EVICTION_STEP: i64 = 10;
-/// Estimate of the space that the row of a job takes in an SQLite database beside its long texts, with its entries in the
-/// indexes, in bytes. The size of the database is read again after the eviction, so an error costs another round at most.
+/// Estimate of the space that the row of a job takes in an SQLite database beside its long texts, with its entries in
+/// the indexes, in bytes. The size of the database is read again after the eviction, so an error costs another round at
+/// most.
 const ROW_BYTES: i64 = 700;
 /// Estimate of the space that the identifier of an expired job takes there, in bytes.
 const EXPIRED_BYTES: i64 = 200;
@@ -74,7 +75,8 @@ impl Choice {
         };
         let text = format!(
             "SELECT id, artefact, CAST(coalesce(length(statistics), 0) + coalesce(length(metadata), 0) \
-             + coalesce(length(error), 0) + length(warnings) + length(history) AS BIGINT) AS text_bytes FROM jobs WHERE {condition} ORDER BY expires_at, id LIMIT $1 /* skip locked */"
+             + coalesce(length(error), 0) + length(warnings) + length(history) AS BIGINT) AS text_bytes FROM jobs \
+             WHERE {condition} ORDER BY expires_at, id LIMIT $1 /* skip locked */"
         );
         tx.rows(&text, &values)
     }
@@ -122,8 +124,8 @@ async fn pause_as_long_as(begun: Instant) {
     tokio::time::sleep(begun.elapsed().min(MAX_PAUSE)).await;
 }
 
-/// Returns the finished jobs that do not fit into `max_jobs`. The owners with the most jobs give up theirs, until all of
-/// them keep the same number. An owner with few jobs loses none.
+/// Returns the finished jobs that do not fit into `max_jobs`. The owners with the most jobs give up theirs, until all
+/// of them keep the same number. An owner with few jobs loses none.
 fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Vec<Choice>> {
     let counts =
         tx.rows("SELECT owner, count(*) AS jobs FROM jobs WHERE expires_at IS NOT NULL GROUP BY owner", &[])?;
@@ -220,8 +222,8 @@ async fn forget(store: &Store) -> Result<()> {
     }
 }
 
-/// Expires the oldest jobs of the owners with the largest results until the results of the remaining jobs, and on SQLite
-/// the database itself, take at most `max_bytes`.
+/// Expires the oldest jobs of the owners with the largest results until the results of the remaining jobs, and on
+/// SQLite the database itself, take at most `max_bytes`.
 async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     loop {
         // These queries scan all results, so they do not run after every step.
@@ -251,8 +253,8 @@ async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     }
 }
 
-/// Returns the bytes of an SQLite database in which there is something, without results that no job has. Those results are
-/// removed when they are older than `orphan_age`. Returns 0 on PostgreSQL, whose size has no limit.
+/// Returns the bytes of an SQLite database in which there is something, without results that no job has. Those results
+/// are removed when they are older than `orphan_age`. Returns 0 on PostgreSQL, whose size has no limit.
 fn database_bytes(tx: &mut Tx<'_>) -> Result<i64> {
     if tx.is_postgres() {
         return Ok(0);
@@ -314,8 +316,8 @@ async fn remove_files(store: &Store, swept: &mut Swept) -> Result<()> {
     Ok(())
 }
 
-/// Returns every unused page of an SQLite database to the file system. A full disk needs all of them, and cannot wait for
-/// later sweeps.
+/// Returns every unused page of an SQLite database to the file system. A full disk needs all of them, and cannot wait
+/// for later sweeps.
 pub(super) async fn shrink_all(store: &Store) -> Result<()> {
     while store.read(|tx| tx.exists("SELECT 1 FROM pragma_freelist_count WHERE freelist_count > 0", &[])).await? {
         store.write(shrink).await?;

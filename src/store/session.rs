@@ -25,12 +25,12 @@ use super::{Result, StoreError};
 
 /// Time limit for getting a free connection, and for opening a connection to the server.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
-/// Time after which the server ends a statement, and a transaction whose client is silent. The second frees the rows that
-/// a client behind a broken network has locked.
+/// Time after which the server ends a statement, and a transaction whose client is silent. The second frees the rows
+/// that a client behind a broken network has locked.
 const SESSION_OPTIONS: &str = "-c statement_timeout=8s -c idle_in_transaction_session_timeout=8s";
 /// Time limit for the answer to a statement. The server's own limit is shorter, so that only a broken network or server
-/// reaches this one. A lease of 15 s, the default, is renewed every 5 s: a renewal whose connection is silent fails early
-/// enough to be repeated before the lease ends.
+/// reaches this one. A lease of 15 s, the default, is renewed every 5 s: a renewal whose connection is silent fails
+/// early enough to be repeated before the lease ends.
 pub(super) const STATEMENT_LIMIT: Duration = Duration::from_secs(9);
 /// Time after which the operating system gives up a connection whose data the server's machine does not acknowledge.
 const UNACKNOWLEDGED_LIMIT: Duration = Duration::from_secs(9);
@@ -386,7 +386,8 @@ mod tests {
 
     #[test]
     fn the_password_comes_from_the_first_matching_line() {
-        let text = "# db:5432:plateau:me:comment\ndb:5432:other:me:one\n*:5432:plateau:me:t\\:w:o\\\\\n*:*:*:*:three\nshort:1\n";
+        let text = "# db:5432:plateau:me:comment\ndb:5432:other:me:one\n\
+            *:5432:plateau:me:t\\:w:o\\\\\n*:*:*:*:three\nshort:1\n";
         let password = |host, port, database, user| password_for(text, [host, port, database, user]);
         assert_eq!(password("db", "5432", "plateau", "me").as_deref(), Some("t:w:o\\"));
         assert_eq!(password("db", "5432", "other", "me").as_deref(), Some("one"));

@@ -22,7 +22,7 @@ use super::tx::fail_if_asked;
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
 #[cfg(feature = "test-hooks")]
-use crate::test_hooks::Place;
+use crate::test_hooks::FailurePoint;
 
 /// Upper bound of the writes that share one commit.
 const GROUP_SIZE: usize = 128;
@@ -35,8 +35,8 @@ const LOG_KEPT_BYTES: u32 = MAX_LOG_PAGES * 4096;
 /// many jobs change are then copied only once.
 const COPY_STEP_PAGES: u32 = 1024;
 /// Length of the write-ahead log, in pages, at which the writer itself copies the rest of it. The log starts again from
-/// its beginning only when all of it has been copied, which never happens during writes without a pause. A longer log needs
-/// a larger ballast, because copying the log may extend the database by as much on a disk that is already full.
+/// its beginning only when all of it has been copied, which never happens during writes without a pause. A longer log
+/// needs a larger ballast, because copying the log may extend the database by as much on a disk that is already full.
 const MAX_LOG_PAGES: u32 = 4096;
 /// Size of the writer's page cache. Hashes are indexed, so writes touch pages anywhere in the file.
 const CACHE_KIB: u32 = 8 << 10;
@@ -172,7 +172,7 @@ fn transact<T>(connection: &Sqlite, work: impl FnOnce(&mut Tx<'_>) -> Result<T>)
 
 fn execute(connection: &Sqlite, text: &str) -> Result<()> {
     #[cfg(feature = "test-hooks")]
-    fail_if_asked(connection, text, Place::Before)?;
+    fail_if_asked(connection, text, FailurePoint::Before)?;
     connection.prepare_cached(text)?.execute([])?;
     Ok(())
 }
@@ -252,14 +252,14 @@ fn commit(connection: &Sqlite, mut group: Vec<Box<dyn Write>>) {
     let together = transact(connection, |_| group.iter_mut().try_for_each(|write| write.run(connection)));
     if together.is_ok() || group.len() == 1 {
         #[cfg(feature = "test-hooks")]
-        let together = together.and_then(|()| fail_if_asked(connection, "COMMIT", Place::After));
+        let together = together.and_then(|()| fail_if_asked(connection, "COMMIT", FailurePoint::After));
         group.into_iter().for_each(|write| write.answer(together.clone()));
         return;
     }
     for mut write in group {
         let committed = transact(connection, |_| write.run(connection));
         #[cfg(feature = "test-hooks")]
-        let committed = committed.and_then(|()| fail_if_asked(connection, "COMMIT", Place::After));
+        let committed = committed.and_then(|()| fail_if_asked(connection, "COMMIT", FailurePoint::After));
         write.answer(committed);
     }
 }

@@ -15,7 +15,7 @@ use super::session::Session;
 use super::value::Value;
 use super::{Result, StoreError};
 #[cfg(feature = "test-hooks")]
-use crate::test_hooks::{Place, statement_fails};
+use crate::test_hooks::{FailurePoint, statement_fails};
 
 const CLOCK: &str = "now_ms()";
 const SQLITE_CLOCK: &str = "CAST(unixepoch('subsec') * 1000 AS INTEGER)";
@@ -61,7 +61,7 @@ impl<'c> Tx<'c> {
         match &mut self.connection {
             Connection::Sqlite(connection) => {
                 #[cfg(feature = "test-hooks")]
-                fail_if_asked(connection, text, Place::Before)?;
+                fail_if_asked(connection, text, FailurePoint::Before)?;
                 let mut statement = prepared(connection, text, values)?;
                 let names: Rc<[String]> = statement.column_names().into_iter().map(str::to_owned).collect();
                 let mut rows = statement.raw_query();
@@ -71,7 +71,7 @@ impl<'c> Tx<'c> {
                     read.push(Row::Sqlite { names: Rc::clone(&names), values });
                 }
                 #[cfg(feature = "test-hooks")]
-                fail_if_asked(connection, text, Place::After)?;
+                fail_if_asked(connection, text, FailurePoint::After)?;
                 Ok(read)
             }
             Connection::Postgres(session) => {
@@ -100,10 +100,10 @@ impl<'c> Tx<'c> {
         match &mut self.connection {
             Connection::Sqlite(connection) => {
                 #[cfg(feature = "test-hooks")]
-                fail_if_asked(connection, text, Place::Before)?;
+                fail_if_asked(connection, text, FailurePoint::Before)?;
                 let changed = prepared(connection, text, values)?.raw_execute()? as u64;
                 #[cfg(feature = "test-hooks")]
-                fail_if_asked(connection, text, Place::After)?;
+                fail_if_asked(connection, text, FailurePoint::After)?;
                 Ok(changed)
             }
             Connection::Postgres(session) => session.execute(&for_postgres(text), values),
@@ -159,10 +159,10 @@ impl<'c> Tx<'c> {
 
 /// Fails if a test has asked for a failure of this statement of SQLite.
 #[cfg(feature = "test-hooks")]
-pub(super) fn fail_if_asked(connection: &rusqlite::Connection, text: &str, place: Place) -> Result<()> {
+pub(super) fn fail_if_asked(connection: &rusqlite::Connection, text: &str, point: FailurePoint) -> Result<()> {
     // A transaction has ended after its COMMIT.
     let in_transaction = !connection.is_autocommit() || text == "COMMIT";
-    if statement_fails(text, place, in_transaction) {
+    if statement_fails(text, point, in_transaction) {
         return Err(StoreError::Unavailable("a test asked for this failure".into()));
     }
     Ok(())

@@ -39,11 +39,13 @@ pub(super) fn request_schema() -> Value {
         "properties": {
             "requests": {
                 "type": "array", "minItems": 1, "items": reference(REQUEST_WITH_KIND),
-                "description": "Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have.",
+                "description": "Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may \
+                 have.",
             },
             "callback_url": {
                 "type": ["string", "null"], "maxLength": URL_BYTES,
-                "description": "URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`.",
+                "description": "URL (https) that receives a signed POST when every job has ended. Requires webhooks to \
+                 be enabled on this server: see `webhooks` of `GET /v1/limits`.",
             },
         },
     })

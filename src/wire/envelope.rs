@@ -65,7 +65,7 @@ pub fn schemas() -> Map<String, Value> {
     })
 }
 
-/// What a request says of its job.
+/// Members of a request that concern its job.
 #[derive(Clone, Debug, Default)]
 pub struct Envelope {
     /// Whether the kept result of an equal request may be reused.

@@ -19,8 +19,8 @@ pub struct Incoming {
     pub text: Vec<u8>,
 }
 
-/// A request that was read and is to be stored. What only the solver needs, such as a whole mesh, is not kept, because the
-/// worker reads the stored request again.
+/// A request that was read and is to be stored. What only the solver needs, such as a whole mesh, is not kept, because
+/// the worker reads the stored request again.
 #[derive(Debug)]
 pub struct Waiting {
     pub kind: Kind,

@@ -62,8 +62,8 @@ pub struct ExtraFiles {
 }
 
 impl Links {
-    /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`. The mesh
-    /// is linked before it exists, because every job that succeeds has one.
+    /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`.
+    /// The mesh is linked before it exists, because every job that succeeds has one.
     #[must_use]
     pub fn of(base: &str, id: &str, status: Status, files: ExtraFiles) -> Self {
         let this = format!("{base}/v1/jobs/{id}");

@@ -1,7 +1,7 @@
-//! Faults at each boundary between two statements of everything that the service does with its database: on PostgreSQL a
-//! connection that closes before the statement or before its answer, on SQLite a statement that fails and a process that
-//! dies. At the end nothing is lost and nothing doubled, no file is without a row and no row without its file. Each test
-//! takes some of the boundaries, or all of them with `PLATEAU_LONG=1`.
+//! Faults at each boundary between two statements of everything that the service does with its database: on PostgreSQL
+//! a connection that closes before the statement or before its answer, on SQLite a statement that fails and a process
+//! that dies. At the end nothing is lost and nothing doubled, no file is without a row and no row without its file.
+//! Each test takes some of the boundaries, or all of them with `PLATEAU_LONG=1`.
 
 use crate::cluster::{Cluster, Process};
 use crate::hold::until;

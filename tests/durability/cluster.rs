@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::process::{Child, Command};
 
-/// One process, which is killed when this value is dropped.
+/// A process, which is killed when this value is dropped.
 pub struct Process {
     child: Child,
     /// Base URL of its HTTP server. Empty for a worker.

@@ -85,8 +85,8 @@ impl Load {
         self.accepted.lock().unwrap().clone()
     }
 
-    /// Waits until every job that was accepted so far has ended. A job may die five times, the default, and without this
-    /// the same one would be found at every kill, because it goes back to the head of the queue.
+    /// Waits until every job that was accepted so far has ended. A job may die five times, the default, and without
+    /// this the same one would be found at every kill, because it goes back to the head of the queue.
     pub async fn all_have_ended(&self, server: &Process) {
         let client = cluster::client();
         for id in self.accepted() {

@@ -53,8 +53,9 @@ async fn the_net_of_jax_fdm_reaches_its_forces_and_lengths() {
     let [rim, inside] = [0, 1].map(|k| &statistics["cables"][k]);
     assert_eq!((&rim["name"], &rim["edges"]), (&json!("rim"), &json!(40)));
     assert_eq!((&inside["name"], &inside["edges"]), (&json!("inside"), &json!(180)));
-    // jax_fdm reports forces of 19.998 to 20.002, lengths of 0.97 to 1.05 and a loss, the sum of the means of (F - 20)² and of
-    // (L - 1)², of 0.000804. Here a deviation of the forces counts 100 times as much, so the loss is an upper bound of that.
+    // jax_fdm reports forces of 19.998 to 20.002, lengths of 0.97 to 1.05 and a loss, the sum of the means of (F - 20)²
+    // and of (L - 1)², of 0.000804. Here a deviation of the forces counts 100 times as much, so the loss is an upper
+    // bound of that.
     assert!(number(&statistics["objective_value"]) < 0.000804, "{statistics}");
     assert!(number(&rim["force_min"]) >= 19.998 && number(&rim["force_max"]) <= 20.002, "{rim}");
     let lengths = &inside["edge_lengths"];
@@ -337,7 +338,8 @@ async fn a_net_has_as_many_cables_as_edges() {
 /// Returns a mast on its foot with three stays of force 2 and a load on its top.
 fn stayed(mast: Value) -> Value {
     json!({
-        "vertices": [[0, 0, 0], [0.2, 0.1, 3.5], [3, 0, 0], [-1.5, 2.598076211353316, 0], [-1.5, -2.598076211353316, 0]],
+        "vertices": [[0, 0, 0], [0.2, 0.1, 3.5], [3, 0, 0], [-1.5, 2.598076211353316, 0],
+            [-1.5, -2.598076211353316, 0]],
         "edges": [[0, 1], [2, 1], [3, 1], [4, 1]], "supports": [0, 2, 3, 4],
         "cables": [merged(json!({ "name": "mast", "edges": [0] }), &mast), { "name": "stays", "force": 2 }],
         "loads": [{ "vertices": [1], "force": [0, 0, -1.5] }], "tolerance": 1e-12,

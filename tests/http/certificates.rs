@@ -37,7 +37,8 @@ async fn a_certificate_is_stated_and_an_independent_program_confirms_it() {
     assert_eq!(proof.status(), 200);
     assert_eq!(proof.headers()["content-type"], "application/json");
     let proof = proof.bytes().await.unwrap();
-    // The quadrilateral has two planes of symmetry across the diagonals of its plan, so that the field has axes of its own.
+    // The quadrilateral has two planes of symmetry across the diagonals of its plan, so that the field has axes of its
+    // own.
     let document: Value = serde_json::from_slice(&proof).unwrap();
     let field = &document["orientations"][0];
     assert_eq!(field["frame"]["axes"].as_array().unwrap().len(), 3);

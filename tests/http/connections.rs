@@ -110,7 +110,7 @@ async fn a_connection_that_is_being_answered_is_not_dropped() {
     for _ in 0..CONNECTIONS - 1 {
         watchers.push(watch(&app, events).await);
     }
-    // One connection is left for all of the following, one after the other.
+    // A single connection is left for all of the following, one after the other.
     for _ in 0..20 {
         assert!(ask(&mut connect(&app).await).await);
     }

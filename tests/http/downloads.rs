@@ -10,8 +10,8 @@ use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpSocket, TcpStream};
 
-/// Starts a server whose cache in memory holds no large file, and solves a film. Returns the path of its mesh as OBJ and
-/// the length of this file.
+/// Starts a server whose cache in memory holds no large file, and solves a film. Returns the path of its mesh as OBJ
+/// and the length of this file.
 async fn start(environment: &[(&str, &str)]) -> (TestApp, String, u64) {
     let app = TestApp::start_with(&[&[("PLATEAU_HTTP__FILES_KEPT_BYTES", "1000000")], environment].concat()).await;
     let mut film = small_film(0.1);

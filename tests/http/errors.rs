@@ -88,7 +88,8 @@ async fn an_error_says_what_was_expected() {
         ),
         (json!({ "boundaries": square }), "/boundaries", "lacks a level of brackets"),
         (
-            json!({ "boundaries": [square], "initial_mesh": { "vertices": ["x", [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]] } }),
+            json!({ "boundaries": [square],
+                "initial_mesh": { "vertices": ["x", [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]] } }),
             "/initial_mesh/vertices/0",
             "must be a point or vector [x, y, z]",
         ),

@@ -34,7 +34,8 @@ async fn every_solver_and_objective_runs_and_gives_its_stop_reason() {
     let curvature =
         json!({ "objective": "minimal_mean_curvature", "resolution": { "interior_vertices": 20 }, "seed": 3 });
     assert_eq!(solved(&app, &tent, &curvature).await["initial_mesh"], "barycentres");
-    let staged = json!({ "solver": "vertex_relaxation", "processes": [["laplacian_fairing", "edge_swapping"], "area_minimising"],
+    let staged = json!({ "solver": "vertex_relaxation",
+        "processes": [["laplacian_fairing", "edge_swapping"], "area_minimising"],
         "fairing_tolerance": 1e-3, "resolution": { "triangles": 200 } });
     assert!(solved(&app, &tent, &staged).await["area"].as_f64().unwrap() < 67.2);
 }

@@ -100,8 +100,8 @@ async fn a_solver_waits_after_each_report_until_it_is_stored() {
     app.hold.at("each_progress");
     let (job, _) = posted(&app, 0.8).await;
     let text = app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap();
-    // A stream that begins late or is slow leaves reports out, but the last identifier counts all of them, the claim and the
-    // end. Without the hold, the film is solved before the first report is stored.
+    // A stream that begins late or is slow leaves reports out, but the last identifier counts all of them, the claim
+    // and the end. Without the hold, the film is solved before the first report is stored.
     let last = text.lines().filter_map(|line| line.strip_prefix("id:")).next_back().unwrap().trim();
     let changes: u64 = last.split('.').nth(1).unwrap().parse().unwrap();
     assert!(changes >= 3 + 2, "{text}");

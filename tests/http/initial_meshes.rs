@@ -33,7 +33,12 @@ async fn resolutions_are_met_and_impossible_ones_get_an_error_with_their_pointer
         assert!((reached - 1.0).abs() < 0.15, "{of}: {reached}");
         assert_eq!(statistics["initial_mesh"], "planar");
     }
-    let rings = |triangles: u32| json!({ "boundaries": [square(0.5)], "initial_mesh": "rings", "boundary_sampling": "keep", "resolution": { "triangles": triangles } });
+    let rings = |triangles: u32| {
+        json!({
+            "boundaries": [square(0.5)], "initial_mesh": "rings", "boundary_sampling": "keep",
+            "resolution": { "triangles": triangles }
+        })
+    };
     assert_eq!(app.solve(MINIMAL, &rings(100)).await["statistics"]["triangles"], 100);
     assert_eq!(refused(&app, &rings(101)).await, ["/resolution/triangles"]);
     let circle: Vec<[f64; 3]> = (0..200).map(|k| f64::from(k) / 31.8).map(|t| [t.cos(), t.sin(), 0.0]).collect();

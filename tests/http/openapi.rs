@@ -199,7 +199,7 @@ async fn the_schemas_have_only_forms_that_generators_take() {
     assert_eq!(answer["schema"]["$ref"], "#/components/schemas/UniformMeshJob");
 }
 
-/// What was null may still be null, although null is no longer the documented default.
+/// A member that was null may still be null, although null is no longer the documented default.
 #[tokio::test]
 async fn null_is_accepted_where_the_document_says_so() {
     let app = TestApp::start().await;

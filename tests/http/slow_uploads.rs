@@ -18,7 +18,8 @@ const NEVER: [(&str, &str); 1] = [("PLATEAU_HTTP__BODY_TIMEOUT_MS", "600000")];
 async fn begin(app: &TestApp, headers: &str) -> TcpStream {
     let mut stream = TcpStream::connect(app.url.strip_prefix("http://").unwrap()).await.unwrap();
     let head = format!(
-        "POST {MINIMAL} HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nExpect: 100-continue\r\n{headers}\r\n"
+        "POST {MINIMAL} HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n\
+         Expect: 100-continue\r\n{headers}\r\n"
     );
     stream.write_all(head.as_bytes()).await.unwrap();
     let mut asked = String::new();

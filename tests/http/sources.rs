@@ -1,5 +1,5 @@
-//! Requests that begin with the result of a finished job, shown on the kind `enlargement`, which only builds for tests have.
-//! Only its folder and its lines in the table of kinds name it.
+//! Requests that begin with the result of a finished job, shown on the kind `enlargement`, which only builds for tests
+//! have. Only its folder and its lines in the table of kinds name it.
 
 use crate::app::{MINIMAL, TestApp, binary, pointers, problem, small_film};
 use crate::hold::until;

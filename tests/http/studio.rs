@@ -55,6 +55,24 @@ async fn a_file_that_has_not_changed_is_not_sent_again() {
     assert!(again.bytes().await.unwrap().is_empty());
 }
 
+/// Checks that the page may share memory with the worker of its solvers, and that their modules have the media type
+/// with which browsers compile them while they load.
+#[tokio::test]
+async fn the_page_is_isolated_and_has_the_modules_of_its_solvers() {
+    let app = TestApp::start().await;
+    for path in ["/", "/studio/worker.js"] {
+        let headers = app.get(path).await.headers().clone();
+        assert_eq!(headers["cross-origin-opener-policy"], "same-origin", "{path}");
+        assert_eq!(headers["cross-origin-embedder-policy"], "require-corp", "{path}");
+    }
+    for path in ["/studio/shapes.wasm", "/studio/structures.wasm"] {
+        let response = app.get(path).await;
+        assert_eq!(response.status(), 200, "{path}");
+        assert_eq!(response.headers()[header::CONTENT_TYPE], "application/wasm", "{path}");
+        assert!(response.bytes().await.unwrap().starts_with(b"\0asm"), "{path}");
+    }
+}
+
 /// Checks that any site may show the embedded view in a frame, and that no site may do so with the editing page.
 #[tokio::test]
 async fn only_the_embedded_view_may_be_framed() {

@@ -35,7 +35,8 @@ async fn warnings_have_their_figures_by_name() {
         let warnings = job["warnings"].as_array().unwrap();
         warnings.iter().find(|warning| warning["code"] == code).unwrap_or_else(|| panic!("{job:#}")).clone()
     };
-    // One corner is above the plane of the others, and the plane of the outline passes a quarter of that from each corner.
+    // A corner is above the plane of the others, and the plane of the outline passes a quarter of that from each
+    // corner.
     let mut polygon = square();
     polygon[2][2] = json!(0.01);
     let body = json!({ "domain": { "polygon": polygon }, "edge_length": 1, "objective": "most_equal_edges" });
@@ -78,7 +79,8 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     warped[2][2] = json!(1);
     let bezier = json!({ "control_points": [[[0, 0, 0], [0, 5, 1]], [[5, 0, 1], [5, 5, 0]]] });
     let nurbs = |extra: Value| {
-        let mut nurbs = json!({ "degrees": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "control_points": bezier["control_points"] });
+        let mut nurbs = json!({ "degrees": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]],
+            "control_points": bezier["control_points"] });
         nurbs.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
         json!({ "nurbs": nurbs })
     };

@@ -315,7 +315,8 @@ async fn a_name_that_resolves_to_a_private_address_gets_no_message() {
         let refused = problem(app.post(MINIMAL, &film(inside)).await, 422).await;
         assert_eq!(pointers(&refused), ["/callback_url"], "{inside}");
     }
-    let batch = json!({ "requests": [{ "kind": "minimal_surface", "callback_url": "https://10.0.0.1/", "boundaries": small_film(0.1)["boundaries"],
+    let batch = json!({ "requests": [{ "kind": "minimal_surface", "callback_url": "https://10.0.0.1/",
+        "boundaries": small_film(0.1)["boundaries"],
         "resolution": { "triangles": 10 } }, { "kind": "minimal_surface", "callback_url": "https://127.0.0.1/",
         "boundaries": small_film(0.1)["boundaries"], "resolution": { "triangles": 10 } }] });
     let refused = problem(app.post("/v1/batches", &batch).await, 422).await;

@@ -71,7 +71,7 @@ fn case(name: &str, triangles: usize) {
         statistics.iterations,
         statistics.area,
         statistics.residual,
-        stability.morse_index,
+        stability.morse_index.map_or_else(|| "null".to_owned(), |index| index.to_string()),
         stability.lowest_eigenvalue,
         peak_memory_mb().unwrap_or(f64::NAN),
     );

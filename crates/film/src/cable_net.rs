@@ -203,10 +203,10 @@ fn deviations(net: &Net, options: &Options, forces: &[f64], lengths: &[f64]) -> 
     let off = |value: f64, target: Option<f64>, weight: f64| {
         target.filter(|_| weight > 0.0).map_or(0.0, |target| (value / target - 1.0).abs())
     };
-    let of = |((edge, force), length): ((&Edge, &f64), &f64)| {
+    let largest = |((edge, force), length): ((&Edge, &f64), &f64)| {
         off(*force, edge.force, options.force_weight).max(off(*length, edge.length, options.length_weight))
     };
-    net.edges.iter().zip(forces).zip(lengths).map(of).collect()
+    net.edges.iter().zip(forces).zip(lengths).map(largest).collect()
 }
 
 /// Refuses a shape whose edges grow without limit while it comes nearer to its targets: no net meets them.

@@ -17,7 +17,7 @@
 //! let mut body = Body::new(vertices, &complex, &[1.0]);
 //! let report = body.relax(&Settings::default(), &Execution::default(), &mut |_, _| {})?;
 //! assert_eq!(report.outcome, Outcome::Converged);
-//! assert_eq!(report.stability.map(|stability| stability.morse_index), Some(0));
+//! assert_eq!(report.stability.and_then(|stability| stability.morse_index), Some(0));
 //! assert!((body.energy() - 1.0).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -46,3 +46,4 @@ pub use newton::{Aim, Outcome, Settings};
 
 pub(crate) use body::{Frame, Motion};
 pub(crate) use normal_motion::{FilmState, NormalMotion, film_state};
+pub(crate) use stability::stability_warnings;

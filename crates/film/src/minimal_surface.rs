@@ -17,7 +17,7 @@
 //! let surface = solve(&rings, &options, &Execution::default())?;
 //! assert!(surface.statistics.converged);
 //! assert_eq!(surface.statistics.genus, Some(0));
-//! assert_eq!(surface.statistics.stability.map(|stability| stability.morse_index), Some(0));
+//! assert_eq!(surface.statistics.stability.and_then(|stability| stability.morse_index), Some(0));
 //! // Between the cylinder's area, π, and a little less.
 //! assert!((3.0..std::f64::consts::PI).contains(&surface.statistics.area));
 //!
@@ -126,19 +126,19 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
             {
                 return Err(cone::refusal(&parted));
             }
-            nested::solve(boundaries, options, *on_unstable, exec)?
+            nested::solve(boundaries, options, None, *on_unstable, exec)?
         }
         _ => None,
     };
     let mut solved = match solved {
         Some(solved) => solved,
         None => {
-            let built = initial_mesh::build(boundaries, options, exec);
+            let built = initial_mesh::build(boundaries, options, None, exec);
             let (start, kind) = built.map_err(|error| input.placed_as_given(error))?;
             let mut film = start.refined(exec)?;
             let initial_area = film.area();
-            let run = relax(&mut film, options, exec)?;
-            SolvedFilm { film, kind, initial_area, run }
+            let run = relax(&mut film, kind, options, exec)?;
+            SolvedFilm { film, kind, arrangement: None, initial_area, run }
         }
     };
     if let Some(joined) = &joined {
@@ -172,7 +172,7 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.
-fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+fn relax(film: &mut Film, kind: InitialMeshKind, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let limits = options.limits();
     let given = matches!(options.initial_mesh, InitialMesh::Given(_));
     match &options.method {
@@ -187,10 +187,11 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
             free_topology::run(film, free, limits, given, exec)
         }
         Method::Newton(Newton { on_unstable, .. }) => {
-            let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
+            // Widening would move the bridges of a strip of rings away from the corners that they join.
+            let may_widen = !given && kind != InitialMeshKind::Rings;
             let boundary_edges = options.boundary_edges();
             let (on_unstable, slides) = (*on_unstable, options.slides);
-            let may_refine = may_widen;
+            let may_refine = !given && options.initial_mesh != InitialMesh::Rings;
             let task =
                 default_solver::Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
             default_solver::run(film, task, exec)

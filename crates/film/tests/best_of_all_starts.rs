@@ -1,5 +1,6 @@
 //! `best` over two to six random loops: its area is at most the least that any other start finds, and it does not
-//! change when the loops are turned, moved and listed in another order. `PLATEAU_LONG` runs 200 configurations.
+//! change when the loops are turned, moved and listed in another order. `PLATEAU_LONG` runs 200 configurations, or
+//! `PLATEAU_CONFIGURATIONS` from `PLATEAU_FIRST` on.
 
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, TopologyRule, solve,
@@ -134,7 +135,8 @@ fn fault(seed: u64) -> Option<String> {
         for initial in [InitialMesh::Auto, InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings] {
             let Some(other) = spanned(&loops, topology.clone(), initial.clone(), triangles) else { continue };
             let statistics = &other.statistics;
-            let holds = statistics.converged && statistics.stability.is_none_or(|stability| stability.stable);
+            let holds =
+                statistics.converged && statistics.stability.is_none_or(|stability| stability.stable == Some(true));
             let least = statistics.area + 2.0 * own_error(&best).max(own_error(&other)) + 1e-9 * statistics.area;
             // Films that pass through themselves come after all others.
             if holds && (!crosses(&other) || crosses(&best)) && best.statistics.area > least {
@@ -172,10 +174,13 @@ fn is_long() -> bool {
 
 #[test]
 fn best_is_the_least_of_all_starts_wherever_the_loops_stand() {
-    // Two loops anywhere, Borromean rings, and three ellipses that cross are the quick ones.
-    let seeds = if is_long() { 0..200 } else { 3..6 };
-    let count = seeds.end - seeds.start;
-    let wrong: Vec<String> = seeds.filter_map(fault).collect();
+    let number = |name: &str, other: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(other);
+    let first = number("PLATEAU_FIRST", 0);
+    let all = first..first + number("PLATEAU_CONFIGURATIONS", 200);
+    // The quick ones are those that have been wrong, two loops anywhere, Borromean rings, and ellipses that cross.
+    let seeds: Vec<u64> = if is_long() { all.collect() } else { vec![3, 4, 5, 72, 79, 136, 137, 183, 184] };
+    let count = seeds.len();
+    let wrong: Vec<String> = seeds.into_iter().filter_map(fault).collect();
     assert!(wrong.is_empty(), "{} of {count} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 

@@ -43,7 +43,7 @@ fn same(moved: &Statistics, plain: &Statistics, scale: f64, tolerance: f64) -> R
         let ratio = moved / (scale * scale) / plain;
         prop_assert!((ratio - 1.0).abs() < 0.1 * tolerance, "extrapolated area {}", ratio);
     }
-    let index = |statistics: &Statistics| statistics.stability.map(|stability| stability.morse_index);
+    let index = |statistics: &Statistics| statistics.stability.and_then(|stability| stability.morse_index);
     prop_assert_eq!(index(moved), index(plain));
     Ok(())
 }

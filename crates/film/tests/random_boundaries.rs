@@ -36,7 +36,7 @@ fn gentle(random: &mut SplitMix64, points: usize) -> Vec<DVec3> {
 fn enneper(random: &mut SplitMix64) -> (Vec<DVec3>, Mesh) {
     let (around, rings) = (32 + 4 * random.below(6), 6 + random.below(5));
     let radius = if random.unit() < 0.3 { random.between(0.6, 0.9) } else { random.between(1.1, 1.4) };
-    let (turned, scale) = (Frame::random(random), 10f64.powf(random.between(-2.0, 2.0)));
+    let (turned, scale) = (Rotation::random(random), 10f64.powf(random.between(-2.0, 2.0)));
     let offset = vector(random, scale);
     let place = |r: f64, angle: f64| {
         let (p, q) = (r * angle.cos(), r * angle.sin());
@@ -60,9 +60,9 @@ fn enneper(random: &mut SplitMix64) -> (Vec<DVec3>, Mesh) {
 }
 
 /// Three axes at right angles.
-struct Frame([DVec3; 3]);
+struct Rotation([DVec3; 3]);
 
-impl Frame {
+impl Rotation {
     fn random(random: &mut SplitMix64) -> Self {
         let first = vector(random, 1.0).normalize();
         let second = first.cross(vector(random, 1.0)).normalize();
@@ -294,8 +294,8 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
     compared.unstable += u32::from(own > 0);
     // Below that the sign of an eigenvalue is a matter of rounding.
     let decided = (stability.lowest_eigenvalue * radius * radius).abs() > 0.1 * allowed;
-    if own != stability.morse_index && decided {
-        return format!("converged with an index of {own}, not {}", stability.morse_index);
+    if Some(own) != stability.morse_index && decided {
+        return format!("converged with an index of {own}, not {:?}", stability.morse_index);
     }
     "right".into()
 }

@@ -71,7 +71,8 @@ impl Case {
             }
         };
         let holds = solved.is_ok_and(|surface| {
-            surface.statistics.converged && surface.statistics.stability.is_some_and(|stability| stability.stable)
+            surface.statistics.converged
+                && surface.statistics.stability.is_some_and(|stability| stability.stable == Some(true))
         });
         let Self { radius, points, triangles, factor } = self;
         let line = format!("{radius} {points:?} {triangles} {factor} {:.1} s: {told}", start.elapsed().as_secs_f64());

@@ -28,7 +28,7 @@ fn found(structure: &Structure, triangles: usize) -> TensileStructure {
     let options = Options::new(Resolution::Triangles(triangles));
     let result = solve(structure, &options, &Execution::default()).unwrap();
     let statistics = &result.statistics;
-    assert!(statistics.converged && statistics.stability.is_some_and(|s| s.stable), "{statistics:?}");
+    assert!(statistics.converged && statistics.stability.is_some_and(|s| s.stable == Some(true)), "{statistics:?}");
     assert!(result.warnings.is_empty(), "{:?}", result.warnings);
     let balance = statistics.balance.unwrap();
     let unbalanced = balance.residual_force / balance.magnitudes;

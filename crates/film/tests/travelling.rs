@@ -48,7 +48,7 @@ fn found(structure: &Structure, resolution: Resolution) -> TensileStructure {
     );
     let Resolution::Triangles(wanted) = resolution else { panic!("{resolution:?}") };
     assert!((statistics.triangles as f64 / wanted as f64 - 1.0).abs() < 0.15, "{}", statistics.triangles);
-    assert!(statistics.converged && statistics.stability.is_none_or(|s| s.stable), "{statistics:?}");
+    assert!(statistics.converged && statistics.stability.is_none_or(|s| s.stable == Some(true)), "{statistics:?}");
     assert!(statistics.balance.unwrap().imbalance < 1e-9);
     result
 }
@@ -228,21 +228,55 @@ fn drawn_and_plain(seed: u64) -> (usize, Structure, Structure) {
     (drawn.len(), with(drawn, &first), with(points, &plain))
 }
 
+/// The area, or the detail of a failure that says that there is no equilibrium.
+fn area_or_denial(structure: &Structure) -> Result<f64, String> {
+    match solve(structure, &Options::new(Resolution::Triangles(1000)), &Execution::default()) {
+        Ok(shape) => {
+            assert!(shape.statistics.converged);
+            Ok(shape.statistics.area)
+        }
+        Err(Error::NoResult { reason, detail, .. }) if reason == "no_equilibrium" => Err(detail),
+        Err(error) => panic!("{error:?}"),
+    }
+}
+
+/// The least angle in radians that the cables of a plane sail leave between them at a corner: that between the chords
+/// less the half angles of both arcs. A film exists if it is positive. `None` for more than three corners.
+fn least_opening(plain: &Structure) -> Option<f64> {
+    let corners: [DVec3; 3] = plain.boundaries[0].clone().try_into().ok()?;
+    let half = |k: usize| {
+        let CableMode::Force(force) = plain.cables[k].mode else { panic!() };
+        (0.5 * corners[k].distance(corners[(k + 1) % 3]) / force).asin()
+    };
+    let opening = |k: usize| {
+        let [before, after] = [(k + 2) % 3, (k + 1) % 3].map(|other| corners[other] - corners[k]);
+        before.angle_between(after) - half((k + 2) % 3) - half(k)
+    };
+    Some((0..3).map(opening).fold(f64::INFINITY, f64::min))
+}
+
 #[test]
 fn outlines_drawn_with_curved_sides_give_the_film_of_their_corners() {
-    let outlines = if std::env::var_os("PLATEAU_LONG").is_some() { 50 } else { 6 };
+    let outlines = if std::env::var_os("PLATEAU_LONG").is_some() { 50 } else { 11 };
+    let mut without = Vec::new();
     for seed in 0..outlines {
         let (count, drawn, plain) = drawn_and_plain(seed);
-        let [own, right] = [drawn, plain].map(|structure| {
-            let options = Options::new(Resolution::Triangles(1000));
-            let shape = solve(&structure, &options, &Execution::default());
-            let shape = shape.unwrap_or_else(|error| panic!("outline {seed} of {count} points: {error:?}"));
-            assert!(shape.statistics.converged, "{seed}");
-            shape.statistics.area
-        });
-        println!("{seed} {count}: {own} {right} {:.1e}", own / right - 1.0);
-        assert!((own / right - 1.0).abs() < 2e-3, "outline {seed} of {count} points: {own} for {right}");
+        match [&drawn, &plain].map(area_or_denial) {
+            [Ok(own), Ok(right)] => {
+                println!("{seed} {count}: {own} {right} {:.1e}", own / right - 1.0);
+                assert!((own / right - 1.0).abs() < 2e-3, "outline {seed} of {count} points: {own} for {right}");
+            }
+            [Err(own), Err(right)] => {
+                println!("{seed} {count}: {own}; {right}");
+                let least = least_opening(&plain).unwrap_or(0.0);
+                assert!(least < 0.0, "outline {seed} has a film: its cables leave {least} between them");
+                without.push(seed);
+            }
+            ends => panic!("outline {seed} of {count} points: {ends:?}"),
+        }
     }
+    // The cables of outline 10 would cross at a corner by 9.7 degrees.
+    assert_eq!(without, [10]);
 }
 
 #[test]

@@ -2,14 +2,14 @@
 
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
-use crate::solved::{Frame, SolverInput};
+use crate::solved::{CoordinateSystem, SolverInput};
 use crate::source::{self, Find, JobSource, Source};
-use crate::strict::{self, Strict};
+use crate::strict;
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::borrow::Cow;
 
 /// Result of the checks of one kind of request.
@@ -49,7 +49,7 @@ pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema {
 
 /// A request that passed every check of its kind.
 pub(crate) struct Passed {
-    pub frame: Frame,
+    pub coordinates: CoordinateSystem,
     pub checked: Checked,
     /// Key of the result from which the request begins, if its kind has a source.
     pub source: Option<Vec<u8>>,
@@ -57,7 +57,8 @@ pub(crate) struct Passed {
 /// A request that was read, and how its type writes it.
 pub(crate) type Read = (Passed, Vec<u8>);
 /// A request that was read, and the members that were kept apart from it.
-pub(crate) type ReadApart = (Read, Map<String, Value>);
+#[cfg(feature = "stored")]
+pub(crate) type ReadApart = (Read, serde_json::Map<String, Value>);
 
 /// The types of a kind, as functions that need no type parameter.
 pub(crate) struct Types {
@@ -68,12 +69,14 @@ pub(crate) struct Types {
     pub has_source: bool,
     /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is
     /// refused.
+    #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
     /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the place at which the type refuses a value, for a value that its schema accepts.
     pub refusal: fn(&Value) -> Rejection,
     /// Reads a request as its type has written it.
+    #[cfg(feature = "stored")]
     pub read_stored: fn(&[u8], Find<'_>, &Limits) -> Result<Passed, Rejection>,
 }
 
@@ -85,9 +88,11 @@ impl Types {
             #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: false,
+            #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
             refusal: strict::refusal::<R>,
+            #[cfg(feature = "stored")]
             read_stored: |text, _, limits| read_stored::<R>(text, |request| checked(request, limits)),
         }
     }
@@ -101,9 +106,11 @@ impl Types {
             #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: true,
+            #[cfg(feature = "stored")]
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
             read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
             refusal: strict::refusal::<R>,
+            #[cfg(feature = "stored")]
             read_stored: |text, find, limits| read_stored::<R>(text, |request| checked_from(request, find, limits)),
         }
     }
@@ -133,6 +140,7 @@ impl TypeSchema {
 /// The checks of a request.
 type Checks<'a, R> = &'a dyn Fn(&R) -> Result<Passed, Rejection>;
 
+#[cfg(feature = "stored")]
 fn read<R: DeserializeOwned + Serialize>(
     body: &[u8],
     aside: &[&str],
@@ -146,10 +154,11 @@ fn read_value<R: DeserializeOwned + Serialize>(
     value: &Value,
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Result<Read, Option<Rejection>> {
-    let request = R::deserialize(Strict(value)).map_err(|_| None)?;
+    let request = strict::value::<R>(value).ok_or(None)?;
     written(&request, &checks).map_err(Some)
 }
 
+#[cfg(feature = "stored")]
 fn read_stored<R: DeserializeOwned>(
     text: &[u8],
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
@@ -160,15 +169,24 @@ fn read_stored<R: DeserializeOwned>(
 
 fn written<R: Serialize>(request: &R, checks: Checks<'_, R>) -> Result<Read, Rejection> {
     let passed = checks(request)?;
+    Ok((passed, text_of(request)?))
+}
+
+#[cfg(feature = "stored")]
+fn text_of(request: &impl Serialize) -> Result<Vec<u8>, Rejection> {
     // Numbers that were read from JSON are finite, so they can be written.
-    let text = serde_json::to_vec(request).map_err(|error| Rejection::Malformed(error.to_string()))?;
-    Ok((passed, text))
+    serde_json::to_vec(request).map_err(|error| Rejection::Malformed(error.to_string()))
+}
+
+#[cfg(not(feature = "stored"))]
+fn text_of(_: &impl Serialize) -> Result<Vec<u8>, Rejection> {
+    Ok(Vec::new())
 }
 
 fn checked(request: &impl KindRequest, limits: &Limits) -> Result<Passed, Rejection> {
     let checked = request.check(limits)?;
     let (unit, up) = request.axes();
-    Ok(Passed { frame: Frame { unit, up }, checked, source: None })
+    Ok(Passed { coordinates: CoordinateSystem { unit, up }, checked, source: None })
 }
 
 fn checked_from(request: &impl SourcedRequest, find: Find<'_>, limits: &Limits) -> Result<Passed, Rejection> {
@@ -177,6 +195,6 @@ fn checked_from(request: &impl SourcedRequest, find: Find<'_>, limits: &Limits) 
     let mut checked = request.check(&source, limits)?;
     checked.memory_bytes = checked.memory_bytes.saturating_add(source.memory_bytes());
     let contents = source.archive().contents();
-    let frame = Frame { unit: contents.unit, up: contents.up };
-    Ok(Passed { frame, checked, source: Some(source.key().to_vec()) })
+    let coordinates = CoordinateSystem { unit: contents.unit, up: contents.up };
+    Ok(Passed { coordinates, checked, source: Some(source.key().to_vec()) })
 }

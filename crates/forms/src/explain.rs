@@ -197,16 +197,16 @@ fn name_of(reference: &Value) -> String {
     text(reference).rsplit('/').next().unwrap_or_default().to_owned()
 }
 
-/// Place of a value in a body.
+/// Location of a value in a body.
 #[derive(Clone, Copy)]
-enum Place<'a> {
+enum Pointer<'a> {
     Root,
-    Member(&'a Place<'a>, &'a str),
-    Item(&'a Place<'a>, usize),
+    Member(&'a Pointer<'a>, &'a str),
+    Item(&'a Pointer<'a>, usize),
 }
 
 /// Writes the JSON Pointer.
-impl fmt::Display for Place<'_> {
+impl fmt::Display for Pointer<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Root => Ok(()),
@@ -235,7 +235,7 @@ impl<'s> Schemas<'s> {
     #[must_use]
     pub fn errors(&self, name: &str, value: &Value) -> Vec<FieldError> {
         let mut errors = Vec::new();
-        self.check(self.named(name), value, Place::Root, &mut errors);
+        self.check(self.named(name), value, Pointer::Root, &mut errors);
         errors.truncate(MAX_ERRORS + 1);
         errors
     }
@@ -252,56 +252,56 @@ impl<'s> Schemas<'s> {
         }
     }
 
-    fn check(&self, schema: &Schema, value: &Value, place: Place<'_>, errors: &mut Vec<FieldError>) {
+    fn check(&self, schema: &Schema, value: &Value, pointer: Pointer<'_>, errors: &mut Vec<FieldError>) {
         let schema = self.resolved(schema);
         match (schema, value) {
             (Schema::Any, _) | (Schema::Null, Value::Null) | (Schema::Boolean, Value::Bool(_)) => {}
             (Schema::Names(names), Value::String(name)) if names.contains(name) => {}
             (Schema::Number(number), Value::Number(value)) => {
                 if let Some(detail) = number.violation(value) {
-                    errors.push(FieldError::new(place.to_string(), detail));
+                    errors.push(FieldError::new(pointer.to_string(), detail));
                 }
             }
             (Schema::Text(count), Value::String(text)) => {
                 if let Some(detail) = count.violation(text.chars().count(), "character") {
-                    errors.push(FieldError::new(place.to_string(), detail));
+                    errors.push(FieldError::new(pointer.to_string(), detail));
                 }
             }
             (Schema::List { items, count }, Value::Array(values)) => {
                 if let Some(detail) = self.violation_of_form(schema, values) {
-                    errors.push(FieldError::new(place.to_string(), detail));
+                    errors.push(FieldError::new(pointer.to_string(), detail));
                     return;
                 }
                 if let Some(detail) = count.violation(values.len(), self.noun(schema)) {
-                    errors.push(FieldError::new(place.to_string(), detail));
+                    errors.push(FieldError::new(pointer.to_string(), detail));
                 }
                 let items = self.resolved(items);
                 for (index, value) in values.iter().enumerate() {
                     if errors.len() > MAX_ERRORS {
                         return;
                     }
-                    self.check(items, value, Place::Item(&place, index), errors);
+                    self.check(items, value, Pointer::Item(&pointer, index), errors);
                 }
             }
-            (Schema::Object(object), Value::Object(members)) => self.check_object(object, members, place, errors),
+            (Schema::Object(object), Value::Object(members)) => self.check_object(object, members, pointer, errors),
             (Schema::Union(branches), _) => match branches.iter().find(|branch| self.takes(branch, value)) {
-                Some(branch) => self.check(branch, value, place, errors),
-                None => errors.push(FieldError::new(place.to_string(), self.expected(schema))),
+                Some(branch) => self.check(branch, value, pointer, errors),
+                None => errors.push(FieldError::new(pointer.to_string(), self.expected(schema))),
             },
             (Schema::Tagged { tag, branches }, Value::Object(members)) => {
                 let given = members.get(tag);
                 match branches.iter().find(|(name, _)| given.is_some_and(|given| *given == **name)) {
-                    Some((_, branch)) => self.check(branch, value, place, errors),
+                    Some((_, branch)) => self.check(branch, value, pointer, errors),
                     None => {
                         let detail = match given {
                             Some(_) => format!("must be one of {}", list(branches.iter().map(|(name, _)| name))),
                             None => "is required".into(),
                         };
-                        errors.push(FieldError::new(Place::Member(&place, tag).to_string(), detail));
+                        errors.push(FieldError::new(Pointer::Member(&pointer, tag).to_string(), detail));
                     }
                 }
             }
-            _ => errors.push(FieldError::new(place.to_string(), self.expected(schema))),
+            _ => errors.push(FieldError::new(pointer.to_string(), self.expected(schema))),
         }
     }
 
@@ -316,7 +316,7 @@ impl<'s> Schemas<'s> {
             Schema::List { .. } => value.is_array(),
             Schema::Object(_) | Schema::Tagged { .. } => value.is_object(),
             Schema::Union(branches) => branches.iter().any(|branch| self.takes(branch, value)),
-            // It was resolved.
+            // References were resolved before.
             Schema::Reference(_) => false,
         }
     }
@@ -363,7 +363,7 @@ impl<'s> Schemas<'s> {
         &self,
         object: &Object,
         members: &Map<String, Value>,
-        place: Place<'_>,
+        pointer: Pointer<'_>,
         errors: &mut Vec<FieldError>,
     ) {
         let before = errors.len();
@@ -373,23 +373,23 @@ impl<'s> Schemas<'s> {
                 return;
             }
             match object.members.get(name).or(object.others.as_deref()) {
-                Some(schema) => self.check(schema, value, Place::Member(&place, name), errors),
+                Some(schema) => self.check(schema, value, Pointer::Member(&pointer, name), errors),
                 None => {
                     unknown = true;
                     errors.push(if name.len() > MAX_NAME {
-                        FieldError::new(place.to_string(), "has a member with a very long name that it must not have")
+                        FieldError::new(pointer.to_string(), "has a member with a very long name that it must not have")
                     } else {
-                        FieldError::new(Place::Member(&place, name).to_string(), object.unknown(name))
+                        FieldError::new(Pointer::Member(&pointer, name).to_string(), object.unknown(name))
                     });
                 }
             }
         }
         for name in object.required.iter().filter(|name| !members.contains_key(*name)) {
-            errors.push(FieldError::new(Place::Member(&place, name).to_string(), "is required"));
+            errors.push(FieldError::new(Pointer::Member(&pointer, name).to_string(), "is required"));
         }
         // An unknown member is mostly a wrong name of one that is counted.
         if let Some(detail) = object.violation(members.len()).filter(|_| !unknown) {
-            errors.insert(before, FieldError::new(place.to_string(), detail));
+            errors.insert(before, FieldError::new(pointer.to_string(), detail));
         }
     }
 

@@ -82,7 +82,7 @@ fn offset_of(body: &[u8], line: usize, column: usize) -> usize {
 fn stopped_at(body: &[u8]) -> String {
     let mut track = Track::new();
     let mut deserializer = serde_json::Deserializer::from_slice(body);
-    // It fails as it did before.
+    // The parser fails at the same place as before.
     let _ = AnyValue.deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
     pointer(&track.path())
 }

@@ -72,8 +72,8 @@ impl Rejection {
         self
     }
 
-    /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
-    /// member is then the wrong value.
+    /// Shortens each pointer that leads through a member that the body lacks to the first such member. The default of
+    /// that member is then the wrong value.
     pub(crate) fn placed_in(mut self, body: &Value) -> Self {
         if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {

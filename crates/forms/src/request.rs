@@ -7,16 +7,16 @@ use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 #[cfg(feature = "explain")]
 use crate::schema;
-use crate::solved::{self, Frame, Kept, Moved, Signal, Solved, SolverInput, Unsolved};
+use crate::solved::{self, CoordinateSystem, Kept, Moved, Signal, Solved, SolverInput, Unsolved};
 use crate::source::{Find, no_jobs};
 use plateau_archive::Archive;
 use plateau_mesh::{DVec3, Error, Execution};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 /// A request that passed every check before solving.
 #[derive(Debug)]
 pub struct Request {
-    frame: Frame,
+    coordinates: CoordinateSystem,
     /// Estimate of the memory that solving takes, including the result. The estimate is an upper bound.
     pub memory_bytes: u64,
     /// True if solving takes at most about a millisecond.
@@ -32,7 +32,8 @@ pub struct Request {
 pub struct Accepted {
     pub request: Request,
     /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members,
-    /// and whether they write defaults out or leave them away. [`Request::read_stored`] reads it.
+    /// and whether they write defaults out or leave them away. `Request::read_stored` reads it. Without the feature
+    /// `stored`, it is empty.
     pub text: Vec<u8>,
 }
 
@@ -53,6 +54,7 @@ impl Request {
     ///
     /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](crate::json::parse) and
     /// [`Request::from_value`] then find every error.
+    #[cfg(feature = "stored")]
     #[must_use]
     pub fn read(
         kind: Kind,
@@ -60,7 +62,7 @@ impl Request {
         aside: &[&str],
         find: Find<'_>,
         limits: &Limits,
-    ) -> Option<(Accepted, Map<String, Value>)> {
+    ) -> Option<(Accepted, serde_json::Map<String, Value>)> {
         let (read, aside) = (kind.types().read)(body, aside, find, limits)?;
         Some((Self::accepted(kind, read, limits).ok()?, aside))
     }
@@ -101,6 +103,7 @@ impl Request {
     ///
     /// # Errors
     /// Fails if this version does not know the request, or if it exceeds the limits.
+    #[cfg(feature = "stored")]
     pub fn read_stored(kind: Kind, text: &[u8], find: Find<'_>, limits: &Limits) -> Result<Self, Rejection> {
         Self::new(kind, (kind.types().read_stored)(text, find, limits)?).within(limits)
     }
@@ -119,9 +122,9 @@ impl Request {
     }
 
     fn new(kind: Kind, passed: Passed) -> Self {
-        let Passed { frame, checked, source } = passed;
+        let Passed { coordinates, checked, source } = passed;
         let Checked { memory_bytes, quick, input } = checked;
-        Self { frame, memory_bytes, quick, source, kind, input }
+        Self { coordinates, memory_bytes, quick, source, kind, input }
     }
 
     /// Refuses a request that needs more memory than the limit of one job.
@@ -159,7 +162,7 @@ impl Request {
         let report = |progress| report(solved::on_the_wire(progress));
         let exec = Execution::new(&signal, &report);
         let solve = || {
-            let mut draft = self.input.solve(self.frame, &exec)?;
+            let mut draft = self.input.solve(self.coordinates, &exec)?;
             draft.warnings.extend(solved::far_from_zero(&draft.archive));
             draft.audited(&*self.input, &exec)
         };
@@ -176,7 +179,7 @@ impl Request {
     pub fn keep(&self, result: &Archive, signal: &dyn Fn() -> Signal) -> Result<Option<Drag>, Unsolved> {
         let signal = || signal().of_the_solver();
         let kept = self.input.keep(result.contents(), &Execution::new(&signal, &|_| {}))?;
-        Ok(kept.map(|kept| Drag { frame: self.frame, kept }))
+        Ok(kept.map(|kept| Drag { coordinates: self.coordinates, kept }))
     }
 
     /// Audits a result once more and returns the number of its faults, which is 0. The benchmark of the audit's cost
@@ -192,7 +195,7 @@ impl Request {
     /// Returns the solver's result before its audit, with the input that audits it.
     #[cfg(test)]
     pub(crate) fn draft(&self) -> (solved::Draft, &dyn SolverInput) {
-        let draft = self.input.solve(self.frame, &Execution::default());
+        let draft = self.input.solve(self.coordinates, &Execution::default());
         (draft.unwrap_or_else(|error| panic!("{error:?}")), &*self.input)
     }
 }
@@ -203,7 +206,7 @@ impl Request {
 /// corrected to a tolerance that the eye does not see, and is not audited.
 #[derive(Debug)]
 pub struct Drag {
-    frame: Frame,
+    coordinates: CoordinateSystem,
     kept: Box<dyn Kept>,
 }
 
@@ -214,7 +217,7 @@ impl Drag {
     /// # Errors
     /// Returns the cancel.
     pub fn move_to(&mut self, request: &Request, signal: &dyn Fn() -> Signal) -> Result<Option<Moved>, Unsolved> {
-        if request.frame != self.frame {
+        if request.coordinates != self.coordinates {
             return Ok(None);
         }
         let signal = || signal().of_the_solver();

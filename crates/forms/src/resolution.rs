@@ -28,8 +28,8 @@ pub struct Resolution {
 
 /// Number of triangles if the request has no resolution.
 const DEFAULT_TRIANGLES: usize = 2000;
-/// Smallest number of triangles for each boundary point if the request has no resolution. A larger value grades the
-/// triangles more gently from a boundary of many points to the middle.
+/// Smallest number of triangles for each boundary point if the request has no resolution. With fewer, the triangles
+/// would grow too fast from a boundary of many points to the middle.
 const DEFAULT_TRIANGLES_PER_POINT: usize = 4;
 
 impl OneOf for Resolution {

@@ -137,7 +137,7 @@ pub fn causes(errors: &[FieldError]) -> String {
 
 /// Unit and upward axis of a request's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Frame {
+pub(crate) struct CoordinateSystem {
     pub unit: Unit,
     pub up: UpAxis,
 }
@@ -148,7 +148,7 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// Returns the error of the solver.
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error>;
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error>;
 
     /// Compares every figure that the statistics state with the arrays that leave.
     fn audit(&self, audit: &mut Audit);
@@ -172,7 +172,7 @@ pub(crate) trait Kept: std::fmt::Debug {
     /// Returns the interruptions of `exec`.
     fn move_to(&mut self, input: &dyn SolverInput, exec: &Execution) -> Result<Option<Moved>, Interruption>;
 
-    /// Returns the vertices at the last place.
+    /// Returns the vertices after the last move.
     fn vertices(&self) -> Vec<DVec3>;
 }
 

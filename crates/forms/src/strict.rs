@@ -36,6 +36,16 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
     T::deserialize(Strict(value)).map_err(|_| refusal::<T>(value))
 }
 
+/// Reads a value that [`json::parse`] made, or returns `None` if `T` refuses it.
+pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
+    // A page has no second reader of each type for this, because its module is downloaded.
+    #[cfg(feature = "stored")]
+    let read = T::deserialize(Strict(value)).ok();
+    #[cfg(not(feature = "stored"))]
+    let read = serde_path_to_error::deserialize::<_, T>(Strict(value)).ok();
+    read
+}
+
 /// Returns the first place at which `T` refuses a value.
 pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     // The path is tracked only here, because tracking takes as long as reading.

@@ -14,16 +14,12 @@
 
 use super::symmetry::Mirrors;
 use glam::DVec4;
+use plateau_mesh::topology::edge_key;
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
 /// A map with keys of vertex numbers.
 pub(super) type VertexMap<K, V> = BTreeMap<K, V>;
-
-/// An edge's key: its vertices, the smaller number first.
-pub(super) fn edge_key(a: u32, b: u32) -> [u32; 2] {
-    [a.min(b), a.max(b)]
-}
 
 /// The six edges of a tetrahedron, as positions of their ends.
 pub(super) const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
@@ -51,7 +47,7 @@ pub(super) struct Nodal {
     pub curl: [[DVec3; 4]; 2],
     /// The multiplier of |curl| <= 1 times its direction: the part of the surface near the vertex, as an area vector.
     pub current: [DVec3; 4],
-    /// The multiplier and its direction when the field was the central one: (u, t).
+    /// The multipliers (u, t) that belong to the central field.
     pub dual: [DVec4; 4],
 }
 
@@ -73,18 +69,18 @@ pub(super) struct TooFarAway;
 
 /// Number of cells along the longest side of the box.
 const CELLS: f64 = 4.0;
-/// The box reaches beyond the points by this fraction of its longest side: different on all sides, so that points and
+/// Margins of the box around the points, as fractions of its longest side. They differ on all sides, so that points and
 /// segments of a symmetrical boundary do not lie in the faces of the cells.
 const MARGINS: [[f64; 3]; 2] = [[0.031, 0.027, 0.037], [0.029, 0.033, 0.024]];
 /// Largest number of levels of bisection; three of them halve a tetrahedron's size.
 const MOST_LEVELS: u8 = 48;
-/// Number of bits by which a lattice step exceeds the least unit, so that steps can be chosen for which the box fits
-/// closely.
+/// Number of bits by which a lattice step exceeds the unit of exact coordinates, so that the steps can be chosen to fit
+/// the box closely.
 const FITTING_BITS: i32 = 7;
 
 /// Least side of a cell, as a fraction of the side that it has along the longest side of the box.
 const FLATTEST_CELL: f64 = 0.75;
-/// Least number of halvings of a cell that the lattice must resolve; a mesh with fewer proves no useful bound.
+/// Least number of halvings of a cell that the lattice must resolve. A mesh with fewer proves no useful bound.
 const LEAST_BITS: i32 = 8;
 
 /// A piece of a boundary's segment that lies in one leaf, its ends by barycentric coordinates.
@@ -196,7 +192,7 @@ impl BisectionMesh {
                         }
                         for [a, b] in EDGES {
                             let edge = Edge { midpoint: None, circulation: [0.0; 2] };
-                            self.edges.insert(edge_key(vertices[a], vertices[b]), edge);
+                            self.edges.insert(edge_key([vertices[a], vertices[b]]), edge);
                         }
                         let leaf = self.leaves.len() as u32;
                         self.leaves.push(self.nodes.len() as u32);
@@ -318,7 +314,7 @@ impl BisectionMesh {
             }
             for &node in &self.leaves {
                 let vertices = self.nodes[node as usize].vertices;
-                let hangs = |[a, b]: [usize; 2]| self.edges[&edge_key(vertices[a], vertices[b])].midpoint.is_some();
+                let hangs = |[a, b]: [usize; 2]| self.edges[&edge_key([vertices[a], vertices[b]])].midpoint.is_some();
                 if EDGES.into_iter().any(hangs) {
                     open.push(node);
                 }
@@ -329,7 +325,7 @@ impl BisectionMesh {
 
     /// Circulations of the fields along an edge of the mesh, from `a` to `b`.
     pub fn circulation(&self, a: u32, b: u32) -> [f64; 2] {
-        let value = self.edges[&edge_key(a, b)].circulation;
+        let value = self.edges[&edge_key([a, b])].circulation;
         if a < b { value } else { value.map(|value| -value) }
     }
 
@@ -338,7 +334,7 @@ impl BisectionMesh {
         let k = tag as usize;
         let (first, last) = (vertices[0], vertices[k]);
         let nodal = self.nodal[leaf as usize];
-        let key = edge_key(first, last);
+        let key = edge_key([first, last]);
         let edge = self.edges[&key];
         let middle = edge.midpoint.unwrap_or_else(|| {
             let (a, b) = (self.lattice[first as usize], self.lattice[last as usize]);
@@ -351,7 +347,7 @@ impl BisectionMesh {
             middle
         });
         for (position, &vertex) in vertices.iter().enumerate() {
-            let key = edge_key(vertex, middle);
+            let key = edge_key([vertex, middle]);
             if position == 0 || position == k || self.edges.contains_key(&key) {
                 continue;
             }
@@ -405,7 +401,7 @@ impl BisectionMesh {
     }
 
     /// The leaf that contains a point of the box or its mirror image, and the image's barycentric coordinates there.
-    /// For a point outside it is the nearest leaf.
+    /// For a point outside, returns the nearest leaf.
     pub fn locate(&self, point: DVec3) -> (u32, [f64; 4]) {
         let local = (self.reflect(point, self.flips(point)) - self.origin) / (self.step * f64::from(self.cell));
         let mut cell = [0u32; 3];

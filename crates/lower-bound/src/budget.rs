@@ -6,12 +6,11 @@ use super::options::Options;
 pub(super) const GROWTH: f64 = 2.5;
 /// Largest growth, over several meshes, that is planned ahead.
 const MOST_GROWTH: f64 = 100.0;
-/// Least growth for which a further mesh is made. The bound of a finer one gains less than the steps on the mesh before
-/// would.
+/// Least growth for which a further mesh is made. A smaller growth gains less than further steps on the present mesh.
 const LEAST_GROWTH: f64 = 1.15;
-/// Number of steps that the budget must allow for on the finest mesh, whose bound would otherwise stay below that of
-/// the mesh before, if half a percent is missing to the film's area. There is a further step for each halving of what
-/// is missing, and for each doubling of the leaves beyond [`FEW_LEAVES`], because a large mesh starts farther from its
+/// Least number of steps on the finest mesh with up to [`FEW_LEAVES`] leaves, if the bound is half a percent below the
+/// film's area. With fewer steps its bound would stay below that of the mesh before. Each halving of the distance to
+/// the film's area adds a step, and so does each doubling of the leaves, because a large mesh starts farther from its
 /// optimum.
 pub(super) const STEPS: f64 = 6.0;
 pub(super) const FEW_LEAVES: f64 = 1e4;
@@ -30,10 +29,10 @@ const PREPARATION_RATE: f64 = 2e-5;
 const SOLVE_RATE: f64 = 8e-9;
 const ASSEMBLY_RATE: f64 = 6.5e-6;
 
-/// The entries of the factor grow with this power of the leaves, without planes of symmetry and with them. Between the
-/// last two meshes of 10 s the power was 1.2 to 1.3 and 1.3 to 1.5. Where it is assumed too small, the last mesh is so
-/// fine that its steps end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries after 10 s
-/// were a tenth larger in the mean, and a half at most.
+/// Exponents with which the entries of the factor grow with the number of leaves, without and with planes of symmetry.
+/// Between the last two meshes of 10 s they were 1.2 to 1.3 and 1.3 to 1.5. If the exponent is too small, the last mesh
+/// is too fine and its steps end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries
+/// after 10 s were larger by a tenth in the mean, and by half at most.
 pub(super) const FILL_POWERS: [f64; 2] = [1.3, 1.5];
 
 /// Size of the linear system of a mesh.
@@ -44,7 +43,7 @@ pub(super) struct Size {
     pub rows: f64,
     /// Constrained leaves.
     pub leaves: f64,
-    /// The power of the mesh, from [`FILL_POWERS`].
+    /// The exponent of the mesh, from [`FILL_POWERS`].
     pub fill_power: f64,
 }
 

@@ -27,8 +27,9 @@
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
-use super::system::{Factor, Stop, System, dot};
+use super::system::{Factor, Stop, System};
 use glam::{DMat3, DVec4};
+use plateau_mesh::sparse::dot;
 use plateau_mesh::{DVec3, Execution};
 
 /// Longest step, as a fraction of the way to the boundary of a cone. Usual values are 0.9 to 0.99.
@@ -254,14 +255,14 @@ fn recentre(curl: &[[DVec3; 4]], dual: &mut [[ConeVector; 4]]) {
 #[derive(Debug)]
 pub(super) struct Level<'a> {
     space: &'a Space,
-    /// g.
+    /// The coefficients g of the circulation.
     form: &'a [f64],
-    /// Forms on which the field keeps the value zero: the circulations around free loops.
+    /// Linear forms that vanish on the field: the circulations around free loops.
     held: Vec<Vec<f64>>,
     field: Vec<f64>,
-    /// v.
+    /// The curls v.
     curl: Vec<[DVec3; 4]>,
-    /// (t, u).
+    /// The dual vectors (t, u).
     dual: Vec<[ConeVector; 4]>,
     /// Σ (t + u·v).
     complementarity: f64,
@@ -303,8 +304,8 @@ impl<'a> Level<'a> {
         let (dual, infeasibility): (Vec<[ConeVector; 4]>, f64) = if warm {
             field = space.field(mesh, CENTRAL);
             curl = space.curl(&field);
-            let of = |&leaf: &u32| mesh.nodal[leaf as usize].dual.map(|x| ConeVector::new(x.w, x.truncate()));
-            let mut dual: Vec<_> = space.constrained.iter().map(of).collect();
+            let cone_vectors = |&leaf: &u32| mesh.nodal[leaf as usize].dual.map(|x| ConeVector::new(x.w, x.truncate()));
+            let mut dual: Vec<_> = space.constrained.iter().map(cone_vectors).collect();
             field.iter_mut().for_each(|value| *value *= PULLED_BACK);
             curl.iter_mut().flatten().for_each(|v| *v *= PULLED_BACK);
             recentre(&curl, &mut dual);
@@ -349,10 +350,10 @@ impl<'a> Level<'a> {
     pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
         let Self { space, form, curl, dual, .. } = &*self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
-        let of = |(v, x): (&[DVec3; 4], &[ConeVector; 4])| -> [Scaling; 4] {
+        let scalings_of = |(v, x): (&[DVec3; 4], &[ConeVector; 4])| -> [Scaling; 4] {
             std::array::from_fn(|p| Scaling::of(ConeVector::new(1.0, v[p]), x[p]))
         };
-        let scalings: Vec<[Scaling; 4]> = curl.iter().zip(dual).map(of).collect();
+        let scalings: Vec<[Scaling; 4]> = curl.iter().zip(dual).map(scalings_of).collect();
         let scaling = |leaf: usize, p: usize| scalings[leaf][p];
         let block = |leaf: usize, p: usize| {
             let Scaling { factor, vector: ConeVector { rest, .. }, .. } = scaling(leaf, p);
@@ -364,7 +365,7 @@ impl<'a> Level<'a> {
         factor.hold(&self.held, exec)?;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
         let points = (4 * curl.len()) as f64;
-        // The target of the predictor is the boundary.
+        // The target of the predictor is the boundary of the cones.
         let predictor = space.curl(&factor.solve(form));
         let (mut far, mut far_dual) = (1.0_f64, 1.0_f64);
         let dual_change = |leaf: usize, p: usize| scaling(leaf, p).dual_change(dual[leaf][p], predictor[leaf][p]);
@@ -406,14 +407,20 @@ impl<'a> Level<'a> {
             best = corrected;
         }
         *storage = factor.into_storage();
-        let Direction { field: direction, dual: dual_changes, far, far_dual, .. } = best;
+        self.advance(&best);
+        Ok(())
+    }
+
+    /// Moves along a direction, and keeps the field if its bound is the best so far.
+    fn advance(&mut self, direction: &Direction) {
+        let Direction { field: direction, dual: dual_changes, far, far_dual, .. } = direction;
         let step = (LARGEST_PART * far).min(1.0);
         let dual_step = (LARGEST_PART * far_dual).min(1.0);
         if !(step > SHORTEST_STEP && dual_step > SHORTEST_STEP && direction.iter().all(|value| value.is_finite())) {
             self.stalled = true;
-            return Ok(());
+            return;
         }
-        self.field.iter_mut().zip(&direction).for_each(|(value, by)| *value += by * step);
+        self.field.iter_mut().zip(direction).for_each(|(value, by)| *value += by * step);
         self.curl = self.space.curl(&self.field);
         let bound = dot(self.form, &self.field) / largest(&self.curl);
         if bound > self.best.bound {
@@ -427,7 +434,6 @@ impl<'a> Level<'a> {
         if self.central.is_none() && self.gap() <= HANDED_ON * self.film_area {
             self.central = Some((self.field.clone(), self.dual.clone()));
         }
-        Ok(())
     }
 
     /// The area vectors of the dual surface at the vertices of a leaf.

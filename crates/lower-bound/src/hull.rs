@@ -1,9 +1,9 @@
 //! Half-spaces that contain the boundary, and the tetrahedra that lie beyond one of them.
 //!
-//! The nearest-point projection onto a convex set lengthens nothing. It maps a surface to one in the convex set with no
-//! more area, and leaves the boundary as it is if the boundary lies in the set. So only surfaces in the intersection of
-//! the half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others are 5 to 30%
-//! of all. They have no constraint, and the curl may have any length there.
+//! The nearest-point projection onto a convex set lengthens no curve. It maps a surface to one in the convex set with
+//! no more area, and leaves the boundary as it is if the boundary lies in the set. Therefore only surfaces in the
+//! intersection of the half-spaces matter, and |curl A| <= 1 is needed only in the tetrahedra that meet it. The others
+//! are 5 to 30% of all. They have no constraint, and the curl may have any length there.
 
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
@@ -14,8 +14,8 @@ const DIRECTIONS: usize = 600;
 /// Distance by which a tetrahedron has to lie beyond a half-space, as a fraction of the boundary's size. It is far
 /// above the rounding errors of differences (they are rounded once), and far below the size of tetrahedra.
 const MARGIN: f64 = 1e-6;
-/// The rounding of points and of their mirror images in units of the largest coordinate's last place. It is added to
-/// the distance, and outweighs it where the boundary is small and far from the origin.
+/// Rounding error of points and of their mirror images, in units of the largest coordinate's last place. It is added to
+/// the margin, and exceeds it where the boundary is small and far from the origin.
 const ROUNDED: f64 = 8.0;
 
 /// Number of products of a direction with a point between two looks at the caller's signal: about a millisecond of
@@ -28,14 +28,15 @@ pub(super) struct Hull {
     origin: DVec3,
     /// Distance by which a tetrahedron has to lie beyond a half-space.
     pub margin: f64,
-    /// Outward directions d of length 1, and the d·(x - origin) that every vertex x of a tetrahedron beyond exceeds.
+    /// Outward directions d of length 1, each with a number that d·(x - origin) exceeds at every vertex x of a
+    /// tetrahedron beyond.
     half_spaces: Vec<(DVec3, f64)>,
 }
 
 impl Hull {
-    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry `loops` must have
-    /// the mirror images of the polygons too. The mirror images of a tetrahedron beyond a half-space then lie beyond
-    /// mirror images of that half-space.
+    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry, `loops` must
+    /// include the mirror images of the polygons. The mirror images of a tetrahedron beyond a half-space then lie
+    /// beyond mirror images of that half-space.
     ///
     /// # Errors
     /// An interruption by the caller.
@@ -56,8 +57,8 @@ impl Hull {
             DVec3::new(radius * cosine, radius * sine, z)
         });
         let reach = |&direction: &DVec3| {
-            let of = |p: &DVec3| direction.dot(*p - origin);
-            (direction, loops.iter().flatten().map(of).fold(f64::NEG_INFINITY, f64::max) + margin)
+            let product = |p: &DVec3| direction.dot(*p - origin);
+            (direction, loops.iter().flatten().map(product).fold(f64::NEG_INFINITY, f64::max) + margin)
         };
         let directions: Vec<DVec3> = flat.chain(spread).collect();
         let count = loops.iter().map(Vec::len).sum::<usize>();

@@ -24,7 +24,7 @@
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
-//! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
+//! tangential component can matter where Γ runs inside a face or an edge. Stokes' theorem therefore applies.
 //!
 //! # The computation
 //! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The way of a

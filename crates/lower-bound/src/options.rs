@@ -42,9 +42,9 @@ impl Options {
     }
 }
 
-/// Largest number of loops of which every orientation has a search of its own from the start: 32 for six loops. With
-/// more loops the search begins with a bound for all orientations together, and directs one loop after the other where
-/// the bound is least.
+/// Largest number of loops whose orientations are searched one by one from the start: 32 orientations of six loops.
+/// With more loops the search begins with one bound for all orientations, and then directs one loop after the other
+/// where the bound is least.
 pub(super) const MOST_DIRECTED: usize = 6;
 /// Largest number of searches at a time. It bounds the memory and the size of the proof.
 pub(super) const MOST_SEARCHES: usize = 64;

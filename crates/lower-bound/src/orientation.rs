@@ -1,6 +1,7 @@
 //! Orientations of the boundary: the directions in which a surface can run along its loops.
 
 use super::symmetry::Mirrors;
+use plateau_mesh::plane::polygon::doubled_area_vector;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 
@@ -11,21 +12,21 @@ pub(super) struct Oriented {
     /// The loops along the axes of the mesh.
     pub placed: Vec<Vec<DVec3>>,
     pub mirrors: Mirrors,
-    /// Numbers of the loops of which either direction is meant. The field has no circulation around them, so that it
-    /// bounds the area whatever their directions are.
+    /// Numbers of the loops whose direction is left open. The field has no circulation around them, so that it bounds
+    /// the area in either direction.
     pub free: Vec<usize>,
 }
 
 impl Oriented {
     /// Every orientation that begins with loop 0 in the film's own direction. The first of them is the film's own.
     pub fn all(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Vec<Self> {
-        let of = |pattern: u32| {
+        let with_pattern = |pattern: u32| {
             let reversed = |k: usize| own[k] == (pattern >> k & 1 == 1);
             let mut oriented = Self::with(loops, reversed, place);
             oriented.mirrors = Mirrors::of(&oriented.placed, middle);
             oriented
         };
-        (0..1 << (loops.len() - 1)).map(of).collect()
+        (0..1 << (loops.len() - 1)).map(with_pattern).collect()
     }
 
     /// All orientations together: loop 0 in the film's own direction, and the others free.
@@ -59,11 +60,7 @@ impl Oriented {
 /// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of
 /// constant curl gives: the area itself for plane polygons.
 pub(super) fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
-    let origin = loops[0][0];
-    let double_area = |points: &Vec<DVec3>| -> DVec3 {
-        (0..points.len()).map(|k| (points[k] - origin).cross(points[(k + 1) % points.len()] - origin)).sum()
-    };
-    0.5 * loops.iter().map(double_area).sum::<DVec3>()
+    0.5 * loops.iter().map(|points| doubled_area_vector(points)).sum::<DVec3>()
 }
 
 /// For each loop whether the film's border runs along it in the loop's direction. `None` if the border does not run
@@ -75,7 +72,8 @@ pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Option<Vec<b
 }
 
 /// Cosine of the largest angle between an edge of the border and the segment that it is a part of. Edges that begin at
-/// the same vertex and belong to other segments make larger angles, or the nearest one is taken.
+/// the same vertex and belong to other segments make larger angles. If they do not, the edge with the smallest angle is
+/// taken.
 const ALONG: f64 = 0.5;
 
 /// The boundary chain of a film: the sides of triangles that no other triangle has in the other direction.
@@ -91,14 +89,14 @@ struct Border<'a> {
 
 impl<'a> Border<'a> {
     fn of(film: &'a Mesh) -> Self {
-        let of = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
-        let mut all: Vec<[u32; 2]> = film.triangles.iter().flat_map(of).collect();
+        let sides_of = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+        let mut all: Vec<[u32; 2]> = film.triangles.iter().flat_map(sides_of).collect();
         all.sort_unstable();
         let sides: Vec<[u32; 2]> = all.iter().copied().filter(|&[a, b]| all.binary_search(&[b, a]).is_err()).collect();
         let mut backwards: Vec<[u32; 2]> = sides.iter().map(|&[a, b]| [b, a]).collect();
         backwards.sort_unstable();
-        let at = |(v, &p): (usize, &DVec3)| (position_key(p), v as u32);
-        let mut places: Vec<_> = film.vertices.iter().enumerate().map(at).collect();
+        let keyed = |(v, &p): (usize, &DVec3)| (position_key(p), v as u32);
+        let mut places: Vec<_> = film.vertices.iter().enumerate().map(keyed).collect();
         places.sort_unstable();
         Self { vertices: &film.vertices, places, sides, backwards }
     }

@@ -15,15 +15,15 @@ use plateau_mesh::{DVec3, Error, Execution, Progress};
 const FIRST_LEAVES: usize = 600;
 /// Largest number of steps on a mesh.
 const MOST_STEPS: u32 = 40;
-/// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's
-/// area. That suffices to see where the dual surface bends.
+/// The search goes on to a finer mesh once the gap to the mesh's own optimum is at most this multiple of the gap to the
+/// film's area. This suffices to see where the dual surface bends.
 const CONVERGED: f64 = 1.0;
-/// The same fraction where the budget allows no finer mesh, so that the rest of it can be used for steps only.
+/// The same multiple where the budget allows no finer mesh, so that only steps can use the rest of it.
 const CONVERGED_AT_LAST: f64 = 0.03;
-/// Where directions are free, a mesh is left once its own optimum is reached to this fraction. The bounds of both
-/// directions begin with this one.
+/// Where directions are free, a mesh is left once the gap to its own optimum is at most this fraction of the bound. The
+/// searches of both directions begin with this bound.
 const CONVERGED_WHILE_FREE: f64 = 0.1;
-/// Part of the sum of all bends that the leaves marked in one round of refinement have together.
+/// Fraction of the total bend of the dual surface that the leaves marked in one round of refinement have.
 const MARKED_SHARE: f64 = 0.4;
 
 /// Parts of the film: a point each, along the axes of the mesh, and the part's area.

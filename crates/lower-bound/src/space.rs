@@ -1,9 +1,11 @@
 //! The unknowns of a mesh, the curl as a linear map, and the circulation around the boundary as a linear form.
 
-use super::bisection::{BisectionMesh, EDGES, VertexMap, edge_key};
+use super::bisection::{BisectionMesh, EDGES, VertexMap};
 use super::element::{self, Orientation, UNKNOWNS};
 use super::hull::Hull;
 use plateau_mesh::DVec3;
+use plateau_mesh::disjoint_sets::DisjointSets;
+use plateau_mesh::topology::edge_key;
 
 /// Numbers of the unknowns, for one mesh: the edges first, then the faces.
 #[derive(Debug)]
@@ -52,7 +54,7 @@ impl Space {
             let orientation = Orientation::of(vertices);
             let mut unknowns = [0; UNKNOWNS];
             for (e, [a, b]) in EDGES.into_iter().enumerate() {
-                let key = edge_key(vertices[a], vertices[b]);
+                let key = edge_key([vertices[a], vertices[b]]);
                 unknowns[e] = *edge_numbers.entry(key).or_insert_with(|| {
                     space.edges.push(key);
                     space.edges.len() as u32 - 1
@@ -139,15 +141,7 @@ impl Space {
     /// Marks the unknowns that belong to no constrained leaf, the unknowns that vanish, and the edges of a spanning
     /// tree of the other vertices. Edges are taken by their numbers.
     fn fixed_unknowns(&self) -> Vec<bool> {
-        let mut parent: Vec<u32> = (0..self.planes.len() as u32).collect();
-        fn root(parent: &mut [u32], mut v: u32) -> u32 {
-            // Ends because only roots are given a parent, so that parents form no cycle.
-            while parent[v as usize] != v {
-                parent[v as usize] = parent[parent[v as usize] as usize];
-                v = parent[v as usize];
-            }
-            v
-        }
+        let mut joined = DisjointSets::new(self.planes.len());
         let mut fixed: Vec<bool> = self.used_unknowns().into_iter().map(|used| !used).collect();
         // The edges on which the field vanishes come first: a gradient that may be added is constant along them.
         for vanishing in [true, false] {
@@ -155,9 +149,8 @@ impl Space {
                 if fixed[e] || self.vanishes(edge) != vanishing {
                     continue;
                 }
-                let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-                fixed[e] = vanishing || a != b;
-                parent[b as usize] = a;
+                fixed[e] = vanishing || joined.leader(a) != joined.leader(b);
+                joined.join(a, b);
             }
         }
         for (face, fixed) in self.faces.iter().zip(fixed[self.edges.len()..].chunks_exact_mut(2)) {

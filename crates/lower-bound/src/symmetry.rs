@@ -63,7 +63,7 @@ impl Mirrors {
         Self::that(loops, middle, |number, image| image.on == number)
     }
 
-    /// The symmetries whose images of the numbered polygons all are as asked for.
+    /// The symmetries for which `is_good` accepts the number and the image of every polygon.
     fn that(loops: &[Vec<DVec3>], middle: DVec3, is_good: impl Fn(usize, &Image) -> bool) -> Self {
         let tolerance = tolerance(loops);
         let sign = |axis: usize| {

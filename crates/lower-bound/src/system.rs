@@ -6,7 +6,7 @@ use super::space::Space;
 use glam::DMat3;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::execution::Interruption;
-use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
 use plateau_mesh::{DVec3, Error, Execution};
 
 /// The pattern of the matrix, its analysis, and the entries to which each tetrahedron adds.
@@ -30,13 +30,9 @@ const LEAVES_A_LOOK: usize = 1_000;
 /// Number of rows whose pattern is built between two looks: a few milliseconds of work.
 const ROWS_A_LOOK: u32 = 5_000;
 
-/// A form depends on others if this part of its square or less is left, in the product of the inverse matrix.
+/// A form counts as dependent on earlier ones if at most this fraction of its squared norm remains after they are
+/// projected out, in the inner product of the inverse matrix.
 const INDEPENDENT: f64 = 1e-12;
-
-/// The scalar product.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
 
 /// The reason why there is no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -199,13 +195,13 @@ pub(super) struct Factor<'a> {
     row: &'a [u32],
     factor: plateau_mesh::sparse::Factorisation<'a>,
     rows: usize,
-    /// Solutions for the forms that keep their values, orthonormal in the product of the matrix.
+    /// Solutions for the held forms, orthonormal in the inner product of the matrix.
     held: Vec<Vec<f64>>,
 }
 
 impl Factor<'_> {
-    /// From here on solutions are those on which linear forms vanish: the minimum of the quadratic function under these
-    /// constraints. Forms that depend on earlier ones change nothing.
+    /// Makes the given linear forms vanish on all later solutions, which then minimise the quadratic function under
+    /// these constraints. Forms that depend on earlier ones change nothing.
     pub fn hold(&mut self, forms: &[Vec<f64>], exec: &Execution) -> Result<(), Interruption> {
         for form in forms {
             exec.look(self.rows as u64)?;

@@ -122,6 +122,8 @@ names! {
         SharedPoints = "shared_points",
         /// A cable carries no force: `cable` of a structure, `count` of a net.
         SlackCable = "slack_cable",
+        /// Rounding does not decide the sign of an eigenvalue, so that the index is null.
+        StabilityUndecided = "stability_undecided",
         /// Warp and weft of a woven film have other stresses than required: `deviation_rms`.
         StressDeviates = "stress_deviates",
         /// A strip has much more bending energy than the strip that bends least: `strip`, `factor`.
@@ -134,7 +136,7 @@ names! {
         TrianglesMissed = "triangles_missed",
         /// Open directrices end where they begin: `count`.
         UnclosedDirectrices = "unclosed_directrices",
-        /// The shape is stationary but no minimum: `morse_index`.
+        /// The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided.
         Unstable = "unstable",
     }
 }

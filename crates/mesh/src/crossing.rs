@@ -12,7 +12,7 @@ pub fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool
     surfaces_cross((&first.vertices, first.triangles()), (&second.vertices, second.triangles()), exec)
 }
 
-/// Triangles between two looks at the signal.
+/// Number of triangles between two looks at the signal.
 const LOOK: usize = 1 << 16;
 
 /// Returns a point of the first triangle through which a segment passes from one side to the other. A segment that ends

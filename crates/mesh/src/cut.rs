@@ -1,4 +1,4 @@
-//! Cutting a surface along three edges: what closes a neck of three edges.
+//! Closes a neck of three edges: cuts the surface along them and puts a triangle on each side.
 
 use crate::topology::{NONE, Topology, next, previous};
 
@@ -86,7 +86,7 @@ impl Topology {
         Sector { half_edges, has_boundary }
     }
 
-    /// The triangles that are connected with one across edges, itself first.
+    /// The triangles that are connected across edges with a triangle, this triangle first.
     pub(crate) fn component_of(&self, triangle: u32) -> Vec<u32> {
         let mut seen = vec![false; self.triangles.len()];
         seen[triangle as usize] = true;

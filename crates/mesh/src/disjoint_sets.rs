@@ -22,7 +22,7 @@ impl DisjointSets {
         k
     }
 
-    /// Makes one set of those of two numbers.
+    /// Unites the sets of two numbers.
     #[inline]
     pub fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.leader(a), self.leader(b));

@@ -40,6 +40,18 @@ impl Topology {
         &self.triangles
     }
 
+    /// Half-edges, one for each edge whose key is above 1, by falling keys, then by number.
+    pub fn ranked_edges(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
+        // A half-edge on the boundary has the largest number as its twin.
+        let mut ranked: Vec<(f64, u32)> = (0..self.twin.len() as u32)
+            .filter(|&h| self.twin[h as usize] > h)
+            .map(|h| (key(h), h))
+            .filter(|&(key, _)| key > 1.0)
+            .collect();
+        ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        ranked.into_iter().map(|(_, h)| h).collect()
+    }
+
     /// Whether an edge joins the two vertices.
     #[must_use]
     #[inline]
@@ -164,7 +176,7 @@ impl Topology {
         if spokes.len() != 3 || self.is_boundary(vertex) {
             return None;
         }
-        // Anticlockwise, the triangle with the smallest number first: it is the one that stays.
+        // The spokes in anticlockwise order. They begin with the triangle of the smallest number, which stays.
         let first = *spokes.iter().min()?;
         let second = self.twin[previous(first) as usize];
         let third = self.twin[previous(second) as usize];

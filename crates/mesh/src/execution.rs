@@ -57,6 +57,9 @@ impl fmt::Debug for Execution<'_> {
     }
 }
 
+/// Work of a pass of remeshing, or of a linear solve, for each triangle: about as often such a pass visits one.
+pub const WORK_PER_TRIANGLE: u64 = 20;
+
 impl<'a> Execution<'a> {
     /// Makes an execution that calls `signal` at every look and passes progress to `report`.
     #[inline]

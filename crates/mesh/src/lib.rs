@@ -21,6 +21,8 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+#[doc(hidden)]
+pub mod axis_box;
 pub mod check;
 pub mod codes;
 pub mod complex;

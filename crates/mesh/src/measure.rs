@@ -41,6 +41,18 @@ impl Spread {
     }
 }
 
+/// A power of two within a factor of two above a length; 1 for zero. Products and quotients by it are exact.
+#[must_use]
+#[inline]
+pub fn power_of_two_above(length: f64) -> f64 {
+    if length == 0.0 {
+        return 1.0;
+    }
+    // The exponent is limited to powers that are normal numbers together with their inverses.
+    let exponent = (length.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((exponent + 1).clamp(23, 2023) << 52)
+}
+
 /// Twice the triangle's area vector, (b - a) × (c - a).
 #[must_use]
 #[inline]

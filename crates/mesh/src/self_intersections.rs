@@ -39,8 +39,8 @@ use std::ops::ControlFlow;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 8 takes about the same time; a larger one needs less memory.
 const LEAF: usize = 4;
-/// Triangles of a patch, which are suspects, or not, together. It is the number of triangles that two divisions make of
-/// one.
+/// Number of triangles of a patch, which are suspects all together or not at all. Two divisions of a triangle make as
+/// many.
 const PATCH: usize = 16;
 
 /// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without. At 4,000

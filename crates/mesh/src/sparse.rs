@@ -36,6 +36,13 @@ pub enum LinearError {
     TooLarge,
 }
 
+/// The scalar product, summed in order.
+#[must_use]
+#[inline]
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// A sparse symmetric matrix. Both halves are stored, row by row. The diagonal comes first in its row; the other
 /// columns follow in any order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,11 +82,17 @@ impl SymmetricMatrix {
         }
     }
 
+    /// Sum of the absolute values in each row.
+    #[inline]
+    pub fn absolute_row_sums(&self) -> impl Iterator<Item = f64> {
+        (0..self.order()).map(|row| self.row(row).1.iter().map(|a| a.abs()).sum())
+    }
+
     /// Largest sum of absolute values in a row.
     #[must_use]
     #[inline]
     pub fn norm(&self) -> f64 {
-        (0..self.order()).map(|row| self.row(row).1.iter().map(|a| a.abs()).sum::<f64>()).fold(0.0, f64::max)
+        self.absolute_row_sums().fold(0.0, f64::max)
     }
 
     fn pattern(&self) -> SymbolicSparseColMatRef<'_, u32> {
@@ -219,32 +232,88 @@ impl Symbolic {
     /// Signs of D. `None` if a pivot is zero or not finite.
     fn inertia(&self, values: &[f64]) -> Option<Inertia> {
         let mut inertia = Inertia { negative: 0, positive: 0 };
-        let mut count = |pivot: f64| {
-            match pivot.partial_cmp(&0.0) {
+        let mut is_regular = true;
+        self.visit_columns(values, |column| {
+            match column.pivot.partial_cmp(&0.0) {
                 Some(std::cmp::Ordering::Less) => inertia.negative += 1,
                 Some(std::cmp::Ordering::Greater) => inertia.positive += 1,
-                _ => return None,
+                _ => is_regular = false,
             }
-            pivot.is_finite().then_some(())
-        };
+            is_regular &= column.pivot.is_finite();
+        });
+        is_regular.then_some(inertia)
+    }
+
+    /// Visits the columns of the factor whose entries are `values`, in the order of the factorisation.
+    fn visit_columns<'a>(&'a self, values: &'a [f64], mut visit: impl FnMut(Column<'a>)) {
         match self.inner.raw() {
             SymbolicCholeskyRaw::Simplicial(simplicial) => {
-                for column in 0..simplicial.ncols() {
-                    count(values[simplicial.col_ptr()[column] as usize])?;
+                for number in 0..simplicial.ncols() {
+                    let range = simplicial.col_ptr()[number] as usize..simplicial.col_ptr()[number + 1] as usize;
+                    let (rows, entries) = (&simplicial.row_idx()[range.clone()], &values[range]);
+                    visit(Column { number, pivot: entries[0], next: &[], rows: &rows[1..], others: &entries[1..] });
                 }
             }
             SymbolicCholeskyRaw::Supernodal(supernodal) => {
                 for node in 0..supernodal.n_supernodes() {
-                    let columns = (supernodal.supernode_end()[node] - supernodal.supernode_begin()[node]) as usize;
+                    let first = supernodal.supernode_begin()[node] as usize;
+                    let columns = supernodal.supernode_end()[node] as usize - first;
+                    let rows = supernodal.supernode(node).pattern();
                     let begin = supernodal.col_ptr_for_val()[node] as usize;
-                    let rows = (supernodal.col_ptr_for_val()[node + 1] as usize - begin) / columns.max(1);
+                    let height = columns + rows.len();
                     for k in 0..columns {
-                        count(values[begin + k * rows + k])?;
+                        let entries = &values[begin + k * height..begin + (k + 1) * height];
+                        let (next, others) = (&entries[k + 1..columns], &entries[columns..]);
+                        visit(Column { number: first + k, pivot: entries[k], next, rows, others });
                     }
                 }
             }
         }
-        Some(inertia)
+    }
+
+    /// See [`Factorisation::rounding`].
+    fn rounding(&self, values: &[f64]) -> Vec<f64> {
+        let n = self.order();
+        let mut scaled_sums = vec![0.0; n];
+        let mut terms = vec![0u32; n];
+        self.visit_columns(values, |column| {
+            let sum: f64 = column.below().map(|(_, entry)| entry.abs()).sum();
+            scaled_sums[column.number] = column.pivot.abs() * (1.0 + sum);
+            column.below().for_each(|(row, _)| terms[row] += 1);
+        });
+        let mut sums = scaled_sums.clone();
+        self.visit_columns(values, |column| {
+            let scaled = scaled_sums[column.number];
+            column.below().for_each(|(row, entry)| sums[row] += entry.abs() * scaled);
+        });
+        let factor = f64::from(terms.into_iter().max().unwrap_or(0) + 2) * f64::EPSILON;
+        match self.inner.perm() {
+            Some(permutation) => {
+                let mut rounding = vec![0.0; n];
+                permutation.arrays().0.iter().zip(sums).for_each(|(&old, sum)| rounding[old as usize] = factor * sum);
+                rounding
+            }
+            None => sums.into_iter().map(|sum| factor * sum).collect(),
+        }
+    }
+}
+
+/// A column of L with its pivot in D.
+struct Column<'a> {
+    number: usize,
+    pivot: f64,
+    /// The entries in the rows directly below the diagonal, without a gap.
+    next: &'a [f64],
+    /// The rows of the other entries, and these.
+    rows: &'a [u32],
+    others: &'a [f64],
+}
+
+impl Column<'_> {
+    /// The rows and entries below the diagonal.
+    fn below(&self) -> impl Iterator<Item = (usize, f64)> {
+        let others = self.rows.iter().map(|&row| row as usize).zip(self.others.iter().copied());
+        (self.number + 1..).zip(self.next.iter().copied()).chain(others)
     }
 }
 
@@ -262,6 +331,25 @@ impl Factorisation<'_> {
     #[inline]
     pub fn inertia(&self) -> Inertia {
         self.inertia
+    }
+
+    /// Bound on the rounding errors of the factorisation: the diagonal of a matrix Δ with -Δ ≤ L D Lᵀ - A ≤ Δ. The
+    /// inertia is therefore that of A if no eigenvalue of A x = λ Δ x lies between -1 and 1.
+    ///
+    /// Each error is at most (k + 1) u times the entry of |L| |D| |Lᵀ|, where k is the largest number of terms of an
+    /// entry and u is half of [`f64::EPSILON`] (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, theorem
+    /// 10.3). The sum of a row bounds its share of the quadratic form. The bound is twice that.
+    #[must_use]
+    #[inline]
+    pub fn rounding(&self) -> Vec<f64> {
+        self.symbolic.rounding(&self.values)
+    }
+
+    /// Number of unknowns.
+    #[must_use]
+    #[inline]
+    pub fn order(&self) -> usize {
+        self.matrix.order()
     }
 
     /// Returns the memory of the factor for the next factorisation.
@@ -377,6 +465,36 @@ mod tests {
                 }
                 factorisation.solve(&mut x).unwrap();
                 assert!(x.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-8));
+            }
+        }
+    }
+
+    #[test]
+    fn the_factors_differ_from_the_matrix_by_less_than_the_bound_on_rounding() {
+        let mut random = crate::random::SplitMix64::new(3);
+        for (side, shift) in [(6, 0.777), (150, 0.0), (150, 0.777)] {
+            let n = side * side;
+            let matrix = grid(side, shift);
+            let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+            let factorisation = symbolic.factorise(&matrix).unwrap();
+            let rounding = factorisation.rounding();
+            // The entries of an indefinite matrix grow without pivoting, and the bound with them.
+            assert!(shift > 0.0 || rounding.iter().sum::<f64>() < 1e-11 * matrix.absolute_row_sums().sum::<f64>());
+            let order = symbolic.inner.perm().unwrap().arrays().0;
+            for _ in 0..20 {
+                let x: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+                // The quadratic form of L D Lᵀ: the sum of pivot times squared entry of Lᵀ x.
+                let mut form = 0.0;
+                let at = |row: usize| x[order[row] as usize];
+                symbolic.visit_columns(&factorisation.values, |column| {
+                    let below: f64 = column.below().map(|(row, entry)| entry * at(row)).sum();
+                    form += column.pivot * (at(column.number) + below).powi(2);
+                });
+                let mut product = vec![0.0; n];
+                matrix.multiply(&x, &mut product);
+                let given: f64 = x.iter().zip(&product).map(|(x, product)| x * product).sum();
+                let bound: f64 = x.iter().zip(&rounding).map(|(x, rounding)| rounding * x * x).sum();
+                assert!((form - given).abs() <= bound, "{side}: {form} {given} {bound}");
             }
         }
     }

@@ -5,6 +5,13 @@ use std::fmt;
 /// "No half-edge": the twin of a half-edge on the boundary.
 pub const NONE: u32 = u32::MAX;
 
+/// The ends of an edge, the smaller number first: its key whatever its direction.
+#[must_use]
+#[inline]
+pub fn edge_key([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
 /// Why a mesh is not a sound one: see [`Topology::build`] and [`Mesh::check`](crate::Mesh::check).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Defect {

@@ -25,8 +25,8 @@ export interface Solution {
   warnings: Warning[];
   /** Three coordinates for each vertex in the request's unit and axes, and three vertices for each triangle. */
   mesh: { vertices: Float64Array; triangles: Uint32Array };
-  /** Writes the result as a file. It fails once a later request has replaced the result. */
-  file(format: 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json'): Promise<Uint8Array>;
+  /** Writes the result as a file: its mesh, or as SVG or DXF its flat pattern. It fails once a later request has replaced the result. */
+  file(format: 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json' | 'svg' | 'dxf'): Promise<Uint8Array>;
   glb(): Promise<Uint8Array>;
 }
 
@@ -44,6 +44,8 @@ export interface SolveOptions {
 }
 
 export interface Solvers {
+  /** Loads the module that solves a kind, so that its first request does not wait for it. Rejects if it cannot be loaded. */
+  load(kind: string): Promise<void>;
   /**
    * Solves a request that names its `kind` and has none of the fields that concern a job.
    *
@@ -63,14 +65,18 @@ export interface Solvers {
 
 export class PlateauError extends Error {
   ending: 'refused' | 'failed' | 'cancelled';
+  /** The reason of a failure as the service's problem documents name it, such as `/problems/no-equilibrium`. */
+  type?: string;
   title: string;
   detail: string;
   errors: FieldError[];
 }
 
 export interface Options {
-  /** Address of the module, if it does not lie beside this file. */
-  module?: string | URL;
+  /** Address of the module for films, strips and lattices, if it does not lie beside this file. */
+  shapes?: string | URL;
+  /** Address of the module for tensile structures, cable nets and proven lower bounds, which is loaded when one is first asked for. */
+  structures?: string | URL;
   /** Makes the worker, for bundlers that need to see the call. */
   worker?: () => Worker;
 }

@@ -2,11 +2,11 @@
 
 /** A request without a result. `errors` lists the wrong values as the service does. */
 export class PlateauError extends Error {
-  constructor({ ending, title, detail, errors }) {
+  constructor({ ending, type, title, detail, errors }) {
     const [first] = errors ?? [];
     super([title, detail, first && `${first.pointer} ${first.detail}`].filter(Boolean).join(': '));
     this.name = 'PlateauError';
-    Object.assign(this, { ending, title, detail, errors: errors ?? [] });
+    Object.assign(this, { ending, type, title, detail, errors: errors ?? [] });
   }
 }
 
@@ -19,7 +19,8 @@ const aborted = (signal) => signal.reason ?? new DOMException('the request was c
  * look. In other pages a cancel ends the worker, and the next request waits until a new one has loaded the module.
  */
 export function createSolvers({
-  module = new URL('plateau.wasm', import.meta.url),
+  shapes = new URL('shapes.wasm', import.meta.url),
+  structures = new URL('structures.wasm', import.meta.url),
   worker: makeWorker = () => new Worker(new URL('worker.mjs', import.meta.url), { type: 'module' }),
 } = {}) {
   let worker = null;
@@ -47,7 +48,7 @@ export function createSolvers({
       failed?.reject(new Error(event.message || 'the worker cannot be loaded'));
       next();
     };
-    waiting.unshift(message('start', { module: String(module) }));
+    waiting.unshift(message('start', { modules: { shapes: String(shapes), structures: String(structures) } }));
   }
 
   /** Ends the worker. The next message starts a new one. */
@@ -121,6 +122,10 @@ export function createSolvers({
   });
 
   return {
+    async load(kind) {
+      await send(message('load', { kind }));
+    },
+
     async solve(request, { onProgress, signal } = {}) {
       return solution(await ask('solve', request, { onProgress, signal }));
     },

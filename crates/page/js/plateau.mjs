@@ -1,10 +1,15 @@
-// The solvers of Plateau as a WebAssembly module, without a server.
+// The solvers of Plateau as WebAssembly modules, without a server.
 
 /** Endings of a request, in the order of the module's numbers. */
 const ENDINGS = ['solved', 'refused', 'failed', 'cancelled', 'moved'];
 
+const SHAPES = ['minimal_surface', 'ruled_surface', 'uniform_mesh'];
+
+/** Name of the module that solves a request: `shapes` or `structures`. Proven bounds of films need the second one. */
+export const moduleOf = ({ kind, certify }) => (SHAPES.includes(kind) && !(kind === 'minimal_surface' && certify) ? 'shapes' : 'structures');
+
 /**
- * Loads the module.
+ * Loads a module.
  * @param {BufferSource | Response | PromiseLike<Response>} source its bytes, or the answer of a fetch
  */
 export async function load(source) {
@@ -25,9 +30,12 @@ export async function load(source) {
     },
   };
   const waited = await source;
-  const { instance } = await (ArrayBuffer.isView(waited) || waited instanceof ArrayBuffer
-    ? WebAssembly.instantiate(waited, imports)
-    : WebAssembly.instantiateStreaming(waited, imports));
+  if (waited instanceof Response && !waited.ok) throw new Error(`the module at ${waited.url} was answered with ${waited.status}`);
+  // Browsers compile while they load only what has the media type of WebAssembly, which not every file server knows.
+  const streamed = waited instanceof Response && waited.headers.get('content-type') === 'application/wasm';
+  const { instance } = await (streamed
+    ? WebAssembly.instantiateStreaming(waited, imports)
+    : WebAssembly.instantiate(waited instanceof Response ? await waited.arrayBuffer() : waited, imports));
   const exports = instance.exports;
 
   const put = (words) => {
@@ -77,7 +85,7 @@ export async function load(source) {
       };
     },
 
-    /** The last result as a file: glb, gltf, obj, ply, stl or json. Null if the last request has no result or only a preview. */
+    /** The last result as a file: glb, gltf, obj, ply, stl or json, or its flat pattern as svg or dxf. Null if it has none, or is a preview. */
     file(format) {
       put(format);
       const bytes = exports.plateau_file();

@@ -1,7 +1,7 @@
 //! A session: one request after the other, the files of the last result, and its previews while it is dragged.
 
 use plateau_archive::Archive;
-use plateau_archive::formats::MeshFormat;
+use plateau_archive::formats::{MeshFormat, PatternFormat};
 use plateau_forms::json;
 use plateau_forms::limits::Limits;
 use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
@@ -71,6 +71,9 @@ struct Preview {
 
 #[derive(Serialize)]
 struct Failure<'a> {
+    /// Reason of a failure as the service's problem documents name it. A refused request has none.
+    #[serde(rename = "type", skip_serializing_if = "str::is_empty")]
+    kind: &'a str,
     title: &'a str,
     detail: &'a str,
     errors: &'a [FieldError],
@@ -135,7 +138,7 @@ impl Session {
             Rejection::Invalid(errors) => ("The request is invalid", "", &errors[..]),
             Rejection::TooLarge(errors) => ("The request is too large", "", &errors[..]),
         };
-        self.without_result(title, detail, errors);
+        self.without_result("", title, detail, errors);
         Err(Ending::Refused)
     }
 
@@ -157,12 +160,12 @@ impl Session {
     }
 
     fn failed(&mut self, error: &SolveError) -> Ending {
-        self.without_result(&error.title, &error.detail, &error.errors);
+        self.without_result(&error.kind, &error.title, &error.detail, &error.errors);
         Ending::Failed
     }
 
-    fn without_result(&mut self, title: &str, detail: &str, errors: &[FieldError]) {
-        self.answer = text(&Failure { title, detail, errors: &errors[..errors.len().min(MAX_ERRORS)] });
+    fn without_result(&mut self, kind: &str, title: &str, detail: &str, errors: &[FieldError]) {
+        self.answer = text(&Failure { kind, title, detail, errors: &errors[..errors.len().min(MAX_ERRORS)] });
     }
 
     /// Returns the answer to the last request as JSON text.
@@ -190,12 +193,16 @@ impl Session {
         self.archive().map_or(&[], |archive| &archive.contents().mesh.triangles)
     }
 
-    /// Makes a mesh file of the last result. Returns `None` if there is no result or only a preview of one, or if the
-    /// format is none of [`MeshFormat`] or cannot have this mesh.
+    /// Makes a file of the last result: its mesh in a format of [`MeshFormat`], or its flat pattern in one of
+    /// [`PatternFormat`]. Returns `None` if there is no result or only a preview of one, or if the format is unknown or
+    /// cannot have this result.
     #[must_use]
     pub fn file(&self, format: &str) -> Option<Vec<u8>> {
         let archive = self.archive().filter(|_| self.moved.is_none())?;
-        MeshFormat::from_name(format)?.encode(archive).ok()
+        match MeshFormat::from_name(format) {
+            Some(mesh) => mesh.encode(archive).ok(),
+            None => PatternFormat::from_name(format)?.encode(archive),
+        }
     }
 }
 

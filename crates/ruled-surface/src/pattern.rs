@@ -38,8 +38,9 @@ impl FlatPattern {
         }
     }
 
-    /// The flat pattern of the open surface that these bridges span: pairs of `vertices`, first to last, one strip
-    /// after another, as [`solve`](crate::solve) gives them, and the same pattern to the bit.
+    /// The flat pattern of the open surface that these bridges span. The bridges are pairs of `vertices` from first to
+    /// last, one strip after another, as [`solve`](crate::solve) gives them; the pattern then equals that of `solve` to
+    /// the bit.
     ///
     /// # Errors
     /// [`Error::Input`] at `bridges` if they are not those of strips, at `directrices` for what [`Strip::new`] refuses;

@@ -64,9 +64,9 @@ pub(super) fn assemble(
 ) -> UniformMesh {
     let target = options.edge_length;
     let tolerance = options.tolerance();
-    let at = |v: u32| mesh.vertices[v as usize];
-    let lengths: Vec<f64> = members.iter().map(|&[a, b]| at(a).distance(at(b))).collect();
-    // Coordinates far from the origin carry lengths only to their own rounding.
+    let position = |v: u32| mesh.vertices[v as usize];
+    let lengths: Vec<f64> = members.iter().map(|&[a, b]| position(a).distance(position(b))).collect();
+    // Lengths between vertices far from the origin are only as accurate as the coordinates.
     let largest = mesh.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
     let slack = RANGE_TOLERANCE * target + 8.0 * f64::EPSILON * largest;
     let out_of_range: Vec<OutOfRange> = lengths
@@ -121,7 +121,7 @@ pub(super) fn assemble(
     }
 }
 
-/// The last words, the same for every domain.
+/// Sets `converged`, and adds the warnings that can concern every domain.
 pub(super) fn finish(
     mut result: UniformMesh,
     interrupted: bool,

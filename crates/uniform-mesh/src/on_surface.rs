@@ -20,11 +20,12 @@ use plateau_mesh::error::{Error, Place, Warning};
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure;
 use plateau_mesh::plane::location::Locator;
-use plateau_mesh::{DVec3, Mesh};
+use plateau_mesh::{DVec2, DVec3, Mesh};
 use std::rc::Rc;
 
 /// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the
-/// plane. Beyond it the mesh is made on the surface itself: what the plane makes of ℓ is no longer near ℓ in space.
+/// plane. Beyond it the mesh is made on the surface itself, because a length of ℓ in the plane is then far from ℓ in
+/// space.
 const LARGEST_STRAIN: f64 = 0.25;
 
 /// A NURBS patch, meshed and measured. `place` is where it stands in the input.
@@ -46,8 +47,8 @@ pub(super) fn on_patch(
         .map(|auxiliary| execution.part([0.0, 0.5], |part| flattened(auxiliary, area, options, part)));
     choose(flat, Vec::new(), options, execution, |part| {
         let reference = Reference::of_patch(&centred.patch, place)?;
-        let at = |p: DVec3| centred.centre + p * options.edge_length;
-        on_reference(&reference, &[], &[], at, options, part)
+        let to_caller = |p: DVec3| centred.centre + p * options.edge_length;
+        on_reference(&reference, &[], &[], to_caller, options, part)
     })
 }
 
@@ -87,7 +88,7 @@ fn choose(
     let (result, interrupted) = match (execution.part([0.7, 0.99], on_surface), flat) {
         (Ok(made), _) => made,
         (Err(Error::Interrupted(Interruption::Cancelled)), _) => return Err(Interruption::Cancelled.into()),
-        // Nothing better was found, or not in time: the flattened mesh goes for what it is.
+        // No other mesh was made in time, so the flattened mesh is returned with its faults.
         (Err(error), Some(flat)) => (flat, matches!(error, Error::Interrupted(_))),
         (Err(error), None) => return Err(error),
     };
@@ -149,17 +150,7 @@ fn flattened(
 ) -> Result<(UniformMesh, bool), Error> {
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
     let auxiliary_edges = edges(&auxiliary.topology);
-    let mut plane = auxiliary.start()?;
-    execution.look(auxiliary_edges.len() as u64)?;
-    let outcome = flatten::flatten(&auxiliary.mesh, &auxiliary_edges, &mut plane, (0.0, 0.3), execution);
-    if let Some(interruption) = outcome.interrupted {
-        return Err(Error::Interrupted(interruption));
-    }
-    let strain = (2.0 * outcome.energy / auxiliary_edges.len() as f64).sqrt();
-    if strain.is_nan() || strain > LARGEST_STRAIN {
-        let detail = "the surface cannot be laid into the plane with a bounded distortion";
-        return Err(Error::no_result(Reason::NotFlattenable, detail));
-    }
+    let plane = laid_flat(auxiliary, &auxiliary_edges, execution)?;
     let locator = Rc::new(Locator::new(&plane, &auxiliary.mesh.triangles));
     let surface = auxiliary.surface(&plane, &locator);
     let mut boundaries: Vec<Boundary> = Vec::new();
@@ -218,32 +209,50 @@ fn flattened(
     }
     let OnSurface { triangles, members, lattice_group, .. } = nodes;
     let why = |member: usize| {
-        // Only what the boundary's own nodes do is the plane's doing: inserted nodes are clear of all others there.
-        let ends = members[member].map(|v| boundary.outline.nodes.get(v as usize));
-        let narrow = match ends {
-            [Some(a), Some(b)] => Some(a.distance(*b)).filter(|&length| !is_in_range(length)),
-            _ => None,
-        };
-        match narrow {
-            Some(length) if length < 1.0 => {
-                match boundary.sides.why(members[member], length, &boundary.outline.nodes) {
-                    // A corner does not shorten the edges along its sides.
-                    Why::SharpCorner | Why::Narrow if boundary.sides.are_on_one(members[member]) => Why::Curvature,
-                    why => why,
-                }
-            }
+        short_in_plane(&boundary, members[member]).unwrap_or(match member {
             _ if flat.interrupted => Why::Unfinished,
             _ if is_in_range(before[member]) && !lattice_group[member] => Why::Optimised,
             _ => Why::Curvature,
-        }
+        })
     };
-    let mesh = Mesh::new(vertices, triangles);
-    let mut result = assemble(mesh, members.clone(), lattice_group.clone(), options, why);
+    let mut result = assemble(Mesh::new(vertices, triangles), members.clone(), lattice_group.clone(), options, why);
     result.stages = table.stages;
     result.shared_lengths = shared;
     result.input_vertices = boundary.input_vertices;
     result.statistics.surface = Some(surface_fit);
     Ok((result, interrupted))
+}
+
+/// Flattens the auxiliary triangulation.
+///
+/// # Errors
+/// [`Error::NoResult`] (`not_flattenable`) if the distortion is too large; the interruptions of `execution`.
+fn laid_flat(auxiliary: &Auxiliary, edges: &[[u32; 2]], execution: &Execution<'_>) -> Result<Vec<DVec2>, Error> {
+    let mut plane = auxiliary.start()?;
+    execution.look(edges.len() as u64)?;
+    let outcome = flatten::flatten(&auxiliary.mesh, edges, &mut plane, (0.0, 0.3), execution);
+    if let Some(interruption) = outcome.interrupted {
+        return Err(Error::Interrupted(interruption));
+    }
+    let strain = (2.0 * outcome.energy / edges.len() as f64).sqrt();
+    if strain.is_nan() || strain > LARGEST_STRAIN {
+        let detail = "the surface cannot be laid into the plane with a bounded distortion";
+        return Err(Error::no_result(Reason::NotFlattenable, detail));
+    }
+    Ok(plane)
+}
+
+/// The reason why a member between two boundary nodes is short in the plane, if it is. Only these members can be short
+/// there, because inserted nodes keep their distance from all others.
+fn short_in_plane(boundary: &Boundary, member: [u32; 2]) -> Option<Why> {
+    let [a, b] = member.map(|v| boundary.outline.nodes.get(v as usize));
+    let length = a?.distance(*b?);
+    let why = || match boundary.sides.why(member, length, &boundary.outline.nodes) {
+        // A corner does not shorten the edges along its sides.
+        Why::SharpCorner | Why::Narrow if boundary.sides.are_on_one(member) => Why::Curvature,
+        why => why,
+    };
+    (length < 1.0 && !is_in_range(length)).then(why)
 }
 
 /// [`share_lengths`] with its row of the table; the second value says whether the deadline passed.

@@ -121,7 +121,7 @@ pub struct Options {
     pub edge_length: f64,
     /// The quantity that is minimised or maximised.
     pub objective: Objective,
-    /// Lengths that differ by no more count as equal, in the caller's unit. `None`: ℓ/1000.
+    /// Lengths that differ by no more count as equal, in the caller's unit. `None` stands for ℓ/1000.
     pub length_tolerance: Option<f64>,
     /// For curved domains; in the plane lattice members have length ℓ as they are.
     pub optimise: Optimise,

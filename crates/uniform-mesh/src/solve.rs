@@ -72,14 +72,14 @@ fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
 fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<f64, Error> {
     patch.check(&Place::field("domain").then(field))?;
     let n = 24;
-    let at = |i: usize, j: usize| patch.evaluate(DVec2::new(i as f64, j as f64) / n as f64)[0];
+    let point = |i: usize, j: usize| patch.evaluate(DVec2::new(i as f64, j as f64) / n as f64)[0];
     let (mut area, mut perimeter) = (0.0, 0.0);
     for i in 0..n {
         for j in 0..n {
-            area += 0.5 * (at(i + 1, j + 1) - at(i, j)).cross(at(i, j + 1) - at(i + 1, j)).length();
+            area += 0.5 * (point(i + 1, j + 1) - point(i, j)).cross(point(i, j + 1) - point(i + 1, j)).length();
         }
         for (a, b) in [((i, 0), (i + 1, 0)), ((i, n), (i + 1, n)), ((0, i), (0, i + 1)), ((n, i), (n, i + 1))] {
-            perimeter += at(a.0, a.1).distance(at(b.0, b.1));
+            perimeter += point(a.0, a.1).distance(point(b.0, b.1));
         }
     }
     Ok(packed_nodes(1.1 * area, 1.1 * perimeter, options.edge_length))

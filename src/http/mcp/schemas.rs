@@ -1,5 +1,5 @@
-//! The list of tools with their arguments and results. The tools' schemas are made from these types and from the types of
-//! [`wire`](crate::wire).
+//! The list of tools with their arguments and results. The tools' schemas are made from these types and from the types
+//! of [`wire`](crate::wire).
 
 use crate::wire::envelope::JobFields;
 use crate::wire::job::JobSummary;
@@ -74,8 +74,8 @@ impl From<Kind> for KindSummary {
 pub struct SolveArguments {
     #[schemars(schema_with = "request_outline")]
     pub request: Value,
-    /// Longest time to wait for the end of the job, in seconds. A longer wait than `limits.wait_max_s` of `describe` is cut
-    /// to it.
+    /// Longest time to wait for the end of the job, in seconds. A longer wait than `limits.wait_max_s` of `describe` is
+    /// cut to it.
     #[serde(default = "default_wait_s")]
     pub wait_s: u64,
 }
@@ -97,8 +97,8 @@ pub struct StartArguments {
 pub struct GetArguments {
     /// Identifier of the job.
     pub id: String,
-    /// Longest time to wait for the end of the job, in seconds. A longer wait than `limits.wait_max_s` of `describe` is cut
-    /// to it.
+    /// Longest time to wait for the end of the job, in seconds. A longer wait than `limits.wait_max_s` of `describe` is
+    /// cut to it.
     #[serde(default)]
     pub wait_s: u64,
 }
@@ -144,7 +144,8 @@ fn example_outline(_: &mut SchemaGenerator) -> Schema {
 }
 
 fn format_name(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "string", "enum": MeshFormat::ALL.map(MeshFormat::name), "description": "Format of the mesh." })
+    json_schema!({ "type": "string", "enum": MeshFormat::ALL.map(MeshFormat::name),
+        "description": "Format of the mesh." })
 }
 
 /// Returns the schema of a kind's request.
@@ -163,8 +164,8 @@ pub fn request(kind: Kind) -> Value {
     Value::Object(request)
 }
 
-/// Returns the schema of a job with its statistics. The schema of the statistics is left to `describe`, because it is six
-/// times as long as the rest, and clients may give the list of tools to their models.
+/// Returns the schema of a job with its statistics. The schema of the statistics is left to `describe`, because it is
+/// six times as long as the rest, and clients may give the list of tools to their models.
 fn job() -> JsonObject {
     let mut job = schema::standalone::<JobSummary>();
     job.insert("title".into(), "Job".into());
@@ -191,8 +192,8 @@ pub fn tools() -> &'static [Tool] {
             tool(
                 DESCRIBE,
                 "Describe the kinds of requests",
-                "Lists the kinds of requests, their objectives with formulas, the examples and this server's limits. With a \
-                 kind it also returns the JSON Schema of the kind's request and a short example.",
+                "Lists the kinds of requests, their objectives with formulas, the examples and this server's limits. \
+                 With a kind it also returns the JSON Schema of the kind's request and a short example.",
                 schema::standalone::<DescribeArguments>(),
                 schema::standalone::<Description>(),
             )
@@ -200,9 +201,9 @@ pub fn tools() -> &'static [Tool] {
             tool(
                 SOLVE,
                 "Solve a request",
-                "Submits a request and waits for the end of its job. Returns the job with its statistics and warnings, and a \
-                 picture of the mesh if the job has succeeded. If the job is still running after the wait, call get with \
-                 its id.",
+                "Submits a request and waits for the end of its job. Returns the job with its statistics and warnings, \
+                 and a picture of the mesh if the job has succeeded. If the job is still running after the wait, call \
+                 get with its id.",
                 schema::standalone::<SolveArguments>(),
                 job(),
             )
@@ -210,8 +211,8 @@ pub fn tools() -> &'static [Tool] {
             tool(
                 START,
                 "Start a job",
-                "Submits a request and returns its job at once. Use it for requests that take minutes, and call get with the \
-                 job's id later.",
+                "Submits a request and returns its job at once. Use it for requests that take minutes, and call get \
+                 with the job's id later.",
                 schema::standalone::<StartArguments>(),
                 schema::standalone::<JobSummary>(),
             )
@@ -228,8 +229,8 @@ pub fn tools() -> &'static [Tool] {
             tool(
                 LINK,
                 "Link to a mesh",
-                "Returns the address of a succeeded job's mesh in a format. GLB and glTF are in metres with Y up; OBJ, PLY \
-                 and STL keep the request's unit and axes.",
+                "Returns the address of a succeeded job's mesh in a format. GLB and glTF are in metres with Y up; OBJ, \
+                 PLY and STL keep the request's unit and axes.",
                 schema::standalone::<LinkArguments>(),
                 schema::standalone::<Link>(),
             )

@@ -57,7 +57,8 @@ pub async fn post(State(app): State<App>, caller: Caller, request: Request<Body>
 pub fn post_entry() -> Value {
     let example = json!({ "requests": [
         { "kind": "ruled_surface", "directrices": [[[0, 0, 0], [1, 0, 0.2], [2, 0, 0]], [[0, 1, 0], [2, 1, 0.5]]] },
-        { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]], "resolution": { "triangles": 200 } },
+        { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]],
+            "resolution": { "triangles": 200 } },
     ] });
     let examples = json!({ "mixed": { "summary": "A strip and a film", "value": example } });
     let mut post = submission_entry(BATCH, "Batch", "batch", examples);
@@ -186,7 +187,8 @@ pub async fn meshes(
 }
 
 pub fn meshes_entry() -> Value {
-    let description = "A ZIP with every mesh and `batch.json`, which describes the job of each request; or all meshes in one GLB scene";
+    let description = "A ZIP with every mesh and `batch.json`, which describes the job of each request; or all meshes \
+        in one GLB scene";
     let (format, responses) = representation(&FORMATS, "zip", description, &[]);
     let mesh_format = query_parameter(
         "mesh_format",

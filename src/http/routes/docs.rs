@@ -8,8 +8,8 @@ use axum::response::{Redirect, Response};
 
 /// Content-Security-Policy of the page, which loads only its own files and connects only to this server. Swagger UI's
 /// style sheet has its icons in `data:` URLs.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; \
-    base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; \
+    connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 macro_rules! assets {
     ($($name:literal: $media_type:literal),* $(,)?) => {

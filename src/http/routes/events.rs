@@ -60,20 +60,23 @@ pub fn events_entry() -> Value {
             "properties": {
                 "id": { "type": "string", "description": "`attempt.sequence`" },
                 "event": { "type": "string", "enum": ["status", "progress"] },
-                "data": { "type": "string", "description": "JSON text. For a `status` event it is the job as it was right after that change. \
-                    For a `progress` event it is an object with the job's `id`, `status` and `progress`." },
+                "data": { "type": "string",
+                    "description": "JSON text. For a `status` event it is the job as it was right after that change. \
+                     For a `progress` event it is an object with the job's `id`, `status` and `progress`." },
                 "retry": { "type": "integer", "minimum": 0 },
             },
         } } },
     });
     let last = json!({ "name": "Last-Event-ID", "in": "header", "required": false,
-        "description": "Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204.",
+        "description": "Identifier of the last event that the client saw, `attempt.sequence`. After the final event \
+         the answer is 204.",
         "schema": { "type": "string" } });
     let responses =
         json!({ "200": stream, "204": { "description": "The client has seen the final event, so no event follows" } });
     json!({
         "operationId": "getEvents", "tags": ["jobs"], "summary": "Progress as server-sent events",
         "parameters": [id_parameter("job"), last],
-        "responses": with_problems(responses, &[("400", "BadRequest"), ("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")]),
+        "responses": with_problems(responses,
+            &[("400", "BadRequest"), ("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")]),
     })
 }

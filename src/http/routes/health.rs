@@ -31,8 +31,8 @@ fn entry(operation: &str, summary: &str, problems: &[(&str, &str)], more: Value)
         "responses": with_problems(json!({ "200": ok }), problems) })
 }
 
-/// Answers 503 while the server is shutting down and while the store does not answer. Otherwise it says how many solvers
-/// were given up.
+/// Answers 503 while the server is shutting down and while the store does not answer. Otherwise it says how many
+/// solvers were given up.
 pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     if app.jobs.is_shutting_down() {
         return Err(Failure::unavailable("the server is shutting down"));
@@ -42,9 +42,9 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
 }
 
 pub fn ready_entry() -> Value {
-    let solvers = json!({ "unresponsive_solvers": { "type": "integer", "minimum": 0, "description": "Number of solvers that did \
-        not end in time after a cancel or their deadline, and were given up. The process ends by itself if there are \
-        `jobs.unresponsive_max`." } });
+    let solvers = json!({ "unresponsive_solvers": { "type": "integer", "minimum": 0,
+        "description": "Number of solvers that did not end in time after a cancel or their deadline, and were given \
+         up. The process ends by itself if there are `jobs.unresponsive_max`." } });
     entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")], solvers)
 }
 

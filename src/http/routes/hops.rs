@@ -92,7 +92,7 @@ pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body
     }))
 }
 
-/// A message that was read.
+/// A message of Hops, and what is needed to answer it.
 struct Run<'a> {
     app: &'a App,
     caller: &'a Caller,

@@ -59,11 +59,15 @@ pub fn list_entry() -> Value {
             query_parameter("status", "Only jobs in this state.", statuses),
             query_parameter("kind", "Only jobs of this kind.", kinds),
             query_parameter("idempotency_key", "Only jobs that were submitted with this `Idempotency-Key`.", key),
-            query_parameter("limit", "Maximum number of jobs on the page. The default is 50.", json!({ "type": "integer", "minimum": 1, "maximum": 200 })),
-            query_parameter("cursor", "`next_cursor` of the previous page.", json!({ "type": "string", "pattern": ULID })),
-            query_parameter("statistics", "Whether each job that has succeeded has its statistics. The default is false.", json!({ "type": "boolean" })),
+            query_parameter("limit", "Maximum number of jobs on the page. The default is 50.",
+                json!({ "type": "integer", "minimum": 1, "maximum": 200 })),
+            query_parameter("cursor", "`next_cursor` of the previous page.",
+                json!({ "type": "string", "pattern": ULID })),
+            query_parameter("statistics", "Whether each job that has succeeded has its statistics. The default is \
+                false.", json!({ "type": "boolean" })),
         ],
-        "responses": with_problems(json!({ "200": json_response("One page of jobs", "JobList") }), &[("400", "BadRequest"), ("503", "Unavailable")]),
+        "responses": with_problems(json!({ "200": json_response("One page of jobs", "JobList") }),
+            &[("400", "BadRequest"), ("503", "Unavailable")]),
     })
 }
 

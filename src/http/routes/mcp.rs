@@ -35,8 +35,8 @@ pub async fn post(State(app): State<App>, caller: Caller, request: Request<Body>
     *forwarded.method_mut() = Method::POST;
     *forwarded.uri_mut() = uri;
     *forwarded.headers_mut() = headers;
-    // The host and the page's origin were checked before this handler, by the rules of `http::access`. The library's own
-    // list of hosts knows neither `http.hosts` nor servers on public addresses.
+    // The host and the page's origin were checked before this handler, by the rules of `http::access`. The library's
+    // own list of hosts knows neither `http.hosts` nor servers on public addresses.
     let config = StreamableHttpServerConfig::default()
         .disable_allowed_hosts()
         .disable_allowed_origins()

@@ -123,14 +123,15 @@ pub fn mesh_entry() -> Value {
     responses["200"]["content"][MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
     let origin = query_parameter(
         "origin",
-        "Point that the coordinates are relative to: the request's zero (`given`) or `origin` of the job's statistics (`local`). \
-            The default is `given`, except for STL files of meshes that are too far from zero for 32-bit numbers.",
+        "Point that the coordinates are relative to: the request's zero (`given`) or `origin` of the job's statistics \
+         (`local`). The default is `given`, except for STL files of meshes that are too far from zero for 32-bit \
+         numbers.",
         json!({ "type": "string", "enum": ORIGINS.map(|(name, _)| name) }),
     );
     let lines = query_parameter(
         "lines",
-        "Whether the file has the lines along the mesh (boundaries, directrices, bridges, members). The default is true. \
-            PLY and STL never have lines.",
+        "Whether the file has the lines along the mesh (boundaries, directrices, bridges, members). The default is \
+         true. PLY and STL never have lines.",
         json!({ "type": "boolean" }),
     );
     let encoding = query_parameter(
@@ -140,16 +141,16 @@ pub fn mesh_entry() -> Value {
     );
     let colors = query_parameter(
         "colors",
-        "Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. Minimal \
-            surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, the members of \
-            uniform meshes have `length`, and cables have `force`.",
+        "Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. \
+         Minimal surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, \
+         the members of uniform meshes have `length`, and cables have `force`.",
         json!({ "type": "string", "enum": Quantity::ALL.map(Quantity::name) }),
     );
     let range = query_parameter(
         "range",
-        "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of the mean \
-            curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the largest length or force. \
-            GLB and glTF state the scale in `extras.color_range`.",
+        "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of \
+         the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the \
+         largest length or force. GLB and glTF state the scale in `extras.color_range`.",
         json!({ "type": "number", "exclusiveMinimum": 0 }),
     );
     json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",
@@ -188,7 +189,8 @@ pub async fn pattern(
 pub fn pattern_entry() -> Value {
     let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
     let (format, responses) = representation(&formats, "svg", "The flat pattern, true to scale", &FILE_PROBLEMS);
-    json!({ "operationId": "getPattern", "tags": ["jobs"], "summary": "The flat pattern of an open ruled surface as SVG or DXF",
+    json!({ "operationId": "getPattern", "tags": ["jobs"],
+        "summary": "The flat pattern of an open ruled surface as SVG or DXF",
         "parameters": [id_parameter("job"), format], "responses": responses })
 }
 

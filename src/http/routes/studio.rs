@@ -1,9 +1,10 @@
 //! `GET /` and `GET /studio/{file}`: the studio, embedded in the program.
 //!
 //! The files come from `web/dist`, which `npm run build` in `web/` makes from the sources beside it. They are
-//! committed, so that cargo alone builds the service, and a test builds them again and compares the bytes. Nothing is
-//! loaded from another host. The files name each other and the API relative to the page, so a proxy may put the service
-//! below a path.
+//! committed, so that cargo alone builds the service, and a test builds them again and compares the bytes. The
+//! WebAssembly modules come from `crates/page/js`, where `scripts/build-page` writes them. Nothing is loaded from
+//! another host. The files name each other and the API relative to the page, so a proxy may put the service below a
+//! path.
 
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use crate::http::problem::Failure;
@@ -12,30 +13,45 @@ use axum::http::{HeaderMap, HeaderName, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
 const HTML: &str = "text/html; charset=utf-8";
+const SCRIPT: &str = "text/javascript; charset=utf-8";
 
-/// Start of the Content-Security-Policy. It allows only this service's own files and data, and images that the page
-/// holds in memory for downloads.
-const POLICY: &str = "default-src 'self'; img-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
+/// Start of the Content-Security-Policy. It allows only this service's own files and data, images that the page holds
+/// in memory for downloads, and the compilation of WebAssembly, which comes from the service's own files like all
+/// scripts.
+const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' blob:; \
+    object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
 
 /// Page that other sites may show in a frame. This is safe because the page only displays and changes nothing.
 const EMBEDDED: &str = "embed.html";
 
 macro_rules! assets {
-    ($($name:literal: $media_type:expr),* $(,)?) => {
-        &[$(($name, $media_type, include_bytes!(concat!("../../../web/dist/", $name)))),*]
+    ($folder:literal, $($name:literal: $media_type:expr),* $(,)?) => {
+        &[$(($name, $media_type, include_bytes!(concat!("../../../", $folder, "/", $name)))),*]
     };
 }
 
-/// Embedded files, as `(file of web/dist/, media type, bytes)`.
+/// Embedded files of `web/dist`, as `(name, media type, bytes)`.
 const ASSETS: &[(&str, &str, &[u8])] = assets! {
+    "web/dist",
     "index.html": HTML,
     "embed.html": HTML,
-    "studio.js": "text/javascript; charset=utf-8",
+    "studio.js": SCRIPT,
+    "chunk.js": SCRIPT,
+    "later.js": SCRIPT,
+    "worker.js": SCRIPT,
     "studio.css": "text/css; charset=utf-8",
     "icon.svg": "image/svg+xml",
     "inter.woff2": "font/woff2",
     "licences.txt": "text/plain; charset=utf-8",
     "thumbnails.webp": "image/webp",
+};
+
+/// The solvers that run in the page, embedded like the files above: those of films, strips and lattices, and those of
+/// tensile structures and cable nets.
+const MODULES: &[(&str, &str, &[u8])] = assets! {
+    "crates/page/js",
+    "shapes.wasm": "application/wasm",
+    "structures.wasm": "application/wasm",
 };
 
 pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
@@ -47,7 +63,7 @@ pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Respon
 }
 
 fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
-    let found = ASSETS.iter().find(|(file, ..)| *file == name);
+    let found = ASSETS.iter().chain(MODULES).find(|(file, ..)| *file == name);
     let &(_, media_type, bytes) = found.ok_or_else(|| Failure::not_found("the studio has no such file"))?;
     let tag = entity_tag(bytes);
     let unchanged = none_match_hits(headers, &tag);
@@ -60,6 +76,10 @@ fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
         (header::CONTENT_SECURITY_POLICY, policy),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff".to_owned()),
         (HeaderName::from_static("referrer-policy"), "no-referrer".to_owned()),
+        // These two isolate the page, so that it may share memory with the worker of its solvers. A cancel then ends a
+        // solver without ending the worker.
+        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin".to_owned()),
+        (HeaderName::from_static("cross-origin-embedder-policy"), "require-corp".to_owned()),
     ];
     Ok(if unchanged { (StatusCode::NOT_MODIFIED, fields).into_response() } else { (fields, bytes).into_response() })
 }
@@ -77,6 +97,16 @@ mod tests {
         let mut embedded: Vec<&str> = ASSETS.iter().map(|(name, ..)| *name).collect();
         embedded.sort_unstable();
         assert_eq!(files, embedded);
+    }
+
+    #[test]
+    fn every_module_of_the_package_is_embedded() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/crates/page/js");
+        let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut modules: Vec<String> = names.filter(|name| name.ends_with(".wasm")).collect();
+        modules.sort();
+        let embedded: Vec<&str> = MODULES.iter().map(|(name, ..)| *name).collect();
+        assert_eq!(modules, embedded);
     }
 
     /// Checks that the pages work offline. Names of XML namespaces and addresses in prose are not loaded.

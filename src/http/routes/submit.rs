@@ -123,8 +123,8 @@ fn entry(kind: Kind) -> Value {
     post["operationId"] = format!("post{}", kind.pascal_name()).into();
     post["summary"] = kind.summary().into();
     post["description"] = "With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as \
-        `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to \
-        its job. A job without a mesh is then answered with 409."
+        `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead \
+        to its job. A job without a mesh is then answered with 409."
         .into();
     post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
     if kind.has_source() {
@@ -141,13 +141,15 @@ pub fn submission_entry(body: &str, answer: &str, resource: &str, examples: Valu
     let location = json!({ "description": format!("Address of the {resource}."), "schema": { "type": "string" } });
     let wait = json!({ "description": "The wait that was granted.", "schema": { "type": "string" } });
     let finished = json!({
-        "description": format!("The {resource} ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body."),
+        "description": format!("The {resource} ended within the time of `Prefer: wait` (read its `status`), or this \
+         idempotency key was used before with this body."),
         "headers": { "Preference-Applied": wait, "Location": location },
         "content": { "application/json": { "schema": reference(answer) } },
     });
     let accepted = json!({
         "description": format!("The {resource} is stored on disk and will be solved."),
-        "headers": { "Location": location, "Retry-After": { "$ref": "#/components/headers/RetryAfter" }, "Preference-Applied": wait },
+        "headers": { "Location": location, "Retry-After": { "$ref": "#/components/headers/RetryAfter" },
+            "Preference-Applied": wait },
         "content": { "application/json": { "schema": reference(answer) } },
     });
     json!({
@@ -155,10 +157,12 @@ pub fn submission_entry(body: &str, answer: &str, resource: &str, examples: Valu
         "parameters": [
             prefer_parameter(),
             { "name": "Idempotency-Key", "in": "header", "required": false,
-              "description": format!("Printable ASCII text. The same key with the same body returns the same {resource}; with another body the answer is 422."),
+              "description": format!("Printable ASCII text. The same key with the same body returns the same \
+               {resource}; with another body the answer is 422."),
               "schema": { "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" } },
         ],
-        "requestBody": { "required": true, "content": { "application/json": { "schema": reference(body), "examples": examples } } },
+        "requestBody": { "required": true,
+            "content": { "application/json": { "schema": reference(body), "examples": examples } } },
         "responses": with_problems(json!({ "200": finished, "202": accepted }), &[
             ("400", "BadRequest"), ("408", "RequestTimeout"), ("413", "TooLarge"), ("415", "UnsupportedMediaType"),
             ("422", "Invalid"), ("429", "QueueFull"), ("503", "Unavailable"),

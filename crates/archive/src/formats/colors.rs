@@ -68,9 +68,9 @@ pub(super) const STOPS: [[f64; 3]; 5] =
 /// Scale from the values of a quantity to colours.
 pub(super) struct Scale {
     pub quantity: Quantity,
-    /// Value that is blue, as smaller ones are.
+    /// Largest value that is shown in blue.
     pub min: f64,
-    /// Value that is red, as larger ones are.
+    /// Least value that is shown in red.
     pub max: f64,
     /// Unit of the values. Empty for plain numbers.
     pub unit: String,

@@ -67,9 +67,9 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
     let mut scene = Scene::default();
     let mut roots = Vec::with_capacity(parts.len());
     for (name, archive) in parts {
-        let frame = Frame::new(archive.contents(), Origin::Given)?;
-        let children = scene.add(archive.contents(), &frame, &archive.contents().line_sets, None);
-        let extras = raw(&asset_extras(archive.contents(), &frame, None));
+        let coordinates = GltfCoordinates::new(archive.contents(), Origin::Given)?;
+        let children = scene.add(archive.contents(), &coordinates, &archive.contents().line_sets, None);
+        let extras = raw(&asset_extras(archive.contents(), &coordinates, None));
         let node = Node { name: Some(name.clone()), children: Some(children), extras, ..Node::default() };
         roots.push(scene.node(node, None));
     }
@@ -96,7 +96,7 @@ fn to_text(document: &Value) -> Vec<u8> {
 }
 
 /// Conversion of client coordinates to f32 metres around the origin.
-struct Frame {
+struct GltfCoordinates {
     origin: DVec3,
     metres: f64,
     up: UpAxis,
@@ -104,7 +104,7 @@ struct Frame {
     placed: bool,
 }
 
-impl Frame {
+impl GltfCoordinates {
     fn new(contents: &Contents, origin: Origin) -> Result<Self, Error> {
         let metres = contents.unit.metres();
         let extent = contents.extent() * metres;
@@ -115,11 +115,11 @@ impl Frame {
         if extent > 0.0 && extent < MIN_EXTENT_METRES {
             return fault("it is smaller than 1e-30 m");
         }
-        let frame = Self { origin: contents.origin(), metres, up: contents.up, placed: origin != Origin::Local };
-        if !frame.translation().is_finite() {
+        let coordinates = Self { origin: contents.origin(), metres, up: contents.up, placed: origin != Origin::Local };
+        if !coordinates.translation().is_finite() {
             return fault("it is too far from the origin");
         }
-        Ok(frame)
+        Ok(coordinates)
     }
 
     /// Rotates a vector from the client's axes to glTF's, with y up.
@@ -141,12 +141,12 @@ impl Frame {
 
 fn scene(archive: &Archive, choices: Choices) -> Result<Scene, Error> {
     let contents = archive.contents();
-    let frame = Frame::new(contents, choices.origin)?;
+    let coordinates = GltfCoordinates::new(contents, choices.origin)?;
     let line_sets = choices.line_sets(contents);
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, line_sets)).transpose()?;
     let mut scene = Scene::default();
-    let nodes = scene.add(contents, &frame, line_sets, scale.as_ref());
-    let mut extras = asset_extras(contents, &frame, scale.as_ref());
+    let nodes = scene.add(contents, &coordinates, line_sets, scale.as_ref());
+    let mut extras = asset_extras(contents, &coordinates, scale.as_ref());
     let of_the_asset = raw(&extras);
     // The scene has everything but the list of the input's vertices, which may be as long as the mesh.
     if let Some(figures) = extras.as_object_mut() {
@@ -170,13 +170,13 @@ impl Scene {
     fn add(
         &mut self,
         contents: &Contents,
-        frame: &Frame,
+        coordinates: &GltfCoordinates,
         line_sets: &[LineSet],
         scale: Option<&Scale>,
     ) -> Vec<Index<Node>> {
         let split = sheets::split_by_sheet(&contents.mesh);
         let mesh = split.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
-        let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
+        let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| coordinates.position(vertex)).collect();
         let shared = Shared { accessor: self.positions(&positions), positions: &positions };
 
         // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh.
@@ -186,12 +186,12 @@ impl Scene {
         };
         let mut attributes = BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
         if !mesh.triangles.is_empty() {
-            attributes.insert(Valid(Semantic::Normals), self.vectors(&normals(mesh, frame)));
+            attributes.insert(Valid(Semantic::Normals), self.vectors(&normals(mesh, coordinates)));
         }
         for attribute in &contents.vertex_attributes {
             // The unit of length is the metre in glTF, so values per unit of length are per metre.
             let is_per_length = attribute.unit == format!("1/{}", contents.unit.symbol());
-            let unit = if is_per_length { frame.metres } else { 1.0 };
+            let unit = if is_per_length { coordinates.metres } else { 1.0 };
             let values = with_split_vertices(&attribute.values).into_iter().map(|value| clamped(value / unit));
             attributes.insert(custom(&attribute.name), self.scalars(values));
         }
@@ -211,20 +211,20 @@ impl Scene {
         };
 
         // Plain values only: Assimp 5.2 ends when it copies a node whose extras have a list or an object.
-        let [x, y, z] = frame.origin.to_array();
+        let [x, y, z] = coordinates.origin.to_array();
         let place = json!({
             "origin_x": x, "origin_y": y, "origin_z": z,
             "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         });
         let material = self.material(name, base_color, true);
         let surface = primitive(mode, attributes, indices, material);
-        let mut nodes = vec![self.placed_mesh(name, vec![surface], frame, raw(&place))];
+        let mut nodes = vec![self.placed_mesh(name, vec![surface], coordinates, raw(&place))];
         for set in line_sets {
             let scale = scale.and_then(|scale| Some((scale, scale.quantity.along(set)?)));
             let name = set.full_name();
             // The material follows those of the sets before it, and an empty set has none.
             let material = Index::new(self.root.materials.len() as u32);
-            let primitives = self.line_primitives(set, material, shared, frame, scale);
+            let primitives = self.line_primitives(set, material, shared, coordinates, scale);
             if primitives.is_empty() {
                 continue;
             }
@@ -235,18 +235,24 @@ impl Scene {
                 .map(|attribute| (custom(&attribute.name).to_string(), json!({ "unit": attribute.unit })))
                 .collect();
             let extras = if units.is_empty() { None } else { raw(&units.into()) };
-            nodes.push(self.placed_mesh(&name, primitives, frame, extras));
+            nodes.push(self.placed_mesh(&name, primitives, coordinates, extras));
         }
         nodes
     }
 
-    /// Adds a node at the frame's origin with a mesh of these primitives. Both have the same name.
-    fn placed_mesh(&mut self, name: &str, primitives: Vec<Primitive>, frame: &Frame, extras: Extras) -> Index<Node> {
+    /// Adds a node at the origin of the coordinates with a mesh of these primitives. Both have the same name.
+    fn placed_mesh(
+        &mut self,
+        name: &str,
+        primitives: Vec<Primitive>,
+        coordinates: &GltfCoordinates,
+        extras: Extras,
+    ) -> Index<Node> {
         let mesh =
             gltf::json::Mesh { name: Some(name.into()), primitives, weights: None, extensions: None, extras: None };
         let mesh = Some(Index::push(&mut self.root.meshes, mesh));
         let node = Node { name: Some(name.into()), mesh, extras, ..Node::default() };
-        self.node(node, Some(frame.translation()))
+        self.node(node, Some(coordinates.translation()))
     }
 
     fn node(&mut self, node: Node, translation: Option<DVec3>) -> Index<Node> {
@@ -273,7 +279,7 @@ impl Scene {
         set: &LineSet,
         material: Index<Material>,
         shared: Shared<'_>,
-        frame: &Frame,
+        coordinates: &GltfCoordinates,
         scale: Option<(&Scale, &Attribute)>,
     ) -> Vec<Primitive> {
         let at_shared = || BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
@@ -295,7 +301,7 @@ impl Scene {
             Lines::Arrows(ends) if ends.is_empty() => Vec::new(),
             Lines::Arrows(ends) => {
                 let ends: Vec<[f32; 3]> =
-                    ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
+                    ends.iter().flatten().map(|&end| coordinates.position(DVec3::from_array(end))).collect();
                 vec![self.own_lines(&ends, &set.attributes, material, scale)]
             }
         }
@@ -449,11 +455,11 @@ fn raw(extras: &Value) -> Option<Box<RawValue>> {
     serde_json::value::to_raw_value(extras).ok()
 }
 
-fn asset_extras(contents: &Contents, frame: &Frame, scale: Option<&Scale>) -> Value {
+fn asset_extras(contents: &Contents, coordinates: &GltfCoordinates, scale: Option<&Scale>) -> Value {
     let statistics: Value = serde_json::from_str(&contents.statistics).expect("an archive's statistics are JSON");
     let mut extras = json!({
         "title": contents.title,
-        "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
+        "origin": coordinates.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         "statistics": statistics, "input_vertices": contents.input_vertices,
     });
     if let Some(Scale { quantity, min, max, unit }) = scale {
@@ -487,9 +493,9 @@ fn line_color(set: &LineSet) -> [f32; 4] {
     }
 }
 
-/// Returns unit vertex normals in glTF's axes. Within the sizes that [`Frame`] accepts, no square overflows or becomes
-/// zero.
-fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
+/// Returns unit vertex normals in glTF's axes. Within the sizes that [`GltfCoordinates`] accepts, no square overflows
+/// or becomes zero.
+fn normals(mesh: &Mesh, coordinates: &GltfCoordinates) -> Vec<[f32; 3]> {
     let mut normals = measure::vertex_normals(mesh);
     if normals.contains(&DVec3::ZERO) {
         replace_missing(mesh, &mut normals);
@@ -497,7 +503,7 @@ fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
     normals
         .into_iter()
         .map(|normal| {
-            let turned = if normal == DVec3::ZERO { DVec3::Y } else { frame.turn(normal) };
+            let turned = if normal == DVec3::ZERO { DVec3::Y } else { coordinates.turn(normal) };
             turned.to_array().map(|x| x as f32)
         })
         .collect()

@@ -124,7 +124,8 @@ impl View {
         Self { right, up: towards.cross(right), towards }
     }
 
-    /// Returns the first direction of [`AZIMUTHS`] that no later one clearly surpasses by the area that it shows.
+    /// Returns the direction of [`AZIMUTHS`] in which the mesh shows the largest area. Of directions that show about as
+    /// much, the first is taken.
     fn of(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         let views = AZIMUTHS.map(Self::from_azimuth);
         let mut shown = [0.0; AZIMUTHS.len()];

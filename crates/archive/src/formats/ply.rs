@@ -8,7 +8,7 @@ use std::io::Write as _;
 use super::colors::Scale;
 use super::obj::one_line;
 use super::{Choices, Error, Origin};
-use crate::archive::{Archive, Attribute, LOWER_BOUND_SLACK, Lines, MEAN_CURVATURE};
+use crate::archive::{Archive, Attribute, Contents, LOWER_BOUND_SLACK, Lines, MEAN_CURVATURE};
 
 /// Writes the vertices and triangles in archive order.
 ///
@@ -23,40 +23,9 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, &[])).transpose()?;
     let colored = scale.as_ref().and_then(|scale| Some((scale, &scale.quantity.at_vertices(contents)?.values)));
     let shift = choices.shift(contents);
-    let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
-    let mut header = format!(
-        "ply\nformat {encoding} 1.0\ncomment {}\ncomment unit {}, {} up\n",
-        one_line(&contents.generator),
-        contents.unit.symbol(),
-        contents.up.symbol(),
-    );
-    if choices.origin == Origin::Local {
-        header.push_str(&format!("comment origin {:?} {:?} {:?}\n", shift.x, shift.y, shift.z));
-    }
-    header.push_str(&format!(
-        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
-        vertices.len()
-    ));
-    if curvature.is_some() {
-        header.push_str("property double mean_curvature\nproperty float quality\n");
-    }
-    if colored.is_some() {
-        header.push_str("property uchar red\nproperty uchar green\nproperty uchar blue\n");
-    }
-    if slack.is_some() {
-        header.push_str("property double lower_bound_slack\n");
-    }
     let edges = if triangles.is_empty() { edges(archive, choices) } else { Edges::default() };
-    header.push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\n", triangles.len()));
-    if triangles.is_empty() {
-        header.push_str(&format!("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges.pairs.len()));
-        if let Some(name) = edges.name {
-            header.push_str(&format!("property double {name}\n"));
-        }
-    }
-    header.push_str("end_header\n");
-
-    let mut out = header.into_bytes();
+    let present = Present { curvature: curvature.is_some(), colors: colored.is_some(), slack: slack.is_some() };
+    let mut out = header(contents, choices, present, &edges).into_bytes();
     let with = |bytes: usize, present: bool| if present { bytes } else { 0 };
     let a_vertex = 24 + with(12, curvature.is_some()) + with(3, colored.is_some()) + with(8, slack.is_some());
     out.reserve(a_vertex * vertices.len() + 13 * triangles.len());
@@ -107,6 +76,52 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         }
     }
     Ok(out)
+}
+
+/// The properties that the vertices of a file have besides their coordinates.
+#[derive(Clone, Copy)]
+struct Present {
+    curvature: bool,
+    colors: bool,
+    slack: bool,
+}
+
+/// Returns the lines before the data.
+fn header(contents: &Contents, choices: Choices, present: Present, edges: &Edges<'_>) -> String {
+    let triangles = &contents.mesh.triangles;
+    let shift = choices.shift(contents);
+    let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
+    let mut header = format!(
+        "ply\nformat {encoding} 1.0\ncomment {}\ncomment unit {}, {} up\n",
+        one_line(&contents.generator),
+        contents.unit.symbol(),
+        contents.up.symbol(),
+    );
+    if choices.origin == Origin::Local {
+        header.push_str(&format!("comment origin {:?} {:?} {:?}\n", shift.x, shift.y, shift.z));
+    }
+    header.push_str(&format!(
+        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+        contents.mesh.vertices.len()
+    ));
+    if present.curvature {
+        header.push_str("property double mean_curvature\nproperty float quality\n");
+    }
+    if present.colors {
+        header.push_str("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+    }
+    if present.slack {
+        header.push_str("property double lower_bound_slack\n");
+    }
+    header.push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\n", triangles.len()));
+    if triangles.is_empty() {
+        header.push_str(&format!("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges.pairs.len()));
+        if let Some(name) = edges.name {
+            header.push_str(&format!("property double {name}\n"));
+        }
+    }
+    header.push_str("end_header\n");
+    header
 }
 
 /// All segments of a mesh's line sets, and their values if every segment has one of the same name.

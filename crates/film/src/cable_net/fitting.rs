@@ -64,7 +64,7 @@ use super::fitted::{
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
-use super::step::{Change, Damping, Factor, Member, Step, gradients, members};
+use super::step::{Change, Damping, Factor, Member, Step, WORK_PER_EDGE, gradients, members};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
@@ -120,7 +120,7 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
         return Ok(best);
     }
     for _ in 0..ROUNDS {
-        match exec.look(20 * loss.net.edges.len() as u64) {
+        match exec.look(WORK_PER_EDGE * loss.net.edges.len() as u64) {
             Err(Interruption::DeadlinePassed) => break,
             other => other?,
         }
@@ -145,7 +145,7 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
 /// A step of a descent and its second-order correction.
 struct Direction {
     change: Change,
-    /// Half the acceleration, or zero where it is not trusted.
+    /// Half the acceleration, or zero where it is too large to be used.
     correction: Vec<f64>,
     /// |J v|² and 2 μ |v|², which give the predicted fall of the loss.
     linear: f64,
@@ -250,7 +250,7 @@ fn descend(
         loss.hold(&fit.densities, &fit.at, shape).map_err(refused)?;
         let members = members(loss, &fit.densities, &fit.at);
         loop {
-            match exec.look(200 * net.edges.len() as u64) {
+            match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
                 // The shape of the last step is a net in equilibrium.
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
                 other => other?,

@@ -149,12 +149,12 @@ impl<'a> Loss<'a> {
             by_positions[a as usize] -= pull;
         }
         let lambda = shape.solve(densities, &by_positions)?;
-        let of = |(e, sums): (usize, &Sums)| {
+        let derivative = |(e, sums): (usize, &Sums)| {
             let [a, b] = self.net.edges[e].ends;
             let edge = at[b as usize] - at[a as usize];
             sums.g_s - self.slope(e, densities[e]) * edge.dot(lambda[b as usize] - lambda[a as usize])
         };
-        Ok(sums.iter().enumerate().map(of).collect())
+        Ok(sums.iter().enumerate().map(derivative).collect())
     }
 }
 

@@ -1,5 +1,6 @@
 //! A cable net as the caller describes it, and the checks of it.
 
+use plateau_mesh::disjoint_sets::DisjointSets;
 use plateau_mesh::error::InputError;
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec3, Error, Place};
@@ -209,27 +210,13 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
 
 /// Names the vertices that no chain of cables joins to a support: they move freely.
 fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
-    let mut parent: Vec<usize> = (0..net.vertices.len()).collect();
-    fn root(parent: &mut [usize], mut v: usize) -> usize {
-        // Ends because only roots are given a parent, so that parents form no cycle.
-        while parent[v] != v {
-            parent[v] = parent[parent[v]];
-            v = parent[v];
-        }
-        v
-    }
-    for edge in &net.edges {
-        let [a, b] = edge.ends.map(|v| root(&mut parent, v as usize));
-        parent[a] = b;
-    }
-    let mut held = vec![false; parent.len()];
-    for &support in &net.supports {
-        let part = root(&mut parent, support as usize);
-        held[part] = true;
-    }
-    for v in 0..parent.len() {
-        let part = root(&mut parent, v);
+    let mut parts = DisjointSets::new(net.vertices.len());
+    net.edges.iter().for_each(|edge| parts.join(edge.ends[0], edge.ends[1]));
+    let mut held = vec![false; net.vertices.len()];
+    net.supports.iter().for_each(|&support| held[parts.leader(support) as usize] = true);
+    for v in 0..net.vertices.len() {
+        let is_held = held[parts.leader(v as u32) as usize];
         let detail = "moves freely: no cables join it to a support";
-        require(errors, held[part], Place::field("vertices").at(v), detail);
+        require(errors, is_held, Place::field("vertices").at(v), detail);
     }
 }

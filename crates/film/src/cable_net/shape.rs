@@ -85,10 +85,10 @@ impl Shape {
             }
         }
         self.symbolic.factorise(&matrix)?.solve(&mut right)?;
-        let of = |v: usize| {
+        let solution = |v: usize| {
             let mut rows = self.pattern.unknowns(v as u32);
             rows.next().map_or(DVec3::ZERO, |row| DVec3::new(right[row], right[order + row], right[2 * order + row]))
         };
-        Ok((0..vectors.len()).map(of).collect())
+        Ok((0..vectors.len()).map(solution).collect())
     }
 }

@@ -13,6 +13,10 @@ use plateau_mesh::sparse::{Factorisation, LinearError, Symbolic, SymmetricMatrix
 /// the linearised equilibrium by about as much; the loss is that of the exact one.
 const REGULARISATION: f64 = 1e-9;
 
+/// Work of a step for each edge: the system of a step has about nine numbers for each end of an edge, and its factor
+/// about ten times as many.
+pub(super) const WORK_PER_EDGE: u64 = 200;
+
 /// The quantities of one edge in the system.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
@@ -34,13 +38,13 @@ impl Member {
 
 /// Returns the quantities of all edges.
 pub(super) fn members(loss: &Loss, densities: &[f64], at: &[DVec3]) -> Vec<Member> {
-    let of = |(e, &density): (usize, &f64)| {
+    let member = |(e, &density): (usize, &f64)| {
         let ends = loss.net.edges[e].ends;
         let length = length(ends, at);
         let by_s = loss.slope(e, density) * length;
         Member { ends, density, unit: unit(ends, at), length, by_s, sums: loss.sums(e, density, at) }
     };
-    densities.iter().enumerate().map(of).collect()
+    densities.iter().enumerate().map(member).collect()
 }
 
 /// Damping of a step.
@@ -64,9 +68,9 @@ impl Damping {
 /// The changes that a step makes.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
-    /// Of each logarithm.
+    /// The change of each logarithm.
     pub logarithms: Vec<f64>,
-    /// Of each vertex.
+    /// The displacement of each vertex.
     pub vertices: Vec<DVec3>,
 }
 

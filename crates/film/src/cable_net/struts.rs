@@ -23,7 +23,7 @@ use super::fitted::{
 use super::loss::{Loss, length, start};
 use super::options::{Net, Options};
 use super::shape::Shape;
-use super::step::{Change, Damping, Member, Step, gradients, members};
+use super::step::{Change, Damping, Member, Step, WORK_PER_EDGE, gradients, members};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
@@ -39,7 +39,7 @@ const DEFAULT_STEPS: u32 = 1000;
 const CORRECTIONS: u32 = 30;
 const BALANCED: f64 = 1e-9;
 
-/// Densities and positions, and what they amount to.
+/// Densities and positions, with the loss and the unbalanced forces that follow from them.
 #[derive(Clone)]
 struct State {
     densities: Vec<f64>,
@@ -103,11 +103,11 @@ fn change(
 /// Mean square of the forces, and of the lengths.
 fn mean_squares(net: &Net, state: &State) -> (f64, f64) {
     let count = net.edges.len() as f64;
-    let of = |(edge, q): (&super::options::Edge, &f64)| {
+    let squares = |(edge, q): (&super::options::Edge, &f64)| {
         let length = length(edge.ends, &state.at);
         ((q * length).powi(2), length * length)
     };
-    let sums = net.edges.iter().zip(&state.densities).map(of).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+    let sums = net.edges.iter().zip(&state.densities).map(squares).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
     (sums.0 / count, sums.1 / count)
 }
 
@@ -158,7 +158,7 @@ fn descend(
         let merit = state.merit(softness);
         // The damping grows in every round that refuses a step, up to LARGEST_DAMPING.
         loop {
-            match exec.look(200 * net.edges.len() as u64) {
+            match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
                 other => other?,
             }
@@ -197,7 +197,7 @@ fn balance(state: &mut State, loss: &Loss, (shape, step): (&Shape, &mut Step), e
     let damping = Damping { densities: 1.0, positions: 1.0 / squared_length, softness: 0.0 };
     let still = vec![[0.0; 2]; net.edges.len()];
     for _ in 0..CORRECTIONS {
-        match exec.look(200 * net.edges.len() as u64) {
+        match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
             Err(Interruption::DeadlinePassed) => {}
             other => other?,
         }

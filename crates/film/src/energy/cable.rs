@@ -139,14 +139,14 @@ impl Cable {
         let start = at[first as usize];
         let span = at[last as usize] - start;
         let chord = span.normalize_or_zero();
-        let of = |&[_, vertex]: &[u32; 2]| {
+        let from_chord = |&[_, vertex]: &[u32; 2]| {
             let place = at[vertex as usize] - start;
             let share = place.dot(chord) / span.length().max(f64::MIN_POSITIVE);
             Lowest { vertex, distance: place.reject_from_normalized(chord), share }
         };
         let farther = |a: &Lowest, b: &Lowest| a.distance.length().total_cmp(&b.distance.length());
-        // Of vertices at the same distance the first.
-        self.segments.iter().map(of).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
+        // The first of the vertices at the same distance is taken.
+        self.segments.iter().map(from_chord).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
     }
 
     fn stretch(&self, at: &[DVec3]) -> impl Fn(usize, f64) -> Stretch {

@@ -272,7 +272,8 @@ impl Body {
                     let report = match analysed {
                         Ok(variation) => {
                             let found = variation.as_ref().map(|variation| Stability {
-                                morse_index: variation.morse_index,
+                                morse_index: variation.morse_index.decided(),
+                                least_index: variation.morse_index.least,
                                 lowest_eigenvalue: variation.lowest.eigenvalue,
                             });
                             let lowest_mode =
@@ -342,7 +343,10 @@ impl Body {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stability {
     /// Number of negative eigenvalues of the second variation on the constraints' tangent space; 0 for a local minimum.
-    pub morse_index: usize,
+    /// `None` if rounding does not decide the sign of an eigenvalue.
+    pub morse_index: Option<usize>,
+    /// Number of eigenvalues that are negative beyond rounding.
+    pub least_index: usize,
     /// Lowest eigenvalue against the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
 }
@@ -499,6 +503,8 @@ impl<'a> Motion<'a> {
 
 impl Equations for Motion<'_> {
     type Frame = Frame;
+
+    const LOWEST_MODE_HAS_ONE_SIGN: bool = false;
 
     fn state(&self, vertices: &[DVec3]) -> State<Frame> {
         let body = self.body;

@@ -24,7 +24,16 @@
 use super::dense::Lu;
 use crate::energy::{Condition, Term};
 use faer::{Mat, Side};
-use plateau_mesh::sparse::{Factorisation, LinearError};
+use plateau_mesh::random::SplitMix64;
+use plateau_mesh::sparse::{Factorisation, LinearError, dot};
+use plateau_mesh::{Execution, Interruption};
+
+/// Number of inverse iterations that estimate the least eigenvalue. From a random start in n dimensions the estimate is
+/// too large by a factor of about n^(1/8), which is below 5 for 250,000 unknowns.
+const INVERSE_ITERATIONS: usize = 4;
+/// An inertia is certain if the estimate of the least eigenvalue exceeds the bound on the rounding errors by this
+/// factor: 5 for the estimate, and 3 for an unlucky start.
+const CLEARANCE: f64 = 16.0;
 
 /// A quantity of the whole body that keeps its value.
 #[derive(Debug)]
@@ -106,7 +115,8 @@ pub(crate) struct Bordered<'a> {
     constraints: &'a [ConstraintState],
     /// Columns of Y, one after the other.
     y: Vec<f64>,
-    /// S of the constrained quantities and rank-one parts.
+    /// S of the constrained quantities and rank-one parts, and its factors.
+    schur_matrix: Mat<f64>,
     schur: Lu,
     /// S with the rows of the conditions, if there are any.
     conditioned: Option<Lu>,
@@ -136,8 +146,7 @@ impl<'a> Bordered<'a> {
                 }
                 schur[(i, i)] += constraints[i].compliance;
             }
-            let eigenvalues = schur.self_adjoint_eigenvalues(Side::Lower).map_err(|_| LinearError::NotFinite)?;
-            negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
+            negative = negative_eigenvalues(&schur)?;
             softening = constraints.iter().filter(|constraint| constraint.compliance < 0.0).count();
             if constraints.iter().any(|constraint| constraint.condition.is_some()) {
                 let mut rows = schur.clone();
@@ -149,13 +158,65 @@ impl<'a> Bordered<'a> {
                 conditioned = Some(Lu::new(n, |i, j| rows[(i, j)]));
             }
         }
-        let schur = Lu::new(n, |i, j| schur[(i, j)]);
-        Ok(Self { factorisation, constraints, y, schur, conditioned, negative, softening })
+        let (schur_matrix, schur) = (schur.clone(), Lu::new(n, |i, j| schur[(i, j)]));
+        Ok(Self { factorisation, constraints, y, schur_matrix, schur, conditioned, negative, softening })
     }
 
     /// The Morse index on the constraints' tangent space.
     pub fn index(&self) -> usize {
         (self.factorisation.inertia().negative + self.softening).saturating_sub(self.negative)
+    }
+
+    /// Whether rounding errors cannot have changed the [`index`](Self::index).
+    ///
+    /// The inertia of K is certain if no eigenvalue of K x = λ Δ x lies between -1 and 1, where Δ is the
+    /// [bound on the errors](Factorisation::rounding). Inverse iteration estimates the least one, for K and for K on
+    /// the tangent space. The errors of K change S by at most Yᵀ Δ Y, and its sums are rounded, too.
+    ///
+    /// # Errors
+    /// The interruption.
+    pub fn is_certain(&self, exec: &Execution) -> Result<bool, Interruption> {
+        let rounding = self.factorisation.rounding();
+        if !self.clears(&rounding, |x| self.factorisation.solve_unchecked(x), exec)? {
+            return Ok(false);
+        }
+        if self.constraints.is_empty() {
+            return Ok(true);
+        }
+        let order = self.factorisation.order();
+        let columns: Vec<&[f64]> = self.y.chunks_exact(order).collect();
+        let sums = order as f64 * f64::EPSILON;
+        let error = |i: usize, j: usize| {
+            let (rows, column) = (self.constraints[i].gradient.iter().zip(columns[i]), columns[j].iter());
+            let errors = rows.zip(column).zip(&rounding);
+            errors.map(|(((c, y), other), bound)| ((y * bound).abs() + sums * c.abs()) * other.abs()).sum::<f64>()
+        };
+        let n = self.constraints.len();
+        let shift: Vec<f64> = (0..n).map(|i| (0..n).map(|j| error(i, j)).sum()).collect();
+        let counted = |sign: f64| {
+            let shifted = |i: usize, j: usize| self.schur_matrix[(i, j)] + if i == j { sign * shift[i] } else { 0.0 };
+            negative_eigenvalues(&Mat::from_fn(n, n, shifted))
+        };
+        if counted(1.0) != Ok(self.negative) || counted(-1.0) != Ok(self.negative) {
+            return Ok(false);
+        }
+        self.clears(&rounding, |x| self.apply(x), exec)
+    }
+
+    /// Whether the least eigenvalue of K x = λ Δ x, whose inverse `solve` applies, is large enough.
+    fn clears(&self, rounding: &[f64], solve: impl Fn(&mut [f64]), exec: &Execution) -> Result<bool, Interruption> {
+        let size = |x: &[f64]| x.iter().zip(rounding).map(|(x, bound)| x * x * bound).sum::<f64>().sqrt();
+        let mut random = SplitMix64::new(1);
+        let mut x: Vec<f64> = rounding.iter().map(|_| random.between(-1.0, 1.0)).collect();
+        let mut growth = f64::INFINITY;
+        for _ in 0..INVERSE_ITERATIONS {
+            exec.look(self.factorisation.order() as u64)?;
+            let before = size(&x);
+            x.iter_mut().zip(rounding).for_each(|(x, bound)| *x *= bound / before);
+            solve(&mut x);
+            growth = size(&x);
+        }
+        Ok(CLEARANCE * growth <= 1.0)
     }
 
     /// Newton's step for the Lagrangian's gradient.
@@ -207,14 +268,16 @@ impl<'a> Bordered<'a> {
     }
 }
 
+/// Number of negative eigenvalues of a small symmetric matrix.
+fn negative_eigenvalues(matrix: &Mat<f64>) -> Result<usize, LinearError> {
+    let eigenvalues = matrix.self_adjoint_eigenvalues(Side::Lower).map_err(|_| LinearError::NotFinite)?;
+    Ok(eigenvalues.iter().filter(|value| **value < 0.0).count())
+}
+
 /// Adds the products of the parts s c cᵀ by `x` to `product`: those of the rows that yield.
 pub(crate) fn add_rank_one_products(constraints: &[ConstraintState], x: &[f64], product: &mut [f64]) {
     for row in constraints.iter().filter(|row| row.compliance != 0.0) {
         let factor = dot(&row.gradient, x) / row.compliance;
         product.iter_mut().zip(&row.gradient).for_each(|(product, gradient)| *product += factor * gradient);
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -15,6 +15,7 @@
 
 use crate::energy::outer;
 use glam::DMat3;
+use plateau_mesh::axis_box::AxisBox;
 use plateau_mesh::error::{InputError, Place};
 use plateau_mesh::{DVec3, polyline};
 use std::collections::BTreeMap;
@@ -46,8 +47,7 @@ struct Triangle {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Node {
-    low: DVec3,
-    high: DVec3,
+    extent: AxisBox,
     /// The triangles of a leaf.
     first: u32,
     count: u32,
@@ -87,12 +87,6 @@ impl Triangle {
             if q.0.distance_squared(x) < p.0.distance_squared(x) { q } else { p }
         };
         nearer(nearer(on_side(a, b), on_side(b, c)), on_side(c, a))
-    }
-}
-
-impl Node {
-    fn distance_squared(&self, x: DVec3) -> f64 {
-        (self.low - x).max(x - self.high).max(DVec3::ZERO).length_squared()
     }
 }
 
@@ -217,7 +211,7 @@ impl MeshSurface {
         // At most one pass per node, because each is the child of one other.
         while let Some(k) = stack.pop() {
             let node = &self.nodes[k];
-            if node.distance_squared(x) >= squared {
+            if node.extent.distance_squared(x) >= squared {
                 continue;
             }
             if node.second > 0 {
@@ -270,17 +264,18 @@ impl MeshSurface {
         // At most one pass per node, because each is the child of one other.
         while let Some(k) = stack.pop() {
             let node = &self.nodes[k];
-            if node.distance_squared(x) >= best {
+            if node.extent.distance_squared(x) >= best {
                 continue;
             }
             if node.second > 0 {
                 let children = [k + 1, node.second as usize];
-                let [near, far] =
-                    if self.nodes[children[0]].distance_squared(x) <= self.nodes[children[1]].distance_squared(x) {
-                        children
-                    } else {
-                        [children[1], children[0]]
-                    };
+                let [near, far] = if self.nodes[children[0]].extent.distance_squared(x)
+                    <= self.nodes[children[1]].extent.distance_squared(x)
+                {
+                    children
+                } else {
+                    [children[1], children[0]]
+                };
                 stack.extend([far, near]);
                 continue;
             }
@@ -314,15 +309,13 @@ fn opposed(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Option<(usize, usize)>
 
 /// Appends the tree over `triangles`, whose first one has the number `first`, and sorts them by its leaves.
 fn build(nodes: &mut Vec<Node>, triangles: &mut [Triangle], first: usize) {
-    let corners = || triangles.iter().flat_map(|triangle| triangle.corners);
-    let low = corners().fold(DVec3::INFINITY, DVec3::min);
-    let high = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
+    let extent = AxisBox::around(triangles.iter().flat_map(|triangle| triangle.corners));
     let own = nodes.len();
-    nodes.push(Node { low, high, first: first as u32, count: triangles.len() as u32, second: 0 });
+    nodes.push(Node { extent, first: first as u32, count: triangles.len() as u32, second: 0 });
     if triangles.len() <= LEAF {
         return;
     }
-    let size = high - low;
+    let size = extent.high - extent.low;
     let axis = (0..3).fold(0, |best, axis| if size[axis] > size[best] { axis } else { best });
     triangles.sort_by(|a, b| a.centroid[axis].total_cmp(&b.centroid[axis]));
     let (left, right) = triangles.split_at_mut(triangles.len() / 2);

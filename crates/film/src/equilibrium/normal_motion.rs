@@ -42,6 +42,8 @@ pub(crate) struct NormalMotion<'a> {
 impl Equations for NormalMotion<'_> {
     type Frame = Vec<DVec3>;
 
+    const LOWEST_MODE_HAS_ONE_SIGN: bool = true;
+
     fn state(&self, vertices: &[DVec3]) -> FilmState {
         film_state(&self.pattern.free, vertices, self.triangles, self.radius)
     }

@@ -4,20 +4,28 @@
 //! tension times size).
 //! - The Morse index is the number of negative eigenvalues of K, on the tangent space of the constraints if there are
 //!   any. By Sylvester's law it is the number of negative pivots in K = L D Lᵀ, whatever the mass; no eigenvalue needs
-//!   to be computed for it.
+//!   to be computed for it. The pivots belong to a matrix that differs from K by rounding errors. Their count is the
+//!   index if no eigenvalue is as small as a bound on these errors ([`Bordered::is_certain`]). Otherwise the matrices
+//!   K + s and K - s are counted for a small s. Equal counts are the index, and different ones are its bounds.
 //! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev,
 //!   *Toward the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or
 //!   of K + s M with s large enough to make it positive definite, so that a handful of iterations suffice.
 //!
-//! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never
-//! orthogonal, and the result depends on no random number.
+//! The iteration starts at the constant height. The lowest eigenfunction of a film that moves along its normals has one
+//! sign, so that the two are not orthogonal. Where unknowns have other directions, and on the tangent space of
+//! constraints, a symmetric start would miss modes without its symmetry. There the inertia of K - λ M shows whether an
+//! eigenvalue is lower than λ. If one is, the iteration starts a second time, at pseudo-random heights. If the sign of
+//! the lowest eigenvalue does not agree with the index, the index is undecided.
 //!
 //! The index counts motions of the vertices. It says nothing about changes of topology: a point where eight junctions
 //! meet may be stable under every motion, and still be left by splitting the point.
 
 use super::constraint::{Bordered, ConstraintState, add_rank_one_products};
 use super::newton::{Direct, Equations, State};
-use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use plateau_mesh::codes::WarningCode;
+use plateau_mesh::error::Warning;
+use plateau_mesh::random::SplitMix64;
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
 use plateau_mesh::{DVec3, Execution, Interruption};
 
 /// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²). A larger value
@@ -27,9 +35,21 @@ const EIGENVALUE_TOLERANCE: f64 = 1e-9;
 const MAX_ITERATIONS: usize = 60;
 /// Shifts tried, in units of 1/R², each four times the last, before an indefinite matrix is given up.
 const MAX_SHIFTS: usize = 24;
-/// Mass, in units of 1/R², that is added to a matrix with a vanishing pivot: a state at the very edge of stability.
-/// Large against rounding, small against any eigenvalue that could be told from zero.
-const NUDGE: f64 = 1e-13;
+/// First shift with which a matrix of uncertain inertia is counted again, relative to the sums of absolute values in
+/// its rows; the factor to the next shift; and the number of shifts. The first is the rounding error of a factor in
+/// which 250 terms add up to an entry. The last moves the lowest eigenvalue of a film of 10,000 triangles by about
+/// 1e-4 / R².
+const FIRST_COUNT_SHIFT: f64 = 250.0 * f64::EPSILON;
+const COUNT_SHIFT_GROWTH: f64 = 32.0;
+const MAX_COUNT_SHIFTS: usize = 4;
+/// Rounding error of a quadratic form, relative to the sum of the absolute values of its terms.
+const FORM_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// The iteration has missed the lowest mode if an eigenvalue is lower by this fraction of it (or of 1/1000 of 1/R²),
+/// which is far above the [`EIGENVALUE_TOLERANCE`] of the iteration.
+const SAME_EIGENVALUE: f64 = 1e-6;
+/// A start whose projection on the tangent space is smaller than this fraction of itself consists of rounding errors,
+/// because the constraints leave no motion.
+const NO_MOTION: f64 = 1e-10;
 
 /// An eigenvalue with its vector (unit in the lumped mass).
 #[derive(Clone, Debug)]
@@ -38,10 +58,38 @@ pub(crate) struct Mode {
     pub vector: Vec<f64>,
 }
 
+/// Bounds on the number of negative eigenvalues. They are equal unless rounding does not decide the sign of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct MorseIndex {
+    pub least: usize,
+    pub most: usize,
+}
+
+impl MorseIndex {
+    fn exactly(count: usize) -> Self {
+        Self { least: count, most: count }
+    }
+
+    /// The index; `None` if it is undecided.
+    pub fn decided(self) -> Option<usize> {
+        (self.least == self.most).then_some(self.least)
+    }
+
+    /// The index with a lower bound of 0 and an upper bound above 0, unless the sign of the lowest eigenvalue agrees
+    /// with it. The eigenvalue is known up to `rounding`.
+    pub fn checked_against(self, lowest: f64, rounding: f64) -> Self {
+        if self.agrees_with(lowest, rounding) { self } else { Self { least: 0, most: self.most.max(1) } }
+    }
+
+    fn agrees_with(self, lowest: f64, rounding: f64) -> bool {
+        if self.least > 0 { lowest < -rounding } else { self.most > 0 || lowest > rounding }
+    }
+}
+
 /// The second variation at one position, analysed.
 #[derive(Clone, Debug)]
 pub(crate) struct SecondVariation {
-    pub morse_index: usize,
+    pub morse_index: MorseIndex,
     pub lowest: Mode,
     /// The [`Margin`] of a stable state, if it is asked for.
     pub margin: Option<Margin>,
@@ -79,7 +127,6 @@ impl Margin {
         start: Vec<f64>,
         mut solve: impl FnMut(&mut [f64]) -> Result<bool, Interruption>,
     ) -> Result<Option<Self>, Interruption> {
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let mut product = vec![0.0; start.len()];
         let mut ratio = |x: &[f64]| {
             matrix.multiply(x, &mut product);
@@ -147,47 +194,76 @@ impl From<Interruption> for Unknown {
     }
 }
 
-/// A second variation, factorised with its constraints' border. A vanishing pivot is a state at the very edge of
-/// stability: a trace of mass then decides on which side it is.
+/// A second variation, factorised with its constraints' border. `None` if its inertia is not certain.
 ///
 /// # Errors
-/// A [`LinearError`] for a degenerate body.
-fn with_factor<R>(
+/// See [`Unknown`].
+fn certain<'a>(
+    symbolic: &'a Symbolic,
+    matrix: &'a SymmetricMatrix,
+    constraints: &'a [ConstraintState],
+    exec: &Execution,
+) -> Result<Option<Bordered<'a>>, Unknown> {
+    let bordered = symbolic.factorise(matrix).and_then(|factorisation| Bordered::new(factorisation, constraints));
+    match bordered {
+        Ok(bordered) => Ok(bordered.is_certain(exec)?.then_some(bordered)),
+        Err(LinearError::Singular | LinearError::Inaccurate) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Bounds on the Morse index of a second variation whose inertia is not certain: the indices of the matrices that are
+/// slightly larger and slightly smaller, for the smallest shifts with which these are certain. `unit` is the eigenvalue
+/// scale 1/R².
+///
+/// # Errors
+/// See [`Unknown`].
+fn bounds(
     symbolic: &Symbolic,
     matrix: &SymmetricMatrix,
     mass: &[f64],
     unit: f64,
     constraints: &[ConstraintState],
-    work: impl FnOnce(&Bordered) -> R,
-) -> Result<R, LinearError> {
-    match symbolic.factorise(matrix) {
-        Ok(factorisation) => Bordered::new(factorisation, constraints).map(|bordered| work(&bordered)),
-        Err(LinearError::Singular) => {
-            let nudged = shifted(matrix, mass, NUDGE * unit);
-            let factorisation = symbolic.factorise(&nudged)?;
-            Bordered::new(factorisation, constraints).map(|bordered| work(&bordered))
+    exec: &Execution,
+) -> Result<MorseIndex, Unknown> {
+    let scale: Vec<f64> = matrix.absolute_row_sums().zip(mass).map(|(sum, mass)| sum + unit * mass).collect();
+    let mut index = MorseIndex { least: 0, most: mass.len() };
+    for sign in [1.0, -1.0] {
+        let mut shift = FIRST_COUNT_SHIFT;
+        for _ in 0..MAX_COUNT_SHIFTS {
+            exec.look(symbolic.order() as u64)?;
+            let moved = shifted(matrix, &scale, sign * shift);
+            if let Some(bordered) = certain(symbolic, &moved, constraints, exec)? {
+                *(if sign > 0.0 { &mut index.least } else { &mut index.most }) = bordered.index();
+                break;
+            }
+            shift *= COUNT_SHIFT_GROWTH;
         }
-        Err(error) => Err(error),
     }
+    Ok(index)
 }
 
 /// The Morse index of a second variation: its negative eigenvalues on the constraints' tangent space. `unit` is the
 /// eigenvalue scale 1/R².
 ///
 /// # Errors
-/// A [`LinearError`] for a degenerate body.
+/// See [`Unknown`].
 pub(crate) fn morse_index(
     symbolic: &Symbolic,
     matrix: &SymmetricMatrix,
     mass: &[f64],
     unit: f64,
     constraints: &[ConstraintState],
-) -> Result<usize, LinearError> {
-    with_factor(symbolic, matrix, mass, unit, constraints, |bordered| bordered.index())
+    exec: &Execution,
+) -> Result<MorseIndex, Unknown> {
+    match certain(symbolic, matrix, constraints, exec)? {
+        Some(bordered) => Ok(MorseIndex::exactly(bordered.index())),
+        None => bounds(symbolic, matrix, mass, unit, constraints, exec),
+    }
 }
 
-/// Morse index by inertia and lowest mode at a position, in the storage of `direct`. `None` for a body without
-/// unknowns.
+/// Morse index by inertia and lowest mode at a position, in the storage of `direct`. `None` for a body that cannot
+/// move: without unknowns, or with as many constraints.
 ///
 /// # Errors
 /// See [`Unknown`].
@@ -207,58 +283,126 @@ pub(crate) fn analyse<E: Equations>(
     let (mass, constraints) = (&state.mass, &state.constraints);
     let unit = 1.0 / (equations.radius() * equations.radius());
     exec.look(equations.work())?;
+    let has_one_sign = E::LOWEST_MODE_HAS_ONE_SIGN && constraints.is_empty();
+    let has_lower = |mode: &Mode| {
+        let below = mode.eigenvalue - SAME_EIGENVALUE * mode.eigenvalue.abs().max(1e-3 * unit);
+        exec.look(symbolic.order() as u64)?;
+        let moved = shifted(matrix, mass, -below);
+        let bordered = symbolic.factorise(&moved).and_then(|factorisation| Bordered::new(factorisation, constraints));
+        Ok::<_, Interruption>(bordered.map_or(true, |bordered| bordered.index() > 0))
+    };
     let lowest = |bordered: &Bordered| {
-        let mut start = vec![1.0; mass.len()];
-        bordered.correct(&mut start, |_| 0.0);
         let multiply = |x: &[f64], product: &mut [f64]| {
             matrix.multiply(x, product);
             add_rank_one_products(constraints, x, product);
         };
-        lowest_mode(multiply, mass, unit, start, |residual| bordered.apply(residual), exec)
+        let mut lowest: Option<Mode> = None;
+        for start in [Start::Constant, Start::Random] {
+            let Some(start) = start.on_tangent_space(bordered, mass) else { continue };
+            let mode = lowest_mode(multiply, mass, unit, start, |residual| bordered.apply(residual), exec)?;
+            let is_lower = |last: &Mode| mode.eigenvalue < last.eigenvalue;
+            if mode.eigenvalue.is_finite() && lowest.as_ref().is_none_or(is_lower) {
+                lowest = Some(mode);
+            }
+            if has_one_sign || matches!(&lowest, Some(mode) if !has_lower(mode)?) {
+                break;
+            }
+        }
+        Ok::<_, Interruption>(lowest)
     };
-    let (morse_index, stable) = with_factor(symbolic, matrix, mass, unit, constraints, |bordered| {
-        let index = bordered.index();
-        let analysed = || {
-            let mode = lowest(bordered)?;
+    let checked = |index: MorseIndex, lowest: &Mode| {
+        index.checked_against(lowest.eigenvalue, rounding_of_form(matrix, &lowest.vector))
+    };
+    let morse_index = match certain(symbolic, matrix, constraints, exec)? {
+        Some(bordered) if bordered.index() == 0 => {
+            let Some(lowest) = lowest(&bordered)? else { return Ok(None) };
             let margin = match with_margin {
                 WithMargin::No => None,
                 WithMargin::Yes => {
                     let stretching = stretching(vertices, equations, state, matrix);
-                    Margin::of(matrix, &stretching, mode.vector.clone(), |x| {
+                    Margin::of(matrix, &stretching, lowest.vector.clone(), |x| {
                         exec.look(x.len() as u64)?;
                         bordered.apply(x);
                         Ok(true)
                     })?
                 }
             };
-            Ok::<_, Interruption>((mode, margin))
-        };
-        (index, (index == 0).then(analysed))
-    })?;
-    if let Some(stable) = stable {
-        let (lowest, margin) = stable?;
-        return Ok(Some(SecondVariation { morse_index, lowest, margin }));
-    }
+            let morse_index = checked(MorseIndex::exactly(0), &lowest);
+            return Ok(Some(SecondVariation { morse_index, lowest, margin }));
+        }
+        Some(bordered) => MorseIndex::exactly(bordered.index()),
+        None => bounds(symbolic, matrix, mass, unit, constraints, exec)?,
+    };
     let mut shift = unit;
     for _ in 0..MAX_SHIFTS {
         let raised = shifted(matrix, mass, shift);
         exec.look(equations.work())?;
         match symbolic.factorise(&raised).and_then(|factorisation| Bordered::new(factorisation, constraints)) {
             Ok(bordered) if bordered.index() == 0 => {
-                return Ok(Some(SecondVariation { morse_index, lowest: lowest(&bordered)?, margin: None }));
+                let Some(lowest) = lowest(&bordered)? else { return Ok(None) };
+                let morse_index = checked(morse_index, &lowest);
+                return Ok(Some(SecondVariation { morse_index, lowest, margin: None }));
             }
-            Ok(_) | Err(LinearError::Singular) => shift *= 4.0,
+            Ok(_) | Err(LinearError::Singular | LinearError::Inaccurate) => shift *= 4.0,
             Err(error) => return Err(error.into()),
         }
     }
     Err(LinearError::Singular.into())
 }
 
-/// K + shift M.
-fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatrix {
+/// The start of the iteration for the lowest mode.
+#[derive(Clone, Copy, Debug)]
+enum Start {
+    Constant,
+    Random,
+}
+
+impl Start {
+    /// Its projection on the constraints' tangent space; `None` if nothing is left.
+    fn on_tangent_space(self, bordered: &Bordered, mass: &[f64]) -> Option<Vec<f64>> {
+        let mut random = SplitMix64::new(1);
+        let mut start: Vec<f64> = match self {
+            Self::Constant => vec![1.0; mass.len()],
+            Self::Random => mass.iter().map(|_| random.between(-1.0, 1.0)).collect(),
+        };
+        let size = |x: &[f64]| x.iter().zip(mass).map(|(x, mass)| x * x * mass).sum::<f64>().sqrt();
+        let whole = size(&start);
+        bordered.correct(&mut start, |_| 0.0);
+        (size(&start) > NO_MOTION * whole).then_some(start)
+    }
+}
+
+/// The warnings about a state that is not known to be stable. `unstable` makes the detail of an unstable one from the
+/// words for its index.
+pub(crate) fn stability_warnings(
+    morse_index: Option<usize>,
+    least_index: usize,
+    unstable: impl Fn(&str) -> String,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if least_index > 0 {
+        let bound = if morse_index.is_some() { "" } else { "at least " };
+        let detail = unstable(&format!("Morse index {bound}{least_index}"));
+        warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", least_index));
+    }
+    if morse_index.is_none() {
+        let detail = "rounding errors are as large as the second variation along a motion of the shape, so that its \
+                      Morse index is not known";
+        warnings.push(Warning::new(WarningCode::StabilityUndecided, detail));
+    }
+    warnings
+}
+
+/// Rounding error of the quadratic form xᵀ K x.
+pub(crate) fn rounding_of_form(matrix: &SymmetricMatrix, x: &[f64]) -> f64 {
+    FORM_ROUNDING * matrix.absolute_row_sums().zip(x).map(|(sum, x)| sum * x * x).sum::<f64>()
+}
+
+/// The matrix plus a multiple of a diagonal.
+fn shifted(matrix: &SymmetricMatrix, diagonal: &[f64], shift: f64) -> SymmetricMatrix {
     let mut result = matrix.clone();
-    for (row, mass) in mass.iter().enumerate() {
-        result.values[result.row_start[row] as usize] += shift * mass;
+    for (row, entry) in diagonal.iter().enumerate() {
+        result.values[result.row_start[row] as usize] += shift * entry;
     }
     result
 }
@@ -278,7 +422,6 @@ pub(crate) fn lowest_mode(
     exec: &Execution,
 ) -> Result<Mode, Interruption> {
     let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(mass).map(|((a, b), m)| a * b * m).sum::<f64>();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let n = mass.len();
     // The basis: the iterate, the preconditioned residual, the last direction; each with its product by K.
     let mut x = Vector { value: start, product: vec![0.0; n] };
@@ -422,7 +565,7 @@ mod tests {
         for (reach, index) in [(1.5, 0), (2.0, 1)] {
             let film = patch(52, 52, catenoid(sector, reach));
             let variation = converged(film, Aim::Stationary);
-            assert_eq!(variation.morse_index, index);
+            assert_eq!(variation.morse_index, MorseIndex::exactly(index));
             assert_eq!(variation.lowest.eigenvalue < 0.0, index > 0);
         }
     }
@@ -450,6 +593,39 @@ mod tests {
         let extrapolated = fine + (fine - coarse) / 3.0;
         assert!((extrapolated - 1.70676).abs() < 5e-4, "{coarse} {fine} {extrapolated}");
         assert!((fine - 1.70676).abs() < 0.3 * (coarse - 1.70676).abs());
+    }
+
+    #[test]
+    fn an_index_is_decided_if_rounding_cannot_change_it() {
+        // Two heights, of which only the difference resists, and a third part of the size `stiffness`.
+        let index = |stiffness: f64| {
+            let matrix = SymmetricMatrix {
+                row_start: vec![0, 2, 4],
+                columns: vec![0, 1, 1, 0],
+                values: vec![1.0, -1.0, 1.0 + stiffness, -1.0],
+            };
+            let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+            morse_index(&symbolic, &matrix, &[1e-3, 1e-3], 1.0, &[], &Execution::default()).unwrap()
+        };
+        for tiny in [0.0, 4e-16, -4e-16] {
+            assert_eq!(index(tiny), MorseIndex { least: 0, most: 1 }, "{tiny}");
+        }
+        for stiffness in [1e-12, 1e-6, 1.0] {
+            assert_eq!(index(stiffness), MorseIndex::exactly(0), "{stiffness}");
+            assert_eq!(index(-stiffness), MorseIndex::exactly(1), "{stiffness}");
+        }
+    }
+
+    #[test]
+    fn an_index_that_the_lowest_eigenvalue_contradicts_is_undecided() {
+        let undecided = MorseIndex { least: 0, most: 1 };
+        assert_eq!(MorseIndex::exactly(0).checked_against(1e-9, 1e-12), MorseIndex::exactly(0));
+        assert_eq!(MorseIndex::exactly(1).checked_against(-1e-9, 1e-12), MorseIndex::exactly(1));
+        assert_eq!(MorseIndex::exactly(0).checked_against(-1e-9, 1e-12), undecided);
+        assert_eq!(MorseIndex::exactly(1).checked_against(1e-9, 1e-12), undecided);
+        assert_eq!(MorseIndex::exactly(0).checked_against(1e-13, 1e-12), undecided);
+        let known_unstable = MorseIndex { least: 1, most: 3 };
+        assert_eq!((known_unstable.checked_against(-1e-9, 1e-12), known_unstable.decided()), (known_unstable, None));
     }
 
     #[test]

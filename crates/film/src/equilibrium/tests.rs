@@ -237,7 +237,7 @@ fn a_soap_film_against_an_elastic_loop() {
         let (mut body, segments) = holed(n, 1.08);
         body.terms.push(Box::new(Cable::new(segments, Law::Elastic { unstressed, stiffness })));
         let report = relaxed(&mut body);
-        assert_eq!(report.stability.unwrap().morse_index, 0);
+        assert_eq!(report.stability.unwrap().morse_index, Some(0));
         let radii: Vec<f64> = body.vertices[..n].iter().map(|p| p.length()).collect();
         assert!(radii.iter().all(|radius| (radius - radii[0]).abs() < 1e-9));
         errors.push(radii[0] - exact);
@@ -293,7 +293,7 @@ fn edge_cables_of_a_plane_sail_are_arcs_of_radius_tension_over_surface_tension()
         let (mut body, segments) = sail(n, 1.25);
         let of = segments.clone();
         body.terms.push(Box::new(Length { segments, tension: 10.0 }));
-        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
         let middle = body.vertices[n / 2 * (n + 1)];
         sags.push(middle.y - sag);
         cables.push(0.25 * of.iter().map(|&segment| length::length(segment, &body.vertices)).sum::<f64>() - cable);
@@ -384,7 +384,7 @@ fn a_pressure_makes_a_cap_of_the_sphere_whose_radius_is_twice_the_tension_over_i
     for rings in [6, 12, 24] {
         let (mut body, triangles) = cap(rings, PI / 6.0, 0.05);
         body.terms.push(Box::new(Volume { triangles: triangles.clone(), pressure: 1.0 }));
-        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
         errors[0].push(body.vertices[0].z - height);
         errors[1].push(body.terms[0].value(&body.vertices) - area);
         errors[2].push(Volume { triangles, pressure: -1.0 }.value(&body.vertices) - volume);
@@ -403,7 +403,7 @@ fn beyond_the_hemisphere_a_cap_is_stable_at_constant_volume_and_not_at_constant_
         let target = enclosed.value(&body.vertices);
         body.constraints.push(Constraint::value(Box::new(enclosed), target));
         let report = relaxed(&mut body);
-        assert_eq!(report.stability.unwrap().morse_index, 0);
+        assert_eq!(report.stability.unwrap().morse_index, Some(0));
         assert!(report.stability.unwrap().lowest_eigenvalue > 0.0);
         assert!((report.multipliers[0] - pressure).abs() < 0.02 * pressure, "{report:?} {pressure}");
         // The same surface at the pressure that was found.
@@ -413,7 +413,7 @@ fn beyond_the_hemisphere_a_cap_is_stable_at_constant_volume_and_not_at_constant_
         let free = body.relax(&stationary, &Execution::default(), &mut |_, _| {}).unwrap();
         assert_eq!(free.outcome, Outcome::Converged);
         let stability = free.stability.unwrap();
-        assert_eq!(stability.morse_index, at_constant_pressure);
+        assert_eq!(stability.morse_index, Some(at_constant_pressure));
         assert_eq!(stability.lowest_eigenvalue < 0.0, at_constant_pressure > 0);
     }
 }
@@ -458,6 +458,60 @@ fn energies_that_cancel_do_not_stall_a_body() {
 }
 
 #[test]
+fn the_index_of_a_film_that_moves_freely_is_undecided_at_every_size() {
+    // A plane film whose edge moves along its normals moves as a whole without resistance. In the second film a vertex
+    // has less than 2e-3 of R² as its share of area, and a pivot that vanishes is not mended by a trace of mass.
+    for n in [4, 32] {
+        for size in [1e-3, 1.0, 1e3] {
+            let film = patch(n, n, |u, v| size * DVec3::new(u, v, 0.3 * u));
+            let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
+            let mut body = Body::new(film.vertices, &complex, &[1.0]);
+            body.freedoms.fill(Freedom::Normal);
+            let report = relaxed(&mut body);
+            let stability = report.stability.unwrap();
+            assert_eq!((stability.morse_index, stability.least_index), (None, 0));
+            assert!((stability.lowest_eigenvalue * size * size).abs() < 1e-9, "{stability:?}");
+            assert!(report.lowest_mode.unwrap().iter().all(|motion| (motion.length() - 1.0).abs() < 1e-6));
+        }
+    }
+}
+
+#[test]
+fn a_mode_that_has_not_the_symmetry_of_the_start_is_found() {
+    // A cylinder of radius 1 and length L at constant volume is unstable beyond L = 2 π (Plateau): by sin(2 π z / L),
+    // whose eigenvalue is (2 π / L)² - 1. The mesh is symmetric under half a turn about a horizontal axis, and so is
+    // the constant height, but the mode changes its sign.
+    let length = 7.0;
+    let film = cylinder(32, 36, length);
+    let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
+    let triangles = film.triangles().to_vec();
+    let mut body = Body::new(film.vertices, &complex, &[1.0]);
+    let enclosed = Volume { triangles, pressure: -1.0 };
+    let target = enclosed.value(&body.vertices);
+    body.constraints.push(Constraint::value(Box::new(enclosed), target));
+    let stationary = Settings { aim: Aim::Stationary, ..Settings::default() };
+    let report = body.relax(&stationary, &Execution::default(), &mut |_, _| {}).unwrap();
+    assert_eq!(report.outcome, Outcome::Converged);
+    let stability = report.stability.unwrap();
+    let expected = (TAU / length).powi(2) - 1.0;
+    assert_eq!(stability.morse_index, Some(1));
+    assert!((stability.lowest_eigenvalue / expected - 1.0).abs() < 0.05, "{stability:?} {expected}");
+}
+
+#[test]
+fn a_body_whose_constraints_leave_no_motion_has_no_modes() {
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let mut vertices = corners.to_vec();
+    vertices.push(DVec3::new(0.0, 0.0, 0.5));
+    let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    let complex = Complex::build(triangles.clone(), 5).unwrap();
+    let mut body = Body::new(vertices, &complex, &[1.0]);
+    body.constraints.push(Constraint::value(Box::new(Volume { triangles, pressure: -1.0 }), 2.0 / 3.0));
+    let report = relaxed(&mut body);
+    assert_eq!((report.stability, report.lowest_mode), (None, None));
+}
+
+#[test]
 fn a_half_catenoid_slides_on_a_plane() {
     // Between a ring of radius 1 at height 1/2 and the plane: c cosh(1 / 2c) = 1, area π c (h + c sinh(2h / c) / 2).
     let mut neck: f64 = 0.85;
@@ -477,7 +531,7 @@ fn a_half_catenoid_slides_on_a_plane() {
             let beside = [((k + n - 1) % n) as u32, ((k + 1) % n) as u32];
             body.freedoms[k] = Freedom::AcrossOn { support: 0, beside };
         }
-        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+        assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
         assert!(body.vertices[..n].iter().all(|p| p.z == 0.0));
         necks.push(body.vertices[0].length() - neck);
         areas.push(body.energy() - area);
@@ -516,7 +570,8 @@ fn a_disc_inside_a_sphere_is_unstable_through_the_spheres_curvature() {
         let report = body.relax(&stationary, &Execution::default(), &mut |_, _| {}).unwrap();
         assert_eq!(report.outcome, Outcome::Converged);
         let stability = report.stability.unwrap();
-        assert!(stability.morse_index >= 1);
+        // The sphere turns about its centre with the disc: two motions without resistance.
+        assert_eq!((stability.morse_index, stability.least_index), (None, 1));
         errors.push(stability.lowest_eigenvalue + low * low);
     }
     assert_second_order(&errors);
@@ -531,7 +586,7 @@ fn three_cables_meet_at_120_degrees_and_a_point_on_a_circle_finds_the_nearest_pl
     let mut body = Body::new(vertices.clone(), &nothing, &[]);
     body.freedoms[..3].fill(Freedom::Fixed);
     body.terms.push(Box::new(Length { segments: vec![[0, 3], [1, 3], [2, 3]], tension: 2.0 }));
-    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
     let towards = |k: usize| (ends[k] - body.vertices[3]).normalize();
     for k in 0..3 {
         assert!((towards(k).dot(towards((k + 1) % 3)) + 0.5).abs() < 1e-9);
@@ -542,7 +597,7 @@ fn three_cables_meet_at_120_degrees_and_a_point_on_a_circle_finds_the_nearest_pl
     body.supports = vec![circle];
     body.freedoms = vec![Freedom::Fixed, Freedom::On(0)];
     body.terms.push(Box::new(Length { segments: vec![[0, 1]], tension: 1.0 }));
-    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
     assert!(body.vertices[1].distance(DVec3::new(0.6, 0.8, 0.0)) < 1e-9);
 }
 
@@ -602,7 +657,7 @@ fn junctions_of_a_complex_may_move_across_their_curve() {
     let complex = Complex::build(triangles.clone(), 6).unwrap();
     let mut body = Body::new(vertices.clone(), &complex, &[1.0; 3]);
     assert_eq!(body.freedoms[1], Freedom::Across([0, 2]));
-    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, 0);
+    assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
     assert!(body.vertices[1].distance(DVec3::Z) < 1e-9);
     // Twice the tension in one sheet, of three equal ones, more than balances the others' at 120°: the line goes to its
     // side.

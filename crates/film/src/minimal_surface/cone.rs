@@ -12,17 +12,15 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
 /// sinh τ, the slope of the cone's sides, for the solution τ = 1.1996786402577337 of τ tanh τ = 1.
 const SLOPE: f64 = 1.508_879_561_538_319_7;
-/// Largest number of points of a boundary that are looked at. The others lie within a distance of these, by which the
-/// boundary is enlarged. A larger value finds cones that fit more tightly, and takes longer.
+/// Largest number of points of a boundary that are examined. The boundary is enlarged by the largest distance of the
+/// others from these.
 const MOST_POINTS: usize = 64;
 /// Largest number of boundaries, because every way to part them is tried: 2ⁿ⁻¹ - 1 for n.
 const MOST_BOUNDARIES: usize = 6;
-/// First and last step of the search for a cone, as fractions of the radius of all boundaries. A smaller last step
-/// finds cones that fit more tightly.
+/// First and last step of the search for a cone, as fractions of the radius of all boundaries.
 const FIRST_STEP: f64 = 0.25;
 const LAST_STEP: f64 = 1e-3;
-/// Bound on the rounds of the search, each of which tries eight cones. A larger value finds cones that fit more
-/// tightly.
+/// Largest number of rounds of the search, each of which tries eight cones.
 const MOST_ROUNDS: u32 = 48;
 /// A cone counts if the halves that hold the boundaries are further apart than this fraction of the radius. It is above
 /// rounding.
@@ -145,7 +143,8 @@ fn distance_apart(parts: &[Vec<&Outline>; 2], origin: DVec3, axis: DVec3) -> f64
             let height = from.dot(axis);
             sense * height - (from - height * axis).length() / SLOPE
         });
-        // Towards the nearest point of the cone's side, a motion changes this height by 1/cos of its angle at most.
+        // A motion towards the nearest point of the cone's side changes this height by at most its length over the
+        // cosine of the side's angle.
         heights.fold(f64::INFINITY, f64::min) - outline.within * (1.0 + SLOPE.powi(-2)).sqrt()
     };
     let least =
@@ -159,8 +158,8 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn ring(radius: f64, height: f64, count: usize) -> Vec<DVec3> {
-        let at = |k: usize| TAU * k as f64 / count as f64;
-        (0..count).map(|k| DVec3::new(radius * libm::cos(at(k)), radius * libm::sin(at(k)), height)).collect()
+        let angle = |k: usize| TAU * k as f64 / count as f64;
+        (0..count).map(|k| DVec3::new(radius * libm::cos(angle(k)), radius * libm::sin(angle(k)), height)).collect()
     }
 
     fn is_parted(boundaries: &[Vec<DVec3>]) -> bool {

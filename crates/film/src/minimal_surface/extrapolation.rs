@@ -41,8 +41,8 @@ pub(in crate::minimal_surface) fn order(film: &Film) -> f64 {
     let mut angles = vec![0.0; film.vertices.len()];
     for &triangle in film.triangles() {
         let [a, b, c] = film.corners(triangle);
-        let at = |a: DVec3, b: DVec3, c: DVec3| measure::angle(b - a, c - a);
-        for (v, angle) in triangle.into_iter().zip([at(a, b, c), at(b, c, a), at(c, a, b)]) {
+        let inner_angle = |a: DVec3, b: DVec3, c: DVec3| measure::angle(b - a, c - a);
+        for (v, angle) in triangle.into_iter().zip([inner_angle(a, b, c), inner_angle(b, c, a), inner_angle(c, a, b)]) {
             angles[v as usize] += angle;
         }
     }

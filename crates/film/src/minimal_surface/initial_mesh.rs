@@ -5,7 +5,9 @@ mod barycentres;
 mod domain;
 mod first_point;
 mod given;
-mod lattice;
+mod graded_lattice;
+mod harmonic_map;
+mod layout;
 pub(super) mod pins;
 mod plane_mesh;
 mod polygon_domain;
@@ -75,12 +77,17 @@ impl InitialMeshKind {
 /// first boundary in the direction of the boundary. The point with which the list of a boundary begins only decides the
 /// numbers of its vertices.
 ///
+/// Three and more boundaries of a film in space can be laid out in the plane in several ways, of which `arrangement`
+/// asks for one by its number. Without a number the initial mesh of least area is taken among those that do not cross
+/// themselves.
+///
 /// # Errors
 /// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
 /// crosses itself; the interruptions of `exec`.
 pub(super) fn build(
     boundaries: &[Vec<DVec3>],
     options: &Options,
+    arrangement: Option<usize>,
     exec: &Execution,
 ) -> Result<(Start, InitialMeshKind), Error> {
     let constraints = &options.constraints;
@@ -94,7 +101,7 @@ pub(super) fn build(
         return Err(Error::input(Place::field("constraints"), detail));
     }
     let (turned, firsts) = turned(boundaries);
-    let (mut start, kind) = spanning(&turned, boundaries, options, exec)?;
+    let (mut start, kind) = spanning(&turned, boundaries, options, arrangement, exec)?;
     start.film = turned_back(start.film, boundaries, &firsts);
     Ok((start, kind))
 }
@@ -105,6 +112,7 @@ fn spanning(
     boundaries: &[Vec<DVec3>],
     as_given: &[Vec<DVec3>],
     options: &Options,
+    arrangement: Option<usize>,
     exec: &Execution,
 ) -> Result<(Start, InitialMeshKind), Error> {
     let constraints = &options.constraints;
@@ -116,34 +124,6 @@ fn spanning(
         return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
     };
     let attempt = |shape| Spanning { boundaries, shape, constraints, options, exec }.build();
-    let curved = || {
-        let kind = match boundaries.len() {
-            1 => InitialMeshKind::Disk,
-            2 => InitialMeshKind::Annulus,
-            _ => InitialMeshKind::SphereWithHoles,
-        };
-        let mut arrangements = Shape::arrangements(boundaries);
-        let last = arrangements.pop().expect("there is always the disc");
-        let mut crossing = None;
-        for arrangement in arrangements {
-            if let Ok(start) = attempt(arrangement)?
-                && is_in_one_piece(&start.film)
-            {
-                if !crosses_itself(&start.film, exec)? {
-                    return Ok((start, kind));
-                }
-                crossing.get_or_insert(start);
-            }
-        }
-        let start = match (attempt(last)?, crossing) {
-            (Ok(start), None) => start,
-            (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
-            // All of them cross themselves: the first one is as good as any.
-            (_, Some(first)) => first,
-            (Err(error), None) => return Err(refusal((as_given, constraints), error, None, exec)),
-        };
-        Ok((start, kind))
-    };
     match &options.initial_mesh {
         InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
         InitialMesh::Planar => {
@@ -151,7 +131,7 @@ fn spanning(
                 .map_err(|error| refusal((as_given, constraints), error, Some(&frame), exec))?;
             Ok((start, InitialMeshKind::Planar))
         }
-        InitialMesh::Disk => curved(),
+        InitialMesh::Disk => curved(boundaries, as_given, options, arrangement, exec),
         InitialMesh::Auto | InitialMesh::Barycentres { .. } | InitialMesh::Given(_) => {
             let flat = largest_height(&frame, boundaries) <= FLAT * extent(boundaries);
             if flat || is_gentle(boundaries, &frame) {
@@ -179,9 +159,67 @@ fn spanning(
                     _ => {}
                 }
             }
-            curved()
+            curved(boundaries, as_given, options, arrangement, exec)
         }
     }
+}
+
+/// The number of ways to lay out the boundaries in the plane, or 0 if there is only one.
+pub(super) fn arrangements(boundaries: &[Vec<DVec3>]) -> usize {
+    if boundaries.len() > 2 { Shape::arrangements(boundaries).len() } else { 0 }
+}
+
+/// Meshes a disc, an annulus or a sphere with holes and maps it into space. Of the ways to lay out the boundaries the
+/// one that is asked for is taken, or the most trusted of those whose mesh has about the least area without crossing
+/// itself.
+fn curved(
+    boundaries: &[Vec<DVec3>],
+    as_given: &[Vec<DVec3>],
+    options: &Options,
+    arrangement: Option<usize>,
+    exec: &Execution,
+) -> Result<(Start, InitialMeshKind), Error> {
+    let constraints = &options.constraints;
+    let kind = match boundaries.len() {
+        1 => InitialMeshKind::Disk,
+        2 => InitialMeshKind::Annulus,
+        _ => InitialMeshKind::SphereWithHoles,
+    };
+    let mut arrangements = Shape::arrangements(boundaries);
+    if let Some(k) = arrangement.filter(|&k| k < arrangements.len()) {
+        arrangements = vec![arrangements.swap_remove(k)];
+    }
+    let is_only = arrangements.len() == 1;
+    let (mut least, mut crossing, mut failure): (Option<(f64, Start)>, Option<Start>, _) = (None, None, None);
+    for shape in arrangements {
+        let built = Spanning { boundaries, shape, constraints, options, exec }.build()?;
+        let start = match built {
+            Ok(start) if is_only => return Ok((start, kind)),
+            Ok(start) => start,
+            Err(error) => {
+                failure = Some(error);
+                continue;
+            }
+        };
+        // The one of least area among those that do not cross themselves is nearest to a film, and the choice stays
+        // the same when rounding decides whether a larger one crosses itself.
+        let area = start.film.area();
+        let is_less = least.as_ref().is_none_or(|(least, _)| area < (1.0 - SIMILAR_AREA) * least);
+        if !is_less || !is_in_one_piece(&start.film) {
+            continue;
+        }
+        if crosses_itself(&start.film, exec)? {
+            crossing.get_or_insert(start);
+        } else {
+            least = Some((area, start));
+        }
+    }
+    // If all of them cross themselves, the first one is as good as any.
+    let Some(start) = least.map(|(_, start)| start).or(crossing) else {
+        let error = failure.unwrap_or(PlaneError::NotSimple([0; 2]));
+        return Err(refusal((as_given, constraints), error, None, exec));
+    };
+    Ok((start, kind))
 }
 
 /// The plane of boundaries that all lie in one, if they do.
@@ -239,12 +277,15 @@ fn crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
     Ok(found.pairs > 0)
 }
 
-/// A boundary counts as plane if its distances from the plane are below this fraction of its extent. A larger value
-/// flattens slightly curved boundaries.
+/// A boundary counts as plane if its distances from the plane are below this fraction of its extent.
 const FLAT: f64 = 1e-9;
 
-/// A projection counts as too steep if a segment keeps less than this fraction of its length. With a larger value more
-/// boundaries are meshed in a disc instead of in their plane.
+/// Relative difference of areas up to which the more trusted of two initial meshes is preferred. It is above the errors
+/// of coarse meshes, and both usually lead to the same film.
+const SIMILAR_AREA: f64 = 1e-2;
+
+/// A projection counts as too steep if a segment keeps less than this fraction of its length. The boundary is then
+/// meshed in a disc instead of in its plane.
 const STEEP: f64 = 0.25;
 
 fn extent(boundaries: &[Vec<DVec3>]) -> f64 {

@@ -23,15 +23,14 @@ use plateau_mesh::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, co
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, measure, polyline};
 
 /// Residual to which a preview is corrected, unless the request's tolerance is larger. The heights are then right to
-/// about 1e-4 of the boundary's radius, which is less than a pixel. A smaller value takes more steps.
+/// about 1e-4 of the boundary's radius, which is less than a pixel.
 const PREVIEW_TOLERANCE: f64 = 1e-4;
 /// Largest number of Newton steps of one move. A move usually takes one or two; more of them cost as much as a solve.
 const MOST_STEPS: u32 = 4;
 /// Largest number of conjugate gradients with one factor. A step that needs more renews the factor, which costs about
 /// as much as this many of them.
 const MOST_ITERATIONS: usize = 12;
-/// A moved film is not used if its smallest angle falls below this fraction of the kept film's. A smaller value keeps a
-/// mesh for longer and shows worse triangles.
+/// A moved film is not used if its smallest angle falls below this fraction of the kept film's.
 const LEAST_ANGLE: f64 = 0.5;
 
 /// A vertex that was added on a boundary: its place on the segment between two input points.

@@ -1,12 +1,12 @@
 //! A solved surface: mesh, statistics and warnings, at the position of the caller's boundaries.
 
 use super::curvature::Curvature;
-
 use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
 use super::touching_boundaries::{JoinedLoops, own_boundaries};
+use crate::equilibrium::stability_warnings;
 use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
@@ -199,7 +199,7 @@ fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
 /// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
 pub(super) fn finish(
     input: Input,
-    SolvedFilm { film, kind, initial_area, mut run }: SolvedFilm,
+    SolvedFilm { film, kind, initial_area, mut run, .. }: SolvedFilm,
     joined: Option<&JoinedLoops>,
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
@@ -250,12 +250,10 @@ pub(super) fn finish(
         warnings.push(statistics.not_converged(measured.residual_felt, options.tolerance));
     }
     warnings.extend(not_minimal(&statistics, &measured, options.tolerance));
-    if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
-        let detail = format!(
-            "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
-            stability.morse_index
-        );
-        warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
+    if let Some(stability) = statistics.stability {
+        warnings.extend(stability_warnings(stability.morse_index, stability.least_index, |index| {
+            format!("the surface is stationary but no minimum ({index}): ask for on_unstable descend to leave it")
+        }));
     }
     warnings.extend(near_critical(&statistics));
     // The loops of a film over joined boundaries run from one of them to another where they touch.

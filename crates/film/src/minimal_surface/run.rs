@@ -97,10 +97,14 @@ pub struct HistoryRow {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Stability {
-    /// Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film.
-    pub stable: bool,
-    /// Number of negative eigenvalues.
-    pub morse_index: usize,
+    /// Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. Null where
+    /// `morse_index` is.
+    pub stable: Option<bool>,
+    /// Number of negative eigenvalues. Null if rounding does not decide the sign of one.
+    pub morse_index: Option<usize>,
+    /// Number of eigenvalues that are negative beyond rounding. It is not serialised.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub least_index: usize,
     /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
     /// Method that gave the index.
@@ -117,7 +121,7 @@ pub struct Stability {
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum StabilityMethod {
-    /// From the signs of the pivots of a factorisation, which is exact.
+    /// From the signs of the pivots of a factorisation. It is exact, because errors of rounding are bounded.
     Inertia,
     /// From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
     /// large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0.

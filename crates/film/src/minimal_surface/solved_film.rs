@@ -11,6 +11,8 @@ pub(crate) struct SolvedFilm {
     pub film: Film,
     /// How its initial mesh was made.
     pub kind: InitialMeshKind,
+    /// The layout of its boundaries in the plane, where one was asked for.
+    pub arrangement: Option<usize>,
     /// Area of the initial mesh.
     pub initial_area: f64,
     pub run: Run,
@@ -23,7 +25,7 @@ impl SolvedFilm {
         let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
         let is_degenerate = |&triangle: &[u32; 3]| measure::is_degenerate(self.film.corners(triangle));
         converged
-            && self.run.stability.is_none_or(|stability| stability.stable)
+            && self.run.stability.is_none_or(|stability| stability.least_index == 0)
             && self.film.flipped_triangles() == 0
             && !self.film.triangles().iter().any(is_degenerate)
     }

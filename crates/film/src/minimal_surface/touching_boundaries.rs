@@ -54,8 +54,8 @@ impl JoinedLoops {
         let mut added = input.point_count() as u32;
         let mut loops = Self { loops: Vec::with_capacity(joined.len()), numbers: Vec::new(), given: BTreeMap::new() };
         for corners in joined {
-            let at = |(k, i): PointOf| boundaries[k][i];
-            loops.loops.push(corners.iter().map(|corner| at(corner.place)).collect());
+            let position = |(k, i): PointOf| boundaries[k][i];
+            loops.loops.push(corners.iter().map(|corner| position(corner.place)).collect());
             for corner in corners {
                 let (k, i) = corner.source;
                 loops.numbers.push(if corner.added { added } else { (firsts[k] + i) as u32 });
@@ -104,8 +104,8 @@ impl JoinedLoops {
 /// # Errors
 /// `invalid_mesh` if the border does not lead from each point to the next one.
 pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<Vec<Vec<u32>>, Error> {
-    let at = |v: u32| film.vertices[v as usize];
-    let key = |v: u32| position_key(at(v));
+    let position = |v: u32| film.vertices[v as usize];
+    let key = |v: u32| position_key(position(v));
     // The border's edges in both directions, and its vertices, by the place where they begin.
     let mut edges: Vec<([u64; 3], u32)> = Vec::new();
     let mut vertices: Vec<([u64; 3], u32)> = Vec::new();
@@ -134,8 +134,8 @@ pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<V
             rim.push(here);
             // No boundary has more edges than the border.
             for _ in 0..edges.len() {
-                let way = (at(target) - at(here)).normalize_or_zero();
-                let cosine = |v: u32| (at(v) - at(here)).normalize_or_zero().dot(way);
+                let way = (position(target) - position(here)).normalize_or_zero();
+                let cosine = |v: u32| (position(v) - position(here)).normalize_or_zero().dot(way);
                 let ends = from(&edges, key(here)).into_iter().map(|v| (cosine(v), v));
                 let Some((_, next)) = ends.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
                 if key(next) == key(target) {

@@ -31,8 +31,8 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 
 // Tunables.
 
-/// Largest number of linear solves if the caller gives none.
-const DEFAULT_SOLVES: u32 = 400;
+/// Largest number of linear solves of an attempt if the caller gives none.
+pub(super) const DEFAULT_SOLVES: u32 = 400;
 /// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
 const MAX_ROUNDS: u32 = 60;
 /// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.

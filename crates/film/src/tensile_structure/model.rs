@@ -62,6 +62,8 @@ pub(super) struct Model {
     pub forces_by: Vec<ForceBy>,
     /// The force of each cable with which form finding begins.
     pub start_forces: Vec<f64>,
+    /// For each cable the last changes of that force.
+    swings: Vec<Swing>,
     /// Mean length of the edges of the initial mesh.
     start_edge: f64,
     /// The stresses of a woven film.
@@ -194,6 +196,7 @@ impl Model {
             cables: Vec::new(),
             forces_by: Vec::new(),
             start_forces: Vec::new(),
+            swings: Vec::new(),
             start_edge: 0.0,
             stress_field: None,
             further_forces: vec![Vec::new(); structure.cables.len()],
@@ -230,6 +233,7 @@ impl Model {
                 _ => law(cable),
             };
             model.start_forces.push(start_force(cable, structure, &segments, &vertices));
+            model.swings.push(Swing::default());
             model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
             model.forces_by.push(by);
         }
@@ -475,28 +479,27 @@ impl Model {
         }
     }
 
-    /// Adjusts the forces at the start that follow from the shape to the present one.
+    /// Adjusts the forces at the start that follow from the shape to the present one. A shape that answers a larger
+    /// force by one that asks for a smaller force would let it swing to and fro, so the swing is damped.
     pub fn renew_start_forces(&mut self, structure: &Structure) {
         let at = self.vertices();
         for (k, cable) in structure.cables.iter().enumerate() {
             let term = &self.cables[k];
-            let force = &mut self.start_forces[k];
+            let force = self.start_forces[k];
             // A shallow cable's sag is inversely proportional to its force, and the horizontal component of a force is
             // proportional to it.
-            let ratio = match cable.mode {
-                CableMode::Sag(sag) => term.sag(&at) / sag,
-                CableMode::HorizontalComponent(wanted) => wanted / (*force * term.level_part(&at).max(LEAST_ACROSS)),
+            let wanted = match cable.mode {
+                CableMode::Sag(sag) => force * (term.sag(&at) / sag).clamp(0.25, 4.0),
+                CableMode::HorizontalComponent(wanted) => {
+                    let ratio = wanted / (force * term.level_part(&at).max(LEAST_ACROSS));
+                    force * ratio.clamp(0.25, 4.0)
+                }
                 CableMode::Length(_) => {
-                    let own = start_force(cable, structure, &term.segments, &at);
-                    *force = own.clamp(0.5 * *force, 2.0 * *force);
-                    continue;
+                    start_force(cable, structure, &term.segments, &at).clamp(0.5 * force, 2.0 * force)
                 }
-                _ => {
-                    *force = start_force(cable, structure, &term.segments, &at);
-                    continue;
-                }
+                _ => start_force(cable, structure, &term.segments, &at),
             };
-            *force *= ratio.clamp(0.25, 4.0);
+            self.start_forces[k] += self.swings[k].damped(wanted - force);
         }
     }
 
@@ -852,6 +855,37 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
         }
     }
     mesh.triangles = triangles;
+}
+
+/// The changes of a force that follows from the shape, which itself follows from the force.
+#[derive(Clone, Copy, Debug)]
+struct Swing {
+    /// The part of a change that is made.
+    share: f64,
+    /// The last change that was asked for.
+    last: f64,
+}
+
+impl Default for Swing {
+    fn default() -> Self {
+        Self { share: 1.0, last: 0.0 }
+    }
+}
+
+impl Swing {
+    /// A change that is opposite to the last one and above this fraction of it does not settle by itself.
+    const LASTS: f64 = 0.7;
+    /// Smallest part of a change that is made.
+    const LEAST_SHARE: f64 = 0.1;
+
+    /// The part of a change that is made, which is halved while the changes go to and fro.
+    fn damped(&mut self, change: f64) -> f64 {
+        if change * self.last < 0.0 && change.abs() > Self::LASTS * self.last.abs() {
+            self.share = (0.5 * self.share).max(Self::LEAST_SHARE);
+        }
+        self.last = change;
+        self.share * change
+    }
 }
 
 /// The least part of a chord across the vertical that a start uses to estimate the force from its horizontal component.

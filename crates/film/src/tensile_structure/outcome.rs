@@ -150,8 +150,9 @@ pub(super) fn finish(
         balance,
         contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(&model, balance, &holds, &at)),
         stability: found.stability.map(|stability| Stability {
-            stable: stability.morse_index == 0,
+            stable: stability.morse_index.map(|index| index == 0),
             morse_index: stability.morse_index,
+            least_index: stability.least_index,
             lowest_eigenvalue: stability.lowest_eigenvalue,
         }),
         minimum_slope,

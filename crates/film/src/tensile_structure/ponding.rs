@@ -12,6 +12,7 @@
 //! models*, 2014). On a surface of triangles the best path runs along edges of triangles, so the levels are exact for
 //! the mesh. Vertices below their level that are connected form a pond.
 
+use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::order::TotalOrder;
 use plateau_mesh::{DVec3, Execution, Interruption};
@@ -60,16 +61,16 @@ const DRY: u32 = u32::MAX;
 /// # Errors
 /// [`Interruption::Cancelled`]. After a deadline the search goes on, because it is short.
 pub(super) fn find(roof: &Roof, exec: &Execution) -> Result<Option<Ponding>, Interruption> {
-    let look = |work: usize| match exec.look(work as u64) {
+    let look = |work: u64| match exec.look(work) {
         Err(Interruption::Cancelled) => Err(Interruption::Cancelled),
         _ => Ok(()),
     };
     let sides = sides(roof.triangles);
     let neighbours = Neighbours::of(&sides, roof.at.len());
-    look(20 * roof.triangles.len())?;
+    look(WORK_PER_TRIANGLE * roof.triangles.len() as u64)?;
     let heights: Vec<f64> = roof.at.iter().map(|p| p.dot(roof.up)).collect();
     let levels = levels(roof, &neighbours, &heights);
-    look(20 * roof.triangles.len())?;
+    look(WORK_PER_TRIANGLE * roof.triangles.len() as u64)?;
     let (pond_of, mut ponds) = ponds(&neighbours, &heights, &levels);
     for (ends, error) in errors_of_edges(roof, &sides) {
         for pond in ends.map(|v| pond_of[v as usize]).into_iter().filter(|&pond| pond != DRY) {
@@ -82,7 +83,7 @@ pub(super) fn find(roof: &Roof, exec: &Execution) -> Result<Option<Ponding>, Int
     for (pond, counts) in ponds.iter().zip(&mut counts) {
         if pond.depth > least.max(pond.mesh_error) {
             *counts = !roof.is_covered(pond.deepest);
-            look(roof.triangles.len())?;
+            look(roof.triangles.len() as u64)?;
         }
     }
     let mut sums = vec![[0.0; 2]; ponds.len()];

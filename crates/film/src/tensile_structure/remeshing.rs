@@ -7,6 +7,7 @@
 use super::model::Model;
 use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
 use crate::equilibrium::Freedom;
+use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
 use plateau_mesh::{DVec3, Execution, Interruption};
@@ -182,7 +183,7 @@ impl Model {
         let neck = moving.remesh(fineness.size, fineness.rounds, &onto, exec)?;
         if fineness.all_points {
             for _ in 0..POLISHES {
-                exec.look(20 * moving.film.triangles().len() as u64)?;
+                exec.look(WORK_PER_TRIANGLE * moving.film.triangles().len() as u64)?;
                 tangential_relaxation(&mut moving.film, 1);
                 flip_to_delaunay(&mut moving.film, exec)?;
             }

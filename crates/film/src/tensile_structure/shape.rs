@@ -159,10 +159,13 @@ pub struct ForceBalance {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "EquilibriumStability"))]
 #[non_exhaustive]
 pub struct Stability {
-    /// Whether the Morse index is 0: a true local minimum of the energy.
-    pub stable: bool,
-    /// Number of negative eigenvalues of the second variation.
-    pub morse_index: usize,
+    /// Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is.
+    pub stable: Option<bool>,
+    /// Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one.
+    pub morse_index: Option<usize>,
+    /// Number of eigenvalues that are negative beyond rounding. It is not serialised.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub least_index: usize,
     /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
 }

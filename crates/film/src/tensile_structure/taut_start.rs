@@ -5,11 +5,21 @@
 //! somme des distances de n points donnés est minimum*, 1937), then to its support, and to the length of its masts. The
 //! film pulls corners further in, so that the film's own form finding begins from a wide, taut shape.
 //!
+//! A mast between a joint and a hub flies: both move together to where their cables balance, and the film pulls the
+//! ring around the hub towards its other edges with at most its tension around the ring. A ring that begins lower than
+//! it ends leads to the film, because a film that is drawn too high pinches off at the ring.
+//!
 //! A mast on a support can lean to several sides. Another start has such masts upright, however they are drawn.
+//!
+//! A corner that stands too far out closes, because its sides are long arcs whose ends turn towards each other. In a
+//! third start the film pulls too, and each free corner begins drawn in. The film beside a corner counts as the
+//! triangle of the corner and its two neighbours a and b, cut by the arcs of the two sides. Let σ be the film's
+//! tension. A side of the chord c and the force F pulls the corner along the chord by √(F² - (σ c / 2)²). The
+//! triangle pulls the corner towards the line ab by σ |ab| / 2, which is the derivative of the triangle's energy.
 
-use super::options::{BoundaryPoint, CableMode, Course, SlidingPart, Structure, stretch};
+use super::options::{BoundaryPoint, Cable, CableMode, Course, SlidingPart, Structure, stretch};
 use plateau_mesh::DVec3;
-use plateau_mesh::polyline::{position_key, radius};
+use plateau_mesh::polyline::{length, mean, position_key, radius};
 use std::collections::BTreeMap;
 
 /// Passes over all points. Corners of the examples stand within 1e-3 of their span after 50.
@@ -19,13 +29,15 @@ const SHORTEST: f64 = 1e-2;
 /// Least motion of a point, as a fraction of the radius, that makes another start.
 const LEAST_MOTION: f64 = 1e-6;
 
-/// How masts on supports stand in a taut start.
+/// The forces that hold the points of a taut start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Masts {
-    /// Where the cables hold them.
-    Lean,
-    /// Along the direction up.
-    Upright,
+pub(super) enum Held {
+    /// The cables alone.
+    Cables,
+    /// The cables alone, and the tops of masts on supports stand upright above their feet.
+    UprightMasts,
+    /// The cables, and at free corners the film too.
+    Film,
 }
 
 /// How a point is held.
@@ -46,6 +58,18 @@ struct Link {
     force: f64,
     /// Distance between the two ends, if the cable or mast holds a length.
     length: Option<f64>,
+    /// The film's pull on a side of the film, a force per length. It is 0 for all other links, and for sides too where
+    /// the cables alone hold the points.
+    film: f64,
+}
+
+impl Link {
+    /// The force along a chord of this length. A side is an arc under the film's pull, whose ends pull less along its
+    /// chord than along the arc.
+    fn along_chord(&self, chord: f64) -> f64 {
+        let across = 0.5 * self.film * chord;
+        self.force.signum() * (self.force * self.force - across * across).max(0.0).sqrt()
+    }
 }
 
 /// The points at which cables end.
@@ -55,6 +79,9 @@ struct Network<'a> {
     holds: Vec<Hold>,
     number: BTreeMap<[u64; 3], usize>,
     links: Vec<Link>,
+    /// The free corners between two sides, each with its two neighbours. There are none where the cables alone hold the
+    /// points.
+    corners: Vec<[usize; 3]>,
     radius: f64,
 }
 
@@ -62,7 +89,8 @@ impl<'a> Network<'a> {
     fn new(structure: &'a Structure, forces: &[f64]) -> Self {
         let all: Vec<DVec3> = structure.boundaries.iter().flatten().chain(&structure.joints).copied().collect();
         let (places, holds, links) = (Vec::new(), Vec::new(), Vec::new());
-        let mut network = Self { structure, places, holds, number: BTreeMap::new(), links, radius: radius(&all) };
+        let (number, corners) = (BTreeMap::new(), Vec::new());
+        let mut network = Self { structure, places, holds, number, links, corners, radius: radius(&all) };
         for (k, ring) in structure.rings.iter().enumerate() {
             ring.hub.into_iter().for_each(|hub| network.set(hub, Hold::Guided(k)));
         }
@@ -89,9 +117,28 @@ impl<'a> Network<'a> {
                 _ if cable.course.is_mast() => (-force, None),
                 _ => (force, None),
             };
-            network.links.push(Link { ends, force, length });
+            network.links.push(Link { ends, force, length, film: 0.0 });
         }
+        network.add_pulls_on_rings();
         network
+    }
+
+    /// Adds the pull of the film on each ring with a hub: along the ring's axis, towards the height of the other edges.
+    fn add_pulls_on_rings(&mut self) {
+        let structure = self.structure;
+        for (ring, hub) in structure.rings.iter().filter_map(|ring| Some((ring, ring.hub?))) {
+            let others = || structure.boundaries.iter().enumerate().filter(|(k, _)| *k != ring.boundary);
+            let edges: Vec<DVec3> = others().flat_map(|(_, points)| points).copied().collect();
+            if edges.is_empty() {
+                continue;
+            }
+            let height = ring.axis.dot(mean(&edges) - hub);
+            let ends = [self.at(hub), self.places.len()];
+            self.places.push(hub + height * ring.axis);
+            self.holds.push(Hold::Fixed);
+            let around = length(&structure.boundaries[ring.boundary], true);
+            self.links.push(Link { ends, force: structure.pull() * around, length: None, film: 0.0 });
+        }
     }
 
     /// The number of a point; one that is not known yet is fixed.
@@ -129,6 +176,41 @@ impl<'a> Network<'a> {
         any
     }
 
+    /// Lets the film pull too, and draws each free corner in, halfway to the middle of its two neighbours. Returns
+    /// whether there is a free corner.
+    fn count_film(&mut self) -> bool {
+        let pull = self.structure.pull();
+        let sides = |cable: &Cable| match cable.course {
+            Course::Boundary { boundary, from, to } => Some((boundary, from, to)),
+            _ => None,
+        };
+        let all: Vec<_> = self.structure.cables.iter().map(sides).collect();
+        for (k, side) in all.iter().enumerate() {
+            let Some((boundary, _, corner)) = *side else { continue };
+            self.links[k].film = pull;
+            let follows = |other: &Option<(usize, usize, usize)>| {
+                other.is_some_and(|(own, from, _)| own == boundary && from == corner)
+            };
+            let Some(next) = all.iter().position(follows) else { continue };
+            let [before, here] = self.links[k].ends;
+            let after = self.links[next].ends[1];
+            if self.holds[here] == Hold::Free && before != after {
+                self.corners.push([here, before, after]);
+            }
+        }
+        for &[here, a, b] in &self.corners {
+            let middle = 0.5 * (self.places[a] + self.places[b]);
+            self.places[here] = self.places[here].midpoint(middle);
+        }
+        !self.corners.is_empty()
+    }
+
+    /// The pull of the film's triangle between a corner and its two neighbours on the corner.
+    fn film_on_corner(&self, [here, a, b]: [usize; 3]) -> DVec3 {
+        let [here, a, b] = [here, a, b].map(|v| self.places[v]);
+        0.5 * self.structure.pull() * a.distance(b) * (a - here).reject_from(b - a).normalize_or_zero()
+    }
+
     /// Passes over all points once.
     fn sweep(&mut self) {
         for v in 0..self.places.len() {
@@ -144,13 +226,20 @@ impl<'a> Network<'a> {
                 match link.length {
                     Some(wanted) => held.push((other, wanted)),
                     None if link.force >= 0.0 => {
-                        sum += link.force / length * other;
-                        weight += link.force / length;
+                        let density = link.along_chord(length) / length;
+                        sum += density * other;
+                        weight += density;
                     }
                     // A mast pushes with a constant force.
                     None => sum += link.force / length * (other - here),
                 }
             }
+            sum += self
+                .corners
+                .iter()
+                .filter(|corner| corner[0] == v)
+                .map(|&corner| self.film_on_corner(corner))
+                .sum::<DVec3>();
             if let Hold::Guided(ring) = self.holds[v] {
                 sum += self.structure.rings[ring].force * self.structure.rings[ring].axis;
             }
@@ -174,11 +263,40 @@ impl<'a> Network<'a> {
                 self.places[v] = place;
             }
         }
+        self.fly();
     }
 
-    /// Whether all cables have a length.
+    /// Moves each mast of given length between two points that move as a whole, by the step of the cables at both ends.
+    fn fly(&mut self) {
+        let moving = |v: usize| matches!(self.holds[v], Hold::Free | Hold::Guided(_));
+        let flies = |link: &&Link| link.length.is_some() && link.ends.into_iter().all(moving);
+        for [a, b] in self.links.iter().filter(flies).map(|link| link.ends).collect::<Vec<_>>() {
+            let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+            for link in self.links.iter().filter(|link| link.length.is_none() && link.force > 0.0) {
+                for [own, other] in [link.ends, [link.ends[1], link.ends[0]]] {
+                    if own == a || own == b {
+                        let [here, there] = [own, other].map(|v| self.places[v]);
+                        let density = link.force / here.distance(there).max(SHORTEST * self.radius);
+                        sum += density * (there - here);
+                        weight += density;
+                    }
+                }
+            }
+            let mut step = sum / weight.max(f64::MIN_POSITIVE);
+            for v in [a, b] {
+                if let Hold::Guided(ring) = self.holds[v] {
+                    step = step.project_onto(self.structure.rings[ring].axis);
+                }
+            }
+            if step.is_finite() {
+                [a, b].into_iter().for_each(|v| self.places[v] += step);
+            }
+        }
+    }
+
+    /// Whether all cables have a length. The pulls on rings, which come after them, may have none.
     fn is_open(&self) -> bool {
-        self.links.iter().all(|link| {
+        self.links.iter().take(self.structure.cables.len()).all(|link| {
             let [a, b] = link.ends.map(|v| self.places[v]);
             a.distance(b) > SHORTEST * self.radius
         })
@@ -196,13 +314,20 @@ fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length:
     other + across + axis * squared.sqrt().copysign(along)
 }
 
-/// Returns the structure with straight sides, and with its corners, joints and hubs at the places where the cables
-/// alone are in equilibrium. `forces` are the forces of the cables. `None` if nothing moves, if a cable shrinks to
-/// nothing, or if masts are to stand upright and there are none.
-pub(super) fn taut(structure: &Structure, forces: &[f64], masts: Masts) -> Option<Structure> {
+/// Returns the structure with straight sides. Its corners, joints and hubs stand where they are in equilibrium under
+/// the forces that `held` names; `forces` are those of the cables.
+///
+/// Returns `None` if nothing moves or a cable shrinks to nothing. Returns `None` too if masts are to stand upright and
+/// there are none, or if the film is to hold corners and none is free.
+pub(super) fn taut(structure: &Structure, forces: &[f64], held: Held) -> Option<Structure> {
     let mut network = Network::new(structure, forces);
     let before = network.places.clone();
-    if masts == Masts::Upright && !network.set_masts_upright() {
+    let applies = match held {
+        Held::Cables => true,
+        Held::UprightMasts => network.set_masts_upright(),
+        Held::Film => network.count_film(),
+    };
+    if !applies {
         return None;
     }
     for _ in 0..SWEEPS {

@@ -7,16 +7,17 @@
 //! 2. bold steps from a start with upright masts, if masts stand on supports ([`taut_start`](super::taut_start)),
 //! 3. bold steps from a start in which the cables alone hold corners and joints,
 //! 4. the gradient flow,
-//! 5. bold steps while the film's tension grows.
+//! 5. bold steps while the film's tension grows,
+//! 6. bold steps from a start in which the film counts where corners are free, and corners begin drawn in.
 //!
 //! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there
 //! is no equilibrium.
 
-use super::form_finding::{Coarse, Ending, Found, Run, Stop};
+use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Run, Stop};
 use super::model::{Model, Stage};
 use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
 use super::remeshing::Fineness;
-use super::taut_start::{Masts, taut};
+use super::taut_start::{Held, taut};
 use crate::equilibrium::settling::{Pace, Settler, energy};
 use crate::equilibrium::{Body, Determined, Support};
 use crate::minimal_surface::StopReason;
@@ -46,7 +47,8 @@ const SHORT: f64 = 0.2;
 const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
-/// Rounds between two tries of Newton's method.
+/// Rounds after the first failure of Newton's method until it is tried again. After each further failure the pause is
+/// longer by as much, because rounds with constraints come nearer by a few per cent each.
 const WAIT: u32 = 2;
 /// Rounds in a row without a step after which an attempt ends.
 const MAX_STUCK: u32 = 6;
@@ -58,12 +60,13 @@ const CLOSES: f64 = 3.0;
 const CLOSED: f64 = 0.2;
 const STAYS_CLOSED: u32 = 3;
 /// The attempts. Those from a taut start and those with growing tension are made without pressure only.
-const ATTEMPTS: [Attempt; 5] = [
+const ATTEMPTS: [Attempt; 6] = [
     Attempt { from: None, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Masts::Upright), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Masts::Lean), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Some(Held::UprightMasts), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
     Attempt { from: None, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Masts::Lean), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+    Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+    Attempt { from: Some(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
 ];
 /// A vertex runs away beyond this distance from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
@@ -81,7 +84,7 @@ const COUNT_TOLERANCE: f64 = 0.05;
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
     /// The taut start from which the attempt begins; `None` for the given one.
-    from: Option<Masts>,
+    from: Option<Held>,
     pace: Pace,
     /// First part of the film's tension, and the rounds in which it grows to all of it.
     first_tension: f64,
@@ -112,6 +115,8 @@ struct Watch {
     pinching: u32,
     necks: u32,
     last_neck: Option<Neck>,
+    /// A shape in equilibrium on the last level, whose mesh is to be renewed. It has no neck.
+    worn: Option<Model>,
     compressed: u32,
     /// The length of the shortest cable of given force in the air, and whether it is shrinking.
     shortest: f64,
@@ -133,14 +138,14 @@ impl Run<'_> {
         let start = self.model.clone();
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
-        let mut first = None;
+        let (mut first, mut worn): (Option<(Ending, Model)>, Option<Model>) = (None, None);
         let possible = |attempt: &Attempt| plain || attempt.from.is_none() && attempt.tension_rounds == 0;
         for (number, attempt) in ATTEMPTS.into_iter().filter(possible).enumerate() {
             if number > 0 {
                 self.more_solves();
             }
             let taut = match attempt.from {
-                Some(masts) => self.taut_model(coarse, &start, masts)?,
+                Some(held) => self.taut_model(coarse, &start, held)?,
                 None => None,
             };
             *self.model = match taut {
@@ -148,16 +153,37 @@ impl Run<'_> {
                 None if attempt.from.is_some() && attempt.tension_rounds == 0 => continue,
                 None => start.clone(),
             };
-            let Some((ending, last)) = self.attempt_at(attempt, found)? else {
+            let mut watch = self.watch();
+            let attempted = match self.attempt_at(attempt, found, &mut watch) {
+                Err(Stop::Reason(StopReason::MaxIterations)) if self.options.max_iterations.is_none() => {
+                    let detail = format!("{DEFAULT_SOLVES} linear solves of form finding were not enough");
+                    Some((Ending::NotFound(detail), self.model.clone()))
+                }
+                other => other?,
+            };
+            let Some((ending, last)) = attempted else {
                 found.ending = None;
                 return Ok(());
             };
+            worn = worn.or(watch.worn);
             let ending = self.judged(ending);
             // An attempt without an ending leaves open whether there is a shape.
             let leaves_open =
                 |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));
             if first.as_ref().is_none_or(leaves_open) {
                 first = Some((ending, last));
+            }
+        }
+        let is_open = first.as_ref().is_none_or(|(ending, _)| matches!(ending, Ending::NotFound(_)));
+        if is_open && let Some(worn) = worn {
+            // A better mesh of the shape was sought in vain: a film that hardly opens at a corner has no even mesh.
+            *self.model = worn;
+            self.model.order_input_first(self.structure);
+            self.more_solves();
+            found.stop_reason = self.newton(found, self.options.tolerance)?;
+            if found.stop_reason == StopReason::Residual {
+                found.ending = None;
+                return Ok(());
             }
         }
         if let Some((ending, last)) = first {
@@ -169,8 +195,8 @@ impl Run<'_> {
     }
 
     /// The first mesh of a taut start, if there is one.
-    fn taut_model(&self, coarse: Coarse, start: &Model, masts: Masts) -> Result<Option<Model>, Stop> {
-        let Some(structure) = taut(self.structure, &start.start_forces, masts) else { return Ok(None) };
+    fn taut_model(&self, coarse: Coarse, start: &Model, held: Held) -> Result<Option<Model>, Stop> {
+        let Some(structure) = taut(self.structure, &start.start_forces, held) else { return Ok(None) };
         match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
             Ok(mut model) => {
                 (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
@@ -234,10 +260,14 @@ impl Run<'_> {
     }
 
     /// Makes one attempt. Returns the ending and the last shape if there is no result.
-    fn attempt_at(&mut self, attempt: Attempt, found: &mut Found) -> Result<Option<(Ending, Model)>, Stop> {
+    fn attempt_at(
+        &mut self,
+        attempt: Attempt,
+        found: &mut Found,
+        watch: &mut Watch,
+    ) -> Result<Option<(Ending, Model)>, Stop> {
         let pace = attempt.pace;
         let mut settler = Settler::default();
-        let mut watch = self.watch();
         let mut level = COARSE.min(self.wanted());
         let (mut rounds, mut stuck, mut wait, mut failures, mut kicks) = (0, 0, 0, 0, 0);
         let mut fresh = true;
@@ -250,12 +280,12 @@ impl Run<'_> {
             if fresh {
                 self.calibration = 1.0;
                 let passes = if rounds == 0 { 3 } else { 2 };
-                self.renew_mesh(edge, passes, is_last, &mut watch)?;
+                self.renew_mesh(edge, passes, is_last, watch)?;
                 for _ in 0..CALIBRATIONS {
                     if !is_last || !self.misses_count(edge) {
                         break;
                     }
-                    self.renew_mesh(edge, 1, is_last, &mut watch)?;
+                    self.renew_mesh(edge, 1, is_last, watch)?;
                 }
                 settler.restart();
                 fresh = false;
@@ -281,18 +311,18 @@ impl Run<'_> {
             };
             self.model.set_vertices(&body.vertices);
             self.model.renew_start_forces(self.structure);
-            if let Some(ending) = self.ending(&mut watch, edge) {
+            if let Some(ending) = self.ending(watch, edge) {
                 return Ok(Some((ending, self.model.clone())));
             }
             stuck = if round.fraction == 0.0 { stuck + 1 } else { 0 };
             if stuck >= MAX_STUCK {
-                return Ok(Some((self.stuck(&watch), self.model.clone())));
+                return Ok(Some((self.stuck(watch), self.model.clone())));
             }
             let ramping = rounds < attempt.tension_rounds;
             let moves = round.moved > REMESH_ABOVE * edge;
             if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || stuck > 0 || ramping {
                 edge = self.size(level);
-                self.renew_mesh(edge, 1, is_last, &mut watch)?;
+                self.renew_mesh(edge, 1, is_last, watch)?;
                 settler.restart();
             }
             if ramping || moves || stuck > 0 || !complete || rounds < wait {
@@ -313,7 +343,7 @@ impl Run<'_> {
             let whole = self.model.flipped() == 0;
             match reason {
                 StopReason::Residual if whole => {
-                    let unstable = found.stability.is_some_and(|stability| stability.morse_index > 0);
+                    let unstable = found.stability.is_some_and(|stability| stability.least_index > 0);
                     if unstable && kicks < MAX_KICKS {
                         kicks += 1;
                         self.kick(found, KICK * edge);
@@ -325,7 +355,10 @@ impl Run<'_> {
                     if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
                         // Newton's method moves vertices along the normals, which wears triangles out.
                         failures += 3;
-                        self.renew_mesh(edge, 2, is_last, &mut watch)?;
+                        if is_last && !unstable && watch.last_neck.is_none() {
+                            watch.worn = Some(self.model.clone());
+                        }
+                        self.renew_mesh(edge, 2, is_last, watch)?;
                         settler.restart();
                         continue;
                     }
@@ -347,7 +380,7 @@ impl Run<'_> {
                     if failures < MAX_FAILURES =>
                 {
                     failures += u32::from(!watch.shrinks);
-                    wait = rounds + WAIT;
+                    wait = rounds + WAIT * (1 + failures);
                     *self.model = before;
                     settler.restart();
                 }
@@ -410,6 +443,9 @@ impl Run<'_> {
         let fineness = Fineness { size: self.calibration * size, rounds, all_points: is_last };
         let neck = self.model.remesh(self.structure, fineness, self.exec).map_err(Error::from)?;
         watch.necks = if neck.is_some() { watch.necks + 1 } else { 0 };
+        if neck.is_some() {
+            watch.worn = None;
+        }
         watch.last_neck = neck;
         // A coarse mesh has more triangles than are wanted where the boundary is finer.
         if is_last && self.misses_count(size) {
@@ -482,6 +518,7 @@ impl Run<'_> {
             pinching: 0,
             necks: 0,
             last_neck: None,
+            worn: None,
             compressed: 0,
             shortest: f64::INFINITY,
             shrinks: false,

@@ -5,7 +5,7 @@ use super::model::Model;
 use super::options::{Course, Structure, Weave, WeaveHold, cable_place};
 use super::ponding::Ponding;
 use super::shape::{CableResult, ChamberResult, Statistics, WeaveStress};
-use crate::equilibrium::Support;
+use crate::equilibrium::{Support, stability_warnings};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::crossing::passage;
 use plateau_mesh::error::Warning;
@@ -85,12 +85,10 @@ pub(super) fn warn(
         let radius = plateau_mesh::polyline::radius(&model.mesh().vertices);
         if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
             warnings.push(Warning::new(WarningCode::Mechanism, mechanism(model, found)));
-        } else if !stability.stable {
-            let detail = format!(
-                "the shape is in equilibrium but no minimum of the energy (Morse index {}): it would leave it",
-                stability.morse_index
-            );
-            warnings.push(Warning::new(WarningCode::Unstable, detail).with_count("morse_index", stability.morse_index));
+        } else {
+            warnings.extend(stability_warnings(stability.morse_index, stability.least_index, |index| {
+                format!("the shape is in equilibrium but no minimum of the energy ({index}): it would leave it")
+            }));
         }
     }
     warnings

@@ -11,7 +11,7 @@ use plateau_mesh::{Execution, Interruption, Mesh};
 pub(crate) struct Crossings {
     /// Null if not all pairs were looked at.
     pub pairs: Option<u64>,
-    /// Why they were not.
+    /// Reason why not all pairs were searched.
     pub skipped: Option<&'static str>,
     /// Whether a deadline ended the search, so that another run may count more.
     pub cut_short: bool,

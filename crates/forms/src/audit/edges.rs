@@ -114,7 +114,7 @@ impl Components {
         v
     }
 
-    /// Returns the number of sets that have one of these vertices, in which each vertex counts that `is_used` marks.
+    /// Returns the number of sets whose smallest vertex `is_used` marks.
     #[must_use]
     pub fn count(&self, is_used: &[bool]) -> usize {
         self.0.iter().enumerate().filter(|&(v, &root)| root == v as u32 && is_used[v]).count()

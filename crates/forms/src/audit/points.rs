@@ -47,11 +47,11 @@ pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<
 #[must_use]
 pub(crate) fn polylines<'c>(contents: &'c Contents, name: &str) -> Vec<&'c [u32]> {
     let sets = contents.line_sets.iter().filter(|set| set.name == name);
-    let of = |lines: &'c Lines| match lines {
+    let vertices_of = |lines: &'c Lines| match lines {
         Lines::Polylines(polylines) => polylines.iter().map(|line| &line.vertices[..]).collect(),
         _ => Vec::new(),
     };
-    sets.flat_map(|set| of(&set.lines)).collect()
+    sets.flat_map(|set| vertices_of(&set.lines)).collect()
 }
 
 /// Vertices of boundaries at equal places: where boundaries touch, the mesh has one for each of them.
@@ -74,8 +74,9 @@ impl Twins {
     /// The edge between two vertices, or between others at their places.
     fn edge<'e>(&self, contents: &Contents, edges: &'e Edges, a: u32, b: u32) -> Option<&'e Edge> {
         edges.between(a, b).or_else(|| {
-            let at = |v: u32| self.0.get(&position_key(contents.mesh.vertices[v as usize])).map_or(vec![v], Vec::clone);
-            let (one, other) = (at(a), at(b));
+            let twins_of =
+                |v: u32| self.0.get(&position_key(contents.mesh.vertices[v as usize])).map_or(vec![v], Vec::clone);
+            let (one, other) = (twins_of(a), twins_of(b));
             one.iter().find_map(|&a| other.iter().find_map(|&b| edges.between(a, b)))
         })
     }
@@ -86,10 +87,10 @@ impl Twins {
 /// lie on the segment between them and in its order.
 pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32, straight: bool) {
     let contents = audit.contents;
-    let at = |v: u32| contents.mesh.vertices[v as usize];
+    let position = |v: u32| contents.mesh.vertices[v as usize];
     let loops = polylines(contents, "boundaries");
     let twins = Twins::of(contents, &loops);
-    let radius = polyline::radius(&loops.iter().flat_map(|rim| rim.iter()).map(|&v| at(v)).collect::<Vec<_>>());
+    let radius = polyline::radius(&loops.iter().flat_map(|rim| rim.iter()).map(|&v| position(v)).collect::<Vec<_>>());
     // Boundaries may share sides, such as the rims of sheets that meet.
     let mut borders = Vec::new();
     for (k, rim) in loops.iter().enumerate() {
@@ -115,7 +116,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             let steps = (1..=rim.len()).find(|step| rim[(start + step) % rim.len()] == vertex);
             from = steps.map(|steps| start + steps);
             let Some(steps) = steps.filter(|_| straight) else { continue };
-            let (a, b) = (at(rim[start % rim.len()]), at(vertex));
+            let (a, b) = (position(rim[start % rim.len()]), position(vertex));
             // A side on which another boundary has a point passes through that point.
             let touches = (1..steps).any(|step| twins.has(contents, rim[(start + step) % rim.len()]));
             let beside = if touches { MERGED * radius } else { BESIDE * audit.step };
@@ -123,7 +124,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             let mut reached = 0.0;
             for step in 1..steps {
                 let v = rim[(start + step) % rim.len()];
-                let offset = at(v) - a;
+                let offset = position(v) - a;
                 let place = offset.dot(along);
                 let distance = (offset - place * along).length();
                 if !(distance <= beside && place >= reached) {

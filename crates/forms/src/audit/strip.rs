@@ -42,7 +42,7 @@ pub(crate) struct Figures {
     pub convex: [usize; 2],
     pub bending: Sum,
     pub curvature_variation: Sum,
-    /// With the strip wound as it comes, and the other way round.
+    /// The normal variation of the strip as it is wound, and that of the strip wound the other way round.
     pub normal_variation: Option<[Sum; 2]>,
     pub fold: Largest,
     pub concave_fold: [Largest; 2],
@@ -58,9 +58,9 @@ type Rounded = (DVec3, f64);
 
 /// The chords at a point of a directrix.
 struct Chords {
-    /// To the point before and to the point after, where there is one.
+    /// The chords to the point before and to the point after, where there is one.
     to: [Option<DVec3>; 2],
-    /// Their lengths; infinite where there is none.
+    /// The lengths of both chords; infinite where there is none.
     lengths: [f64; 2],
     /// The directrix's direction.
     tangent: DVec3,
@@ -89,8 +89,8 @@ struct Fold {
     cosine: f64,
     sine_squared: f64,
     tolerance: f64,
-    /// Whether it counts for all folds, for those at bridges that certainly are not convex, and for those at bridges
-    /// that may not be convex.
+    /// Whether the fold counts for the largest of all folds, for the largest at bridges that certainly are not convex,
+    /// and for the largest at bridges that may not be convex.
     counts: [bool; 3],
 }
 
@@ -170,7 +170,7 @@ impl Strip<'_> {
         let with_length = |chord: Option<DVec3>| (chord, chord.map_or(f64::INFINITY, DVec3::length));
         // Each chord is measured once, as the one to the point after.
         let mut last = with_length(self.neighbour(side, 0, false).map(|other| other - self.point(side, 0)));
-        let of = |index: usize| {
+        let chords_at = |index: usize| {
             let point = self.point(side, index);
             let (before, after) = (last, with_length(self.neighbour(side, index, true).map(|other| other - point)));
             last = (after.0.map(|chord| -chord), after.1);
@@ -179,7 +179,7 @@ impl Strip<'_> {
             let tangent = self.rails[side].tangents.get(index).copied().unwrap_or_else(fitted);
             Chords { to: [before.0, after.0], lengths, tangent, steepness: 1.0 / before.1.min(after.1) }
         };
-        (0..self.count(side)).map(of).collect()
+        (0..self.count(side)).map(chords_at).collect()
     }
 
     fn bridge(&self, [i, j]: [usize; 2]) -> DVec3 {

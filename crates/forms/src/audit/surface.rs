@@ -135,26 +135,31 @@ impl Surface {
                 ring.is_degenerate |= is_degenerate;
             }
         }
+        found.count_flipped(triangles, step);
+        found
+    }
+
+    /// Counts the triangles that face away from the normals at their corners.
+    fn count_flipped(&mut self, triangles: &[[u32; 3]], step: f64) {
         let unit = |ring: &Ring| {
             let length = ring.normal.length();
             let inverse = 1.0 / length;
             let unit = if length > 0.0 { ring.normal * inverse } else { DVec3::ZERO };
             (unit, RELATIVE + ring.rounding * inverse)
         };
-        let units: Vec<(DVec3, f64)> = found.rings.iter().map(unit).collect();
-        for (triangle, sides) in triangles.iter().zip(&found.sides) {
+        let units: Vec<(DVec3, f64)> = self.rings.iter().map(unit).collect();
+        for (triangle, sides) in triangles.iter().zip(&self.sides) {
             let [a, b, c] = triangle.map(|v| units[v as usize]);
             // The sum of three cosines times the double area.
             let facing = sides.double_area_vector.dot(a.0 + b.0 + c.0);
             // Each unit normal moves by its own rounding, and the triangle's normal turns by the step over its
             // altitude.
             let turned = (a.1 + b.1 + c.1 + 3.0 * RELATIVE) * sides.double_area + 3.0 * step * sides.longest;
-            found.flipped[0] += usize::from(facing < -turned);
+            self.flipped[0] += usize::from(facing < -turned);
             // A triangle without area has neither a normal nor a cosine, and may count.
             let certainly_upright = facing >= turned && sides.double_area > 0.0;
-            found.flipped[1] += usize::from(!certainly_upright);
+            self.flipped[1] += usize::from(!certainly_upright);
         }
-        found
     }
 
     /// Returns the smallest and the largest angle in degrees.
@@ -180,7 +185,7 @@ impl Filter {
         Self { cotangent: f64::NEG_INFINITY }
     }
 
-    /// Returns whether the angle with the cotangent dot / double area may be below the least one that was reached.
+    /// Returns whether the angle whose cotangent is `dot / double_area` may be smaller than the smallest angle so far.
     fn may_count(&self, dot: f64, double_area: f64, tolerance: f64) -> bool {
         let is_larger = tolerance < MARGIN && dot < self.cotangent * double_area;
         !is_larger

@@ -13,7 +13,7 @@ const PROJECTED: f64 = 1e-3;
 /// plane outline in f64 departs by less.
 const ROUNDING: f64 = 1e-9;
 
-/// Distance that counts as rounding besides, in units in the last place of the largest coordinate: each coordinate of a
+/// Further distance that counts as rounding, in units in the last place of the largest coordinate: each coordinate of a
 /// product with a matrix of rotation is rounded by up to 2.5 of them.
 const ROUNDED_PLACES: f64 = 8.0;
 

@@ -77,7 +77,7 @@ struct Contacts {
 }
 
 impl Contacts {
-    /// Two sides that cross instead, if there are any.
+    /// Finds the points at which polygons touch. Returns two sides that cross instead, if there are any.
     fn between(
         polygons: &[Vec<DVec2>],
         tolerance: f64,
@@ -128,13 +128,13 @@ impl Contacts {
 
     /// Notes how two sides meet. `false` if neither has an end on the other one.
     fn add(&mut self, sides: [PointOf; 2], polygons: &[Vec<DVec2>], tolerance: f64) -> bool {
-        let at = |(k, i): PointOf| polygons[k][i];
+        let position = |(k, i): PointOf| polygons[k][i];
         let ends = |(k, i): PointOf| [(k, i), (k, (i + 1) % polygons[k].len())];
         let mut touch = false;
         let mut on_a_corner = BTreeSet::new();
         for p in ends(sides[0]) {
             for q in ends(sides[1]) {
-                if at(p).distance(at(q)) <= tolerance {
+                if position(p).distance(position(q)) <= tolerance {
                     self.unite(p, q);
                     on_a_corner.extend([p, q]);
                     touch = true;
@@ -142,9 +142,9 @@ impl Contacts {
             }
         }
         for (side, other) in [(sides[0], sides[1]), (sides[1], sides[0])] {
-            let [a, b] = ends(side).map(at);
+            let [a, b] = ends(side).map(position);
             for p in ends(other) {
-                if !on_a_corner.contains(&p) && distance_from_side(at(p), a, b) <= tolerance {
+                if !on_a_corner.contains(&p) && distance_from_side(position(p), a, b) <= tolerance {
                     self.unite(p, p);
                     self.on_side.entry(side).or_default().insert(p);
                     touch = true;
@@ -217,7 +217,7 @@ impl Nodes {
     /// # Errors
     /// Two sides that do more than touch.
     fn link(&self, polygons: &[Vec<DVec2>]) -> Result<Option<Vec<usize>>, [PointOf; 2]> {
-        let at = |v: usize| polygons[self.corners[v].place.0][self.corners[v].place.1];
+        let position = |v: usize| polygons[self.corners[v].place.0][self.corners[v].place.1];
         let mut before = vec![0; self.following.len()];
         self.following.iter().enumerate().for_each(|(v, &after)| before[after] = v);
         let mut places: BTreeMap<PointOf, Vec<usize>> = BTreeMap::new();
@@ -227,11 +227,11 @@ impl Nodes {
         let mut next = self.following.clone();
         let mut is_joined = false;
         for vertices in places.values().filter(|vertices| vertices.len() > 1) {
-            // The directions of the edges at the place: those that come (true) and those that go.
+            // The directions of the edges that end (true) or start (false) at the place, each with its vertex.
             let mut edges: Vec<(f64, bool, usize)> = Vec::new();
             for &v in vertices {
                 for (comes, neighbour) in [(true, before[v]), (false, self.following[v])] {
-                    let direction = at(neighbour) - at(v);
+                    let direction = position(neighbour) - position(v);
                     edges.push((libm::atan2(direction.y, direction.x), comes, v));
                 }
             }
@@ -252,7 +252,8 @@ impl Nodes {
             }
             for (k, &(_, comes, v)) in edges.iter().enumerate() {
                 let (.., other) = following(k);
-                // The region lies on the left of an edge that comes: clockwise of it, up to the edge that goes.
+                // The region lies on the left of an edge that ends here: clockwise of it, up to the edge that starts
+                // here.
                 if comes {
                     next[v] = self.following[other];
                     is_joined |= v != other;
@@ -262,7 +263,7 @@ impl Nodes {
         Ok(is_joined.then_some(next))
     }
 
-    /// The side on which an edge lies that comes to a vertex or goes from it.
+    /// The side of a polygon on which the edge lies that ends (`comes`) or starts at a vertex.
     fn side(&self, v: usize, comes: bool) -> PointOf {
         let (polygon, point) = self.corners[v].source;
         let (first, reversed) = self.polygons[polygon];

@@ -203,8 +203,8 @@ struct SharedPlaces {
     constraints: Vec<Constraint>,
     /// For each distinct point the (first) point that it stands for.
     first: Vec<u32>,
-    /// For each point that shares its place: the distinct point there, itself, and the distinct points before and after
-    /// it on its loop.
+    /// For each point that shares its place with others: the distinct point at the place, the point itself, and the
+    /// distinct points before and after it on its loop.
     copies: Vec<FanVertex>,
 }
 
@@ -223,17 +223,17 @@ impl SharedPlaces {
     /// [`Tangle::Coincident`] for equal points of which one is not on an outline.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Option<Self>, Tangle> {
         let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        let at = |v: u32| points[v as usize];
-        let key = |v: u32| (at(v).x, at(v).y);
+        let position = |v: u32| points[v as usize];
+        let key = |v: u32| (position(v).x, position(v).y);
         order.sort_unstable_by(|&a, &b| {
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
         });
-        if order.windows(2).all(|pair| at(pair[0]) != at(pair[1])) {
+        if order.windows(2).all(|pair| position(pair[0]) != position(pair[1])) {
             return Ok(None);
         }
         // Points are in the order of their numbers, without those that equal an earlier one.
         let mut leader: Vec<u32> = (0..points.len() as u32).collect();
-        for pair in order.windows(2).filter(|pair| at(pair[0]) == at(pair[1])) {
+        for pair in order.windows(2).filter(|pair| position(pair[0]) == position(pair[1])) {
             leader[pair[1] as usize] = leader[pair[0] as usize];
         }
         let first: Vec<u32> = (0..points.len() as u32).filter(|&v| leader[v as usize] == v).collect();
@@ -247,7 +247,7 @@ impl SharedPlaces {
             after[c.from as usize] = place[c.to as usize];
         }
         let mut copies = Vec::new();
-        for group in order.chunk_by(|&a, &b| at(a) == at(b)).filter(|group| group.len() > 1) {
+        for group in order.chunk_by(|&a, &b| position(a) == position(b)).filter(|group| group.len() > 1) {
             for &point in group {
                 let [before, after] = [before[point as usize], after[point as usize]];
                 let here = place[point as usize];
@@ -258,7 +258,7 @@ impl SharedPlaces {
             }
         }
         let constraints = constraints.iter().map(moved).collect();
-        Ok(Some(Self { points: first.iter().map(|&v| at(v)).collect(), constraints, first, copies }))
+        Ok(Some(Self { points: first.iter().map(|&v| position(v)).collect(), constraints, first, copies }))
     }
 
     /// Numbers the corners of the triangles by the points. The triangles between a copy's two neighbours get that copy.
@@ -306,7 +306,7 @@ impl SharedPlaces {
     }
 }
 
-/// Where the straight way from a triangle to a point ends.
+/// The end of a straight path from a triangle towards a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
     /// In this triangle.
@@ -407,7 +407,8 @@ impl Triangulation {
         let Some(k) = way_out else { return (Sight::Hidden, 1) };
         let mut half_edge = 3 * start + k as u32;
         let mut visited = 1;
-        // A straight way meets no triangle twice; the bound only guards against an eye that rounding put outside.
+        // A straight path meets no triangle twice. The bound ends the loop if rounding has put the start outside its
+        // triangle.
         while visited <= self.corners.len() as u64 {
             let entered = self.twin_of(half_edge);
             if entered == NONE {
@@ -426,9 +427,9 @@ impl Triangulation {
         (Sight::Hidden, visited)
     }
 
-    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and flips the edges opposite to
-    /// it as long as `flips` says so of a half-edge ([`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay
-    /// property). Appends the triangles around the new point to `star`.
+    /// Inserts a point that lies in triangle `t`, or on an edge of it that has a twin. Flips the edges opposite to the
+    /// point for whose half-edges `flips` holds; [`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay
+    /// property. Appends the triangles around the new point to `star`.
     pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
         self.points.push(point);

@@ -4,6 +4,7 @@
 //! with all their segments, and the others are halved. Polylines that stay apart take O(n log n) operations.
 
 use crate::DVec3;
+use crate::axis_box::AxisBox;
 use crate::execution::{Execution, Interruption};
 
 /// Number of segments in the smallest boxes.
@@ -27,15 +28,15 @@ pub struct Contact {
 pub struct Segments<'p> {
     points: &'p [DVec3],
     count: usize,
-    /// Corners of the boxes. The halves of box k are the boxes 2 k and 2 k + 1, and box 1 has all segments.
-    boxes: Vec<[DVec3; 2]>,
+    /// The halves of box k are the boxes 2 k and 2 k + 1, and box 1 has all segments.
+    boxes: Vec<AxisBox>,
 }
 
 impl<'p> Segments<'p> {
     /// The segments of a polyline of two or more points.
     pub fn new(points: &'p [DVec3], closed: bool) -> Self {
         let count = if closed { points.len() } else { points.len() - 1 };
-        let mut segments = Self { points, count, boxes: vec![[DVec3::ZERO; 2]; 4 * count.div_ceil(RUN)] };
+        let mut segments = Self { points, count, boxes: vec![AxisBox::EMPTY; 4 * count.div_ceil(RUN)] };
         segments.enclose(1, 0, count);
         segments
     }
@@ -44,14 +45,12 @@ impl<'p> Segments<'p> {
         [self.points[k], self.points[(k + 1) % self.points.len()]]
     }
 
-    fn enclose(&mut self, node: usize, from: usize, to: usize) -> [DVec3; 2] {
+    fn enclose(&mut self, node: usize, from: usize, to: usize) -> AxisBox {
         let found = if to - from <= RUN {
-            let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-            (from..to).flat_map(|k| self.segment(k)).fold(empty, |[low, high], p| [low.min(p), high.max(p)])
+            AxisBox::around((from..to).flat_map(|k| self.segment(k)))
         } else {
             let middle = usize::midpoint(from, to);
-            let [a, b] = [self.enclose(2 * node, from, middle), self.enclose(2 * node + 1, middle, to)];
-            [a[0].min(b[0]), a[1].max(b[1])]
+            self.enclose(2 * node, from, middle).with(&self.enclose(2 * node + 1, middle, to))
         };
         self.boxes[node] = found;
         found
@@ -96,8 +95,7 @@ pub fn first_contact(
         if tried % PAIRS_PER_LOOK == 0 {
             exec.look(PAIRS_PER_LOOK)?;
         }
-        let ([low, high], [other_low, other_high]) = (first.boxes[a.node], second.boxes[b.node]);
-        if (low - other_high).max(other_low - high).max_element() > tolerance {
+        if first.boxes[a.node].gap(&second.boxes[b.node]) > tolerance {
             continue;
         }
         let (long_a, long_b) = (a.to - a.from > RUN, b.to - b.from > RUN);

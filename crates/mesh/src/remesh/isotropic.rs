@@ -8,6 +8,7 @@
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::edit::may_collapse;
+use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
 use crate::topology::{NONE, Topology};
@@ -75,7 +76,7 @@ pub fn resample(
             tangential_relaxation(film, 1);
         }
         flip_to_delaunay(film, exec)?;
-        exec.look(20 * film.triangles().len() as u64)?;
+        exec.look(WORK_PER_TRIANGLE * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
         if reached > most {
             // The film has no area: its triangles stay too flat for their sizes, however often their edges are split.
@@ -117,7 +118,7 @@ pub fn refine(
         flip_to_delaunay(film, exec)?;
         tangential_relaxation(film, 1);
         flip_to_delaunay(film, exec)?;
-        exec.look(20 * film.triangles().len() as u64)?;
+        exec.look(WORK_PER_TRIANGLE * film.triangles().len() as u64)?;
     }
     Ok(())
 }
@@ -292,19 +293,11 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     size
 }
 
-/// Returns one half-edge for each edge whose key is above 1, sorted by the key, largest first.
+/// The edges whose key is above 1, largest first, without those of the boundary if these are kept.
 fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
-    let topology = &film.topology;
-    let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
-        .filter(|&h| {
-            topology.twin[h as usize] > h
-                && (boundary_edges == BoundaryEdges::Refined || topology.twin[h as usize] != NONE)
-        })
-        .map(|h| (key(h), h))
-        .filter(|&(key, _)| key > 1.0)
-        .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    ranked.into_iter().map(|(_, h)| h).collect()
+    let twin = &film.topology.twin;
+    let may = |h: u32| boundary_edges == BoundaryEdges::Refined || twin[h as usize] != NONE;
+    film.topology.ranked_edges(|h| if may(h) { key(h) } else { 0.0 })
 }
 
 fn length(film: &Film, h: u32) -> f64 {

@@ -8,9 +8,10 @@
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::edit::may_collapse;
+use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
-use crate::topology::{NONE, Topology};
+use crate::topology::{NONE, Topology, edge_key};
 use crate::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
@@ -79,10 +80,6 @@ pub struct Neck {
     pub girth: f64,
 }
 
-fn ordered(edge: [u32; 2]) -> [u32; 2] {
-    [edge[0].min(edge[1]), edge[0].max(edge[1])]
-}
-
 fn key(ratio: f64) -> u64 {
     (libm::log(ratio.max(1e-30)) / KEY_STEP + 1e10) as u64
 }
@@ -104,14 +101,14 @@ impl MovingFilm {
         for _ in 0..rounds {
             let mut sizes = self.sizes(size);
             for _ in 0..6 {
-                exec.look(20 * self.film.triangles().len() as u64)?;
+                exec.look(WORK_PER_TRIANGLE * self.film.triangles().len() as u64)?;
                 if !self.split_long(&mut sizes, onto) {
                     break;
                 }
                 flip_to_delaunay(&mut self.film, exec)?;
             }
             for _ in 0..4 {
-                exec.look(20 * self.film.triangles().len() as u64)?;
+                exec.look(WORK_PER_TRIANGLE * self.film.triangles().len() as u64)?;
                 let collapsed;
                 (collapsed, neck) = self.collapse_short(&mut sizes, onto);
                 if !collapsed {
@@ -132,10 +129,10 @@ impl MovingFilm {
 
     /// The stretch of every edge of a curve.
     fn stretches(&self) -> BTreeMap<[u32; 2], u32> {
-        let of = |curve: &Curve| -> Vec<([u32; 2], u32)> {
-            curve.stretches.iter().enumerate().map(|(k, &stretch)| (ordered(curve.edge(k)), stretch)).collect()
+        let edge_stretches = |curve: &Curve| -> Vec<([u32; 2], u32)> {
+            curve.stretches.iter().enumerate().map(|(k, &stretch)| (edge_key(curve.edge(k)), stretch)).collect()
         };
-        self.curves.iter().flat_map(of).collect()
+        self.curves.iter().flat_map(edge_stretches).collect()
     }
 
     /// For each stretch the number of vertices inside it.
@@ -206,7 +203,7 @@ impl MovingFilm {
         let inside = self.numbers_inside();
         let mut long = self.ratios(sizes);
         for (ratio, h) in &mut long {
-            let ends = ordered([self.film.topology.from(*h), self.film.topology.to(*h)]);
+            let ends = edge_key([self.film.topology.from(*h), self.film.topology.to(*h)]);
             let lacks = |&&stretch: &&u32| {
                 self.flexible[stretch as usize] && inside[stretch as usize] < self.fewest[stretch as usize]
             };
@@ -230,10 +227,10 @@ impl MovingFilm {
             let (a, b) = (film.topology.from(h), film.topology.to(h));
             let middle = film.vertices.len() as u32;
             let place = 0.5 * (film.vertices[a as usize] + film.vertices[b as usize]);
-            let (kind, place) = match stretches.get(&ordered([a, b])) {
+            let (kind, place) = match stretches.get(&edge_key([a, b])) {
                 None => (Kind::Inside, place),
                 Some(&stretch) => {
-                    middles.insert(ordered([a, b]), middle);
+                    middles.insert(edge_key([a, b]), middle);
                     if self.flexible[stretch as usize] {
                         (Kind::Along(stretch), onto(stretch, place))
                     } else {
@@ -264,7 +261,7 @@ impl MovingFilm {
                         vertices.push(v);
                         let Some(&stretch) = curve.stretches.get(k) else { continue };
                         stretches.push(stretch);
-                        if let Some(&middle) = middles.get(&ordered(curve.edge(k))) {
+                        if let Some(&middle) = middles.get(&edge_key(curve.edge(k))) {
                             vertices.push(middle);
                             stretches.push(stretch);
                         }
@@ -283,7 +280,7 @@ impl MovingFilm {
         self.film.boundaries = self.curves[..count].iter().map(|curve| curve.vertices.clone()).collect();
         self.film.locked = self.curves[count..]
             .iter()
-            .flat_map(|curve| (0..curve.stretches.len()).map(|k| ordered(curve.edge(k))))
+            .flat_map(|curve| (0..curve.stretches.len()).map(|k| edge_key(curve.edge(k))))
             .collect();
         self.film.locked.sort_unstable();
     }
@@ -307,7 +304,7 @@ impl MovingFilm {
                 continue;
             }
             let (kind_a, kind_b) = (self.kinds[a as usize], self.kinds[b as usize]);
-            let stretch = stretches.get(&ordered([a, b])).copied();
+            let stretch = stretches.get(&edge_key([a, b])).copied();
             // The vertex that leaves, the one that stays, and whether they meet in the middle.
             let (leaves, stays, in_the_middle) = match (stretch, kind_a, kind_b) {
                 (Some(s), _, _) if left[s as usize] <= self.fewest[s as usize] => continue,

@@ -11,15 +11,13 @@ use glam::DMat3;
 
 // Tunables. The figures in docs/papers/chen-cai-zheng.md were obtained with these values.
 
-/// Number of sweeps over the vertices. A larger value lowers the largest gradient further and makes angles smaller.
+/// Number of sweeps over the vertices. Further sweeps lower the largest gradient, but make angles smaller.
 pub const SWEEPS: u32 = 4;
-/// Gradient by area, times the radius of the boundary, above which the last sweeps visit a vertex once more. A larger
-/// value takes less time and leaves larger gradients.
+/// Gradient by area, times the radius of the boundary, above which the last sweeps visit a vertex once more.
 const UNEVEN: f64 = 1.6e-2;
-/// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane. A larger
-/// value gives shorter steps.
+/// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane.
 const DAMPING: f64 = 3e-3;
-/// Longest step as a part of the shortest edge of the ring at the vertex. A larger value lets triangles turn over.
+/// Longest step as a part of the shortest edge of the ring at the vertex. Longer steps turn triangles over.
 const REACH: f64 = 0.25;
 /// Gradient by area, times the radius of the boundary, below which a vertex stays.
 const NEGLIGIBLE: f64 = 3e-3;

@@ -25,8 +25,7 @@ const LEAST_GAIN: f64 = 0.01;
 /// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle
 /// is known.
 const ROUNDING: f64 = 1e-12;
-/// Cosine of the largest angle between a changed triangle and the mean of the triangles around it. A smaller value
-/// allows sharper folds.
+/// Cosine of the largest angle between a changed triangle and the mean of the triangles around it.
 const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
@@ -256,11 +255,11 @@ impl Widening {
             return None;
         }
         let around = || {
-            let of = |v: u32, other: u32| {
+            let triangles_around = |v: u32, other: u32| {
                 let numbers = film.topology.outgoing_half_edges(v).map(|h| h / 3);
                 numbers.map(move |t| (t, film.triangles()[t as usize].contains(&other)))
             };
-            of(stays, leaves).chain(of(leaves, stays).filter(|(_, both)| !both))
+            triangles_around(stays, leaves).chain(triangles_around(leaves, stays).filter(|(_, both)| !both))
         };
         let mut before = f64::INFINITY;
         let mut direction = DVec3::ZERO;

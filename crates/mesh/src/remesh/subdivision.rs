@@ -73,7 +73,7 @@ pub fn subdivided_inside(
             midpoints.push([a, b]);
         }
     }
-    let at = |v: u32| match v.checked_sub(old) {
+    let position = |v: u32| match v.checked_sub(old) {
         None => vertices[v as usize],
         Some(new) => {
             0.5 * (vertices[midpoints[new as usize][0] as usize] + vertices[midpoints[new as usize][1] as usize])
@@ -96,7 +96,7 @@ pub fn subdivided_inside(
             (Some(edge), None) => {
                 let [(a, _), (b, bc), (c, ca)] = [corner(edge), corner(next(edge)), corner(previous(edge))];
                 triangles.push([c, ca, bc]);
-                if at(a).distance_squared(at(bc)) <= at(b).distance_squared(at(ca)) {
+                if position(a).distance_squared(position(bc)) <= position(b).distance_squared(position(ca)) {
                     triangles.extend([[a, b, bc], [a, bc, ca]]);
                 } else {
                     triangles.extend([[a, b, ca], [b, bc, ca]]);

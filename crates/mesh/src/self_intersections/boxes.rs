@@ -2,6 +2,7 @@
 //! edge.
 
 use super::soup::{LOOK, NONE};
+use crate::axis_box::AxisBox;
 use crate::{DVec3, Execution, Interruption};
 use std::ops::{ControlFlow, Range};
 
@@ -19,47 +20,6 @@ pub enum Order {
 
 /// Smallest squared part of a direction across a normal, as a fraction of its whole square, that serves as an axis.
 const LEAST_ACROSS: f64 = 1e-12;
-
-/// A box along the axes.
-#[derive(Clone, Copy)]
-pub(super) struct AxisBox {
-    pub low: DVec3,
-    pub high: DVec3,
-}
-
-impl AxisBox {
-    pub const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-
-    pub fn of(corners: &[DVec3; 3]) -> Self {
-        let [a, b, c] = *corners;
-        Self { low: a.min(b).min(c), high: a.max(b).max(c) }
-    }
-    pub fn with(&self, other: &Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
-    }
-    pub fn centre(&self) -> DVec3 {
-        0.5 * (self.low + self.high)
-    }
-    /// The square of the diagonal.
-    pub fn size_squared(&self) -> f64 {
-        (self.high - self.low).length_squared()
-    }
-    /// A triangle that has this box.
-    pub fn ends(&self) -> [DVec3; 3] {
-        [self.low, self.high, self.high]
-    }
-    fn widened(&self, margin: f64) -> Self {
-        Self { low: self.low - margin, high: self.high + margin }
-    }
-    fn meets(&self, other: &Self) -> bool {
-        self.low.x <= other.high.x
-            && other.low.x <= self.high.x
-            && self.low.y <= other.high.y
-            && other.low.y <= self.high.y
-            && self.low.z <= other.high.z
-            && other.low.z <= self.high.z
-    }
-}
 
 /// A box along axes of its own.
 #[derive(Clone, Copy)]
@@ -81,8 +41,9 @@ impl OwnBox {
     fn directed(normal: DVec3, along: DVec3) -> Self {
         let third = normal.normalize_or(DVec3::Z);
         let across = |v: DVec3| v - third * v.dot(third);
-        // The part that is left of a direction along the normal is rounding, which may itself lie along the normal.
-        // Otherwise it is taken twice, because the first difference may have lost some of its digits.
+        // The remainder of a direction along the normal is only rounding, and may itself lie along the normal. For
+        // other directions the remainder is computed twice, because the first difference may have lost some of its
+        // digits.
         let left = across(along);
         let is_certain = left.length_squared() > LEAST_ACROSS * along.length_squared();
         let first = if is_certain { across(left.normalize()).normalize() } else { third.any_orthonormal_vector() };
@@ -156,7 +117,8 @@ pub(super) struct Tree {
     nodes: Vec<AxisBox>,
     /// The boxes along the nodes' own axes, if pairs of triangles are visited.
     own: Vec<OwnBox>,
-    /// A point of the mesh from which own boxes are computed, so that their rounding is that of the extent.
+    /// A point of the mesh, relative to which the boxes along own axes are computed, so that their rounding depends
+    /// only on the mesh's extent.
     origin: DVec3,
     /// The first leaf's node.
     base: usize,
@@ -173,7 +135,7 @@ pub(super) struct Leaves {
     pub order: Order,
     /// Triangles in a leaf of the tree.
     pub size: usize,
-    /// How far the triangles may be from where their corners say.
+    /// Largest distance by which the triangles may differ from those of the given corners.
     pub margin: f64,
     /// The pairs that walks will visit.
     pub visits: Visits,
@@ -197,7 +159,7 @@ impl Tree {
         let Leaves { triangles: mut list, order, size, margin, visits } = leaves;
         let mut whole = AxisBox::EMPTY;
         for chunk in list.chunks(LOOK) {
-            whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::of(&corners(t))));
+            whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::around(corners(t))));
             exec.look(chunk.len() as u64)?;
         }
         if order == Order::Spatial {
@@ -227,7 +189,7 @@ impl Tree {
             let node = base + leaf;
             for &t in triangles {
                 let corners = corners(t);
-                let extent = AxisBox::of(&corners).widened(margin);
+                let extent = AxisBox::around(corners).widened(margin);
                 if visits == Visits::Pairs {
                     tree.boxes.push(extent);
                 }

@@ -29,9 +29,9 @@ use std::ops::ControlFlow;
 /// Largest angle between a direction and the normals of its charts: 72 degrees. A larger angle makes the charts overlap
 /// more, and the boundaries that are seen from the side touch more often.
 const CHART: f64 = 0.4 * PI;
-/// How far inside the edge of the cone of one of the directions a patch must lie, as a multiple of the angle that its
-/// own normals differ from their middle, so that the patches beside it are in the same chart. A smaller value needs
-/// fewer directions, and finds no chart for neighbours where the surface bends more than in the patch itself.
+/// Angle by which a patch lies inside the edge of a direction's cone, as a multiple of the largest angle between the
+/// patch's normals and their middle. The patches beside it are then in the same chart, unless the surface bends more
+/// there than in the patch itself.
 const MARGIN_OF_NEIGHBOURS: f64 = 2.0;
 /// Bounds of this margin: 5 and 32 degrees.
 const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
@@ -39,7 +39,8 @@ const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
 const DIRECTIONS: usize = 20;
 /// Numbers of slabs into which the parts that lie over themselves are cut, one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
-/// Patches that are cut into slabs, counted each time, as a multiple of the mesh's own.
+/// Largest number of patches that are cut into slabs, each counted as often as it is cut, as a multiple of the mesh's
+/// patches.
 const SLAB_WORK: usize = 4;
 /// Largest number of times that the boundary of a chart may pass through one vertex.
 const PASSES: usize = 16;
@@ -82,7 +83,7 @@ pub(super) fn suspects(
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
     let mut is_suspect = vec![false; count];
-    // Few patches are ever compared, so that a box of their own is made for those alone.
+    // Boxes along own axes are made only for the patches that are compared, because these are few.
     let mut own_boxes: Vec<Option<OwnBox>> = vec![None; count];
     let visit = |a: usize, b: usize| {
         // The leaves behind the last patch are empty.
@@ -113,7 +114,7 @@ pub(super) fn suspects(
     Ok(suspects)
 }
 
-/// Directions such that nearly every patch, with those beside it, faces one of them.
+/// Directions of which nearly every patch faces one, together with the patches beside it.
 fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
     let mut directions: Vec<DVec3> = Vec::new();
     let mut last = 0;
@@ -295,7 +296,7 @@ struct Boundary {
     parts: Vec<u32>,
     ends: Vec<[u32; 2]>,
     points: Vec<[DVec2; 2]>,
-    /// For each edge one that starts where it ends and bounds the same part.
+    /// For each edge the next edge around its part, which starts where this one ends.
     next: Vec<u32>,
 }
 

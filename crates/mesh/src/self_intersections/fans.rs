@@ -44,8 +44,8 @@ pub(super) fn large(soup: &Soup, list: &[u32], stars: &[u32]) -> Fans {
         return Fans { sizes: Vec::new(), members: Vec::new() };
     }
     let mut fans = Fans { sizes, members: Vec::new() };
-    let of = |&t: &u32| (fans.of(&soup.triangles[t as usize]), t);
-    fans.members = list.iter().map(of).filter(|member| member.0 != NONE).collect();
+    let member = |&t: &u32| (fans.of(&soup.triangles[t as usize]), t);
+    fans.members = list.iter().map(member).filter(|member| member.0 != NONE).collect();
     fans.members.sort_unstable();
     fans
 }

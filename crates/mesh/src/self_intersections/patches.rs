@@ -4,13 +4,15 @@
 //! Most steps of the search for charts treat patches in place of triangles. Only the first step reads the triangles, in
 //! one pass.
 
-use super::boxes::{AxisBox, Order, sorted_along_curve};
-use super::soup::{LOOK, NONE, clear_normal, power_of_two_above};
+use super::boxes::{Order, sorted_along_curve};
+use super::soup::{LOOK, NONE, clear_normal};
+use crate::axis_box::AxisBox;
+use crate::measure::power_of_two_above;
 use crate::{DVec3, Execution, Interruption};
 use std::ops::Range;
 
-/// Blocks of triangles are compact if the squares of their extents exceed those of as many equal triangles, which fill
-/// a triangle of their own shape, by less than this factor.
+/// Blocks of triangles are compact if the sum of their squared extents is at most this multiple of the sum over their
+/// triangles. The sums are equal where the triangles of a block divide a triangle of their own shape.
 const COMPACT: f64 = 2.5;
 
 /// Connected triangles that follow each other in [`Patches::order`].
@@ -36,9 +38,9 @@ pub(super) struct Patches<'a> {
     order: Vec<u32>,
     /// The ends of the half-edges that have no opposite one in their patch.
     pub edges: Vec<[u32; 2]>,
-    /// For each of these the number of its patch.
+    /// For each of `edges` the number of its patch.
     pub owners: Vec<u32>,
-    /// For each of these the patch of the opposite half-edge, or [`NONE`] if not exactly one lies there.
+    /// For each of `edges` the patch of the opposite half-edge, or [`NONE`] if not exactly one half-edge lies there.
     pub across: Vec<u32>,
 }
 
@@ -227,7 +229,7 @@ impl Block {
             self.edges.extend([[a, b], [b, c], [c, a]]);
             let corners = mesh.corners(number);
             let normal = clear_normal(&corners).unwrap_or(DVec3::ZERO);
-            self.triangles.push(BlockTriangle { number, extent: AxisBox::of(&corners), normal });
+            self.triangles.push(BlockTriangle { number, extent: AxisBox::around(corners), normal });
         }
         // Blocks that were divided alike are paired alike.
         if !self.pairing.holds(&self.edges) {
@@ -254,8 +256,8 @@ impl Block {
 
     /// The half-edges of a piece that have no opposite one in it.
     fn edges_of(&self, piece: u8) -> impl Iterator<Item = [u32; 2]> {
-        let of = |h: u8| self.pairing.piece[h as usize / 3];
-        self.pairing.single.iter().filter(move |&&h| of(h) == piece).map(|&h| self.edges[h as usize])
+        let piece_of = |h: u8| self.pairing.piece[h as usize / 3];
+        self.pairing.single.iter().filter(move |&&h| piece_of(h) == piece).map(|&h| self.edges[h as usize])
     }
 
     /// The patch of a piece, without its place, and the number of its triangles.

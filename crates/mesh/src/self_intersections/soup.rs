@@ -1,6 +1,7 @@
 //! The triangles of a mesh as they are searched for self-intersections: scaled, with equal points merged.
 
 use super::predicates::plane_axes;
+use crate::measure::power_of_two_above;
 use crate::{DVec3, Execution, Interruption};
 
 /// Triangles, vertices or pairs between two looks at the execution: a few milliseconds at most.
@@ -10,7 +11,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// A triangle counts as facing a vertex normal if the cosine, times the sine of its angle at the vertex, exceeds this.
 /// Values near rounding (1e-15) are not safe.
 const FACING: f64 = 1e-7;
-/// The same for the sine of the angle between two edges at a vertex.
+/// Two edges at a vertex count as apart if the sine of the angle between them exceeds this.
 const APART: f64 = 1e-11;
 /// An edge that is in line with a ray lies on its other side if the cosine between them is below minus this. The angle
 /// to the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle
@@ -140,7 +141,7 @@ impl Soup {
         let facing = normal.length();
         let direction = self.points[*ray as usize] - centre;
         let size = |v: DVec3| v.abs().element_sum();
-        // The triangles that the ray runs through, the one that it bounds on the right among them.
+        // Number of triangles through which the ray runs, including the triangle that it bounds on the right.
         let mut covered = 0;
         for &corner in corners {
             let (a, b) = ends(corner);
@@ -218,10 +219,4 @@ fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, I
         }
     }
     Ok(representative)
-}
-
-/// A power of two above a length, 1 for zero.
-pub(super) fn power_of_two_above(length: f64) -> f64 {
-    let exponent = (length.to_bits() >> 52) & 0x7ff;
-    if length == 0.0 { 1.0 } else { f64::from_bits((exponent + 1).clamp(23, 2023) << 52) }
 }

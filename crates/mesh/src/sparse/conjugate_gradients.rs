@@ -1,6 +1,6 @@
 //! The method of conjugate gradients (Hestenes and Stiefel 1952) for symmetric positive definite systems.
 
-use super::SymmetricMatrix;
+use super::{SymmetricMatrix, dot};
 use crate::{Execution, Interruption};
 
 /// Why conjugate gradients did not reach their goal.
@@ -69,10 +69,6 @@ pub fn conjugate_gradients(
         }
     }
     if is_small(&residual) { Ok(max_iterations) } else { Err(CgFailure::Slow) }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

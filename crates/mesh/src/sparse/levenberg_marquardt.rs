@@ -14,20 +14,20 @@ use crate::execution::{Execution, Interruption};
 const LARGEST_DAMPING: f64 = 1e9;
 const LEAST_DAMPING: f64 = 1e-15;
 
-/// A sum of squares that is minimised over the places of nodes.
+/// A sum of squares that is minimised over the locations of nodes.
 pub trait LeastSquares<const N: usize> {
-    /// Where a node stands.
-    type Place: Clone;
+    /// The location of a node.
+    type Location: Clone;
     /// Calls its argument with the nodes of each residual that depends on more than one.
     fn couplings(&self, couple: &mut dyn FnMut(&[u32]));
-    /// ½ Σ r², infinite where the places are not allowed.
-    fn energy(&mut self, x: &[Self::Place]) -> f64;
+    /// ½ Σ r², infinite where the locations are not allowed.
+    fn energy(&mut self, x: &[Self::Location]) -> f64;
     /// Adds every residual with its derivatives.
-    fn assemble(&mut self, x: &[Self::Place], normal: &mut NormalEquations<N>);
+    fn assemble(&mut self, x: &[Self::Location], normal: &mut NormalEquations<N>);
     /// A node's block of the metric, as of the last [`assemble`](Self::assemble): symmetric and positive definite.
     fn metric(&self, node: usize) -> [[f64; N]; N];
-    /// Writes to `to` the places after as much of the step as may be taken, and returns how much of it that is.
-    fn advance(&self, x: &[Self::Place], step: &[[f64; N]], to: &mut [Self::Place]) -> f64;
+    /// Writes to `to` the locations after the part of the step that may be taken, and returns that part.
+    fn advance(&self, x: &[Self::Location], step: &[[f64; N]], to: &mut [Self::Location]) -> f64;
 }
 
 /// JᵀJ and Jᵀr on a fixed pattern.
@@ -127,8 +127,8 @@ pub enum Stop {
     Interrupted(Interruption),
 }
 
-/// Is shown the number of each step tried, the places after it and the energy there.
-pub(crate) type Observer<'a, Place> = dyn FnMut(u64, &[Place], f64) + 'a;
+/// Receives the number of each step tried, the locations after the step and the energy there.
+pub(crate) type Observer<'a, Location> = dyn FnMut(u64, &[Location], f64) + 'a;
 
 /// Lowers the problem's energy from `x`, which must be allowed, until a criterion holds. Returns which, and the energy.
 ///
@@ -136,9 +136,9 @@ pub(crate) type Observer<'a, Place> = dyn FnMut(u64, &[Place], f64) + 'a;
 /// factorisation). On an interruption `x` is the best so far.
 pub fn minimise<const N: usize, P: LeastSquares<N>>(
     problem: &mut P,
-    x: &mut Vec<P::Place>,
+    x: &mut Vec<P::Location>,
     criteria: Criteria,
-    observe: &mut Observer<'_, P::Place>,
+    observe: &mut Observer<'_, P::Location>,
     execution: &Execution<'_>,
 ) -> (Stop, f64) {
     let mut energy = problem.energy(x);
@@ -243,7 +243,7 @@ mod tests {
     }
 
     impl LeastSquares<2> for Valley {
-        type Place = [f64; 2];
+        type Location = [f64; 2];
         fn couplings(&self, _: &mut dyn FnMut(&[u32])) {}
         fn energy(&mut self, x: &[[f64; 2]]) -> f64 {
             let [x, y] = x[0];

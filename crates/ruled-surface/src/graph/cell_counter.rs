@@ -33,7 +33,7 @@ impl<'a, 'e> CellCounter<'a, 'e> {
     pub(crate) fn phase(&mut self, phase: &'static str) {
         self.phase = phase;
     }
-    /// Counts cells that need no visit after all, for the progress only.
+    /// Counts cells that are not visited, so that the progress includes them.
     pub(crate) fn leave_out(&mut self, cells: u64) {
         self.done += cells;
     }
@@ -56,7 +56,7 @@ impl<'a, 'e> CellCounter<'a, 'e> {
         }
         Ok(())
     }
-    /// Looks at the signal, with the work since the last look.
+    /// Looks at the signal and accounts for the cells visited since the last look.
     pub(crate) fn last_look(&mut self) -> Result<(), Interruption> {
         self.execution.look(std::mem::take(&mut self.since_look))
     }

@@ -238,8 +238,8 @@ fn branch_and_bound(search: &mut dyn PathSearch, counter: &mut CellCounter<'_, '
             heap.push(StartRange { bound, first: range.first, last: cut, seed: range.seed });
             heap.push(StartRange { bound, first: cut + 1, last: range.last, seed: range.seed });
         } else if range.first < range.last {
-            // The path closes but its curvature does not: this start is searched alone, and so are the starts on either
-            // side.
+            // The path closes but the step assumed before its first bridge is not the step that led to its last one, so
+            // its cost is only a lower bound. This start is searched alone, and so are the starts on either side.
             heap.push(StartRange { bound, first: start, last: start, seed: Seed::Either });
             if start > range.first {
                 heap.push(StartRange { bound, first: range.first, last: start - 1, seed: range.seed });

@@ -70,7 +70,7 @@ fn is_convex_exactly(rails: &Rails, i: usize, j: usize) -> bool {
     fits_in_half_plane(count, |a, b| sign[a][b] >= 0, |a, b| sign[a][b] <= 0)
 }
 
-/// Whether some direction has all others on one side of it.
+/// Whether some direction has all others on its left, or all others on its right.
 fn fits_in_half_plane(count: usize, left: impl Fn(usize, usize) -> bool, right: impl Fn(usize, usize) -> bool) -> bool {
     let others = |a: usize| (0..count).filter(move |&b| b != a);
     count <= 2 || (0..count).any(|a| others(a).all(|b| left(a, b)) || others(a).all(|b| right(a, b)))
@@ -165,8 +165,8 @@ fn fits_within<V: Lanes>(length: V, triangles: &[BridgeTriangle<V>; 4], sine: f6
     fits | (far[3] & (lefts[3] | rights[3]))
 }
 
-/// Returns which bridges of a path are locally convex, the first in bit 0. There is a bridge on every lane, their
-/// `length`s and triangles (arriving by P, by Q, leaving by P, by Q).
+/// Returns which bridges of a path are locally convex, the first bridge in bit 0. Lane k has the length of bridge k and
+/// its triangles (arriving by P, by Q, leaving by P, by Q).
 #[inline(always)]
 pub(crate) fn are_convex<V: Lanes>(
     rails: &Rails,
@@ -224,7 +224,7 @@ pub(crate) fn concave_bridges<V: Lanes>(
                     }
                 }
             }
-            // A bridge costs as much as a dozen cells of a sweep. Progress counts it once.
+            // An exact test takes as long as a dozen cells of a sweep, but counts as one cell of the progress.
             counter.add((end - block) as u64)?;
         }
     }

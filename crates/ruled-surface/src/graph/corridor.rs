@@ -23,6 +23,7 @@ use super::cell_counter::CellCounter;
 use super::rails::Rails;
 use super::sweep::Region;
 use plateau_mesh::DVec3;
+use plateau_mesh::axis_box::AxisBox;
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
@@ -37,7 +38,7 @@ const HOPELESS: f64 = 0.25;
 /// below 1e-15.
 const ROUNDING: f64 = 1e-12;
 
-/// The bridges of an open strip among which a path of least area is found.
+/// Returns bridges of an open strip among which there is a path of least area.
 pub(crate) fn corridor(rails: &Rails, counter: &mut CellCounter<'_, '_>) -> Result<Region, Interruption> {
     let (m, n) = (rails.m(), rails.n());
     let whole = Region::full(m, 0, n - 1);
@@ -117,8 +118,7 @@ struct Extent {
 
 impl Extent {
     fn of(points: impl Iterator<Item = DVec3>) -> Self {
-        let (low, high) =
-            points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)));
+        let AxisBox { low, high } = AxisBox::around(points);
         Self { centre: 0.5 * (low + high), half: 0.5 * (high - low) }
     }
     fn with(self, other: Self) -> Self {
@@ -141,7 +141,7 @@ struct RunTree {
 }
 
 impl RunTree {
-    /// None if an edge has no direction.
+    /// `None` if an edge is too short to have a direction.
     fn new(points: &[DVec3]) -> Option<Self> {
         let edges = points.len() - 1;
         let directions: Vec<DVec3> =

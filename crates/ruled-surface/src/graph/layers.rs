@@ -1,10 +1,10 @@
 //! The graphs of sections 4 and 5 as kernels, which derive the costs at a bridge from those at its two predecessors.
 //!
-//! A graph has one layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the
-//! step that led to it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step
-//! that leaves it. A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the
-//! closing triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. The bridge after this
-//! step is the start of a closed path, without ambiguity.
+//! In a graph of one layer (area, twist, convexity, normal variation) a node is a bridge. With two layers (bending) it
+//! is a bridge and the step that led to it. With four layers (mean curvature variation, weighted sums) it is a bridge,
+//! the step that led to it and the step that leaves it. A path enters row 0 by a P-step and leaves the last row by one.
+//! These are virtual steps on an open strip. On a closed strip they are the closing triangle: every path takes exactly
+//! one step from p_{m-1} to p_0, and the bridge after this step is the start of the path.
 
 use super::lanes::{Lanes, Vector};
 use super::strip_arrays::{BANK, BandRows, NORMAL, POINT, StripArrays, TANGENT};
@@ -16,7 +16,7 @@ pub(crate) trait PathCost<V: Lanes>: Copy {
     const FIELDS: usize;
     fn of(simd: V::Simd, count: f64, value: f64) -> Self;
     fn plus(self, value: V) -> Self;
-    /// Enters a bridge that is `concave` or not.
+    /// Counts the bridge if it is concave. A cost without a count stays as it is.
     fn enter(self, concave: V::Mask) -> Self;
     fn less(self, other: Self) -> V::Mask;
     fn select(mask: V::Mask, yes: Self, no: Self) -> Self;
@@ -127,7 +127,7 @@ pub(crate) trait StepWeights<V: Lanes> {
     fn bridge(&self, band: &Self::Band, t: usize, value: V) -> V;
 }
 
-/// Triangle areas, doubled.
+/// Twice the area of the triangle of every step.
 #[derive(Debug)]
 pub(crate) struct Area<'a, S> {
     pub(crate) simd: S,
@@ -300,8 +300,9 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
     }
 }
 
-/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is
-/// paid on leaving it. For either step that leaves a bridge, its back pointer is the step that led to the bridge.
+/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the cost of leaving a node
+/// includes the bending at its bridge. For either step that leaves a bridge, the back pointer is the step that led to
+/// the bridge.
 #[derive(Debug)]
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
@@ -391,7 +392,8 @@ pub(crate) struct Factors {
 }
 
 /// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a
-/// link costs the change of the mean curvature vector. Back pointers at a node: the step that led to the bridge before.
+/// link costs the change of the mean curvature vector. The back pointer of a node is the step that led to the bridge
+/// before.
 #[derive(Debug)]
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
@@ -426,7 +428,7 @@ fn curvatures<V: Lanes>(bridge: Vector<V>, triangles: &[BridgeTriangle<V>; 4]) -
 
 impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     const LAYERS: usize = 4;
-    /// The costs and mean curvature vectors of the two nodes that leave by P.
+    /// Carries the costs and mean curvature vectors of the two nodes that leave by P.
     const CARRY: usize = 2 * C::FIELDS + 6;
     type Band = BandRows<V>;
     type State = Nodes<V, C>;

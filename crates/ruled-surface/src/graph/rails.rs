@@ -1,6 +1,7 @@
 //! The two directrices of a strip as the solver sees them: centred and scaled points, bank edges, tangents, normals.
 
 use plateau_mesh::DVec3;
+use plateau_mesh::measure::power_of_two_above;
 use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
@@ -30,12 +31,12 @@ pub(crate) struct Rail {
     pub(crate) normals: Vec<DVec3>,
 }
 
-/// A directrix of the caller: points, and lists of the same length of what belongs to them.
+/// A directrix as the caller gives it.
 #[derive(Clone, Copy, Debug)]
 pub struct Given<'a> {
     /// The points in order, in the caller's unit.
     pub points: &'a [DVec3],
-    /// Fitted if not given (eq. 13 and 14).
+    /// Tangents at the points. If absent, they are fitted (eq. 13 and 14).
     pub tangents: Option<&'a [DVec3]>,
     /// Surface normals at the points, of any length.
     pub normals: Option<&'a [DVec3]>,
@@ -61,7 +62,7 @@ impl Rails {
         // Multiplying by the inverse of a power of two gives the same bits as dividing by it.
         let raw = |points: &[DVec3]| points.iter().map(|&v| v * outer.recip()).collect::<Vec<_>>();
         let (raw_p, raw_q) = (raw(p.points), raw(q.points));
-        // Relative to a point of its own a tiny directrix keeps the digits of its sides.
+        // A tiny directrix keeps the digits of its edges if coordinates are relative to one of its own points.
         let [size_p, size_q] = [&raw_p, &raw_q].map(|raw| largest([raw, raw], raw[0]));
         let is_centred_on_q = size_q > 0.0 && size_q < FAR_SMALLER * size_p;
         let centre = if is_centred_on_q { raw_q[0] } else { raw_p[0] };
@@ -165,16 +166,6 @@ fn bank_edge(points: &[DVec3], index: usize, step: usize, closed: bool) -> DVec3
     } else {
         points[end] - points[end - 1]
     }
-}
-
-/// A power of two within a factor of two above a length; 1 for zero.
-fn power_of_two_above(length: f64) -> f64 {
-    if length == 0.0 {
-        return 1.0;
-    }
-    // The exponent is limited to powers that are normal numbers together with their inverses.
-    let exponent = (length.to_bits() >> 52) & 0x7ff;
-    f64::from_bits((exponent + 1).clamp(23, 2023) << 52)
 }
 
 fn unit(v: DVec3) -> DVec3 {

@@ -6,8 +6,8 @@ use super::weight::BridgeTriangle;
 use plateau_mesh::DVec3;
 
 /// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row
-/// r one column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are
-/// never used.
+/// r one column behind row r - 1) lie side by side. `MARGIN` entries beyond both ends repeat the last ones; lanes read
+/// them, but no path uses them.
 #[derive(Debug)]
 pub(crate) struct StripArrays {
     pub(crate) rows: usize,
@@ -17,8 +17,7 @@ pub(crate) struct StripArrays {
     pub(crate) column: RailNumbers,
 }
 
-/// Number of entries beyond either end of a row of numbers. The lanes of a skewed band run over the ends by at most the
-/// number of lanes.
+/// Number of entries beyond either end of a row of numbers: the largest number of lanes that can lie beyond an end.
 const MARGIN: usize = MOST_LANES;
 
 /// Quantities along one directrix, each in a row of its own of length `stride`, in one piece of memory.
@@ -28,7 +27,7 @@ pub(crate) struct RailNumbers {
     numbers: Vec<f64>,
 }
 
-/// Numbers of the first rows of a [`RailNumbers`].
+/// First row of each quantity in a [`RailNumbers`].
 pub(crate) const POINT: usize = 0;
 /// The bank edge that ends at the point; zero where there is none.
 pub(crate) const BANK: usize = 3;
@@ -85,7 +84,8 @@ impl RailNumbers {
         Vector::new(self.number(simd, row, at), self.number(simd, row + 1, at), self.number(simd, row + 2, at))
     }
 
-    /// Tangents and normals are stored only for kernels that read them.
+    /// Loads the lanes that start at a position of a row. Tangents and normals are stored only for kernels that read
+    /// them.
     #[inline(always)]
     pub(crate) fn number<V: Lanes>(&self, simd: V::Simd, row: usize, at: usize) -> V {
         let start = row * self.stride + at;

@@ -10,7 +10,7 @@ use super::lanes::{Lanes, MOST_LANES, Task};
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
-/// The cost of a path: concave bridges (or 0 where they do not count), then the value.
+/// The cost of a path: its number of concave bridges (0 where they do not count), then its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Score {
     pub(crate) count: f64,
@@ -39,8 +39,8 @@ pub(crate) enum Seed {
     ByQ,
 }
 
-/// An objective on a graph. A *node* of a bridge is numbered as its graph says; `top` has the `CARRY` numbers that a
-/// column of the row above hands down.
+/// An objective on a graph. Each graph numbers the *nodes* of a bridge in its own way. `top` has the `CARRY` numbers
+/// that a column of the row above hands down.
 pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
@@ -71,7 +71,7 @@ pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
     fn hands_down(&self, top: &[f64], bound: f64) -> bool;
 }
 
-/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. Columns
+/// For each row the first and last column that a search may visit. Both never fall from one row to the next. Columns
 /// right of a band's end were therefore never written and are still `unreached` for the next band.
 #[derive(Clone, Debug)]
 pub(crate) struct Region {

@@ -35,7 +35,8 @@ pub(crate) fn unroll(
         if b != a {
             direction = (b - a).normalize();
         }
-        // From the end whose bank edge this is: the new bank edge, which is mostly the shortest side, is exact then.
+        // The new point is placed from the end at which its bank edge begins. The length of this edge, which is mostly
+        // the shortest side, is then exact.
         let origin = if by_p { from } else { to };
         let (along, height) = split(new - origin, to - from);
         let place = (if by_p { a } else { b }) + direction * along - direction.perp() * height;

@@ -38,12 +38,12 @@ pub(crate) fn assemble(
             flat.push(unroll(strip, path, &local, execution)?);
         }
     }
-    let of = |directrix: &Directrix| (0..directrix.points.len()).map(|k| directrix.vertex(k)).collect();
+    let vertices_of = |directrix: &Directrix| (0..directrix.points.len()).map(|k| directrix.vertex(k)).collect();
     let input = |d: &Directrix| d.vertex_of.iter().map(|&v| (d.offset + v) as u32).collect();
     Ok(RuledSurface {
         mesh: Mesh::new(vertices, triangles),
         bridges,
-        directrices: prepared.directrices.iter().map(of).collect(),
+        directrices: prepared.directrices.iter().map(vertices_of).collect(),
         input_vertices: prepared.directrices.iter().map(input).collect(),
         reversed: prepared.directrices.iter().map(|d| d.reversed).collect(),
         direction_decided_by: prepared.directrices.iter().map(|d| d.direction_decided_by).collect(),

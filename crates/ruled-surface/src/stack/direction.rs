@@ -20,6 +20,7 @@ use crate::strip::search::solve_all;
 use crate::strip::statistics::{SMALLER_FOLD, Statistics};
 use plateau_mesh::DVec3;
 use plateau_mesh::error::Error;
+use plateau_mesh::plane::polygon::doubled_area_vector;
 use std::cmp::Ordering;
 
 /// Values are equal if they differ by no more than this fraction: rounding of two sums of the same terms in another
@@ -109,11 +110,8 @@ fn distance_of_ends(strip: &Rails) -> f64 {
 fn cosine_of_area_vectors(strip: &Rails) -> Option<f64> {
     let direction = |points: &[DVec3]| {
         let next = points.iter().skip(1).chain(points.first());
-        let (mut double_area, mut perimeter) = (DVec3::ZERO, 0.0);
-        for (&from, &to) in points.iter().zip(next) {
-            double_area += (from - points[0]).cross(to - points[0]);
-            perimeter += from.distance(to);
-        }
+        let perimeter: f64 = points.iter().zip(next).map(|(from, to)| from.distance(*to)).sum();
+        let double_area = doubled_area_vector(points);
         let size = double_area.length();
         (size > 2.0 * NO_AREA * perimeter * perimeter).then(|| double_area / size)
     };
@@ -138,7 +136,7 @@ fn is_better(one: &Statistics, other: &Statistics, goal: Goal) -> bool {
     let by_secondary = order(secondary(one), secondary(other));
     match by_value.then(by_secondary) {
         Ordering::Less => true,
-        // A directrix that is straight, or an apex, has no better direction: as given.
+        // A straight directrix and an apex have no better direction, so they stay as given.
         Ordering::Equal => one.largest_fold < other.largest_fold - SMALLER_FOLD,
         Ordering::Greater => false,
     }

@@ -44,7 +44,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         for goal in &goals {
             add(goal, directions);
         }
-        // Strips of least area, with which the directions and the warnings compare.
+        // The strips of least area are solved too, because directions and warnings compare with them.
         if goal.objective != Objective::MinimalArea {
             add(&Goal::single(Objective::MinimalArea), directions);
         }

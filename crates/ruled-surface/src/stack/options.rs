@@ -14,7 +14,7 @@ pub struct Options {
     pub closed: bool,
     /// The objective of each strip.
     pub objective: Objective,
-    /// With [`Objective::MaximalConvexity`] only.
+    /// The secondary objective, with [`Objective::MaximalConvexity`] only.
     pub secondary: Option<Secondary>,
     /// Angle, in radians, by which a direction may reach beyond the half-plane of a locally convex bridge. 0 asks for
     /// the exact test.
@@ -71,7 +71,7 @@ pub enum DirectionCriterion {
     Folds,
     /// The sum of the squared distances between the ends.
     Ends,
-    /// The objective, because nothing else tells the two ways apart.
+    /// The objective. It decides where none of the other criteria does.
     Objective,
 }
 

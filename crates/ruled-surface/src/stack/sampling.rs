@@ -51,7 +51,7 @@ impl Samples {
     }
 }
 
-/// The most points that `count` given ones can become.
+/// Upper bound of the number of points that sampling makes of `count` given ones.
 pub(crate) fn count(count: usize, sampling: Option<Sampling>) -> usize {
     match sampling {
         _ if count < 2 => count,

@@ -30,7 +30,7 @@ pub struct RuledSurface {
     pub strips: Vec<Statistics>,
     /// Table 1: the figures of every objective's own optimum, if asked for.
     pub comparison: Option<Vec<Comparison>>,
-    /// Open surfaces only.
+    /// The flat pattern of an open surface; `None` for a closed one.
     pub flat_pattern: Option<FlatPattern>,
     /// Facts about the input or the result that the caller should know.
     pub warnings: Vec<Warning>,

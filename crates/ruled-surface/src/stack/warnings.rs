@@ -18,15 +18,16 @@ const LARGE: f64 = 1.25;
 /// Bending energy, as a multiple of the least one, above which a strip is reported. A strip of least area alone has 10
 /// to 20 times the least bending energy on Wang and Tang's examples.
 const BENT: f64 = 50.0;
-/// Grid cells up to which an open strip is searched for a path that bends so much less.
+/// Largest number of grid cells of an open strip whose least bending energy is computed for a comparison.
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
-/// The same for closed strips, which take a few dozen searches.
+/// The same for closed strips, each of which takes a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// An open strip whose directrices share both ends has two triangles without area; more are reported.
 const EMPTY_AT_ENDS: usize = 2;
 /// Number of points to which directrices are thinned to compare their directions. The time grows with its square.
 const THINNED: usize = 48;
-/// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
+/// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given` says that no criterion has
+/// decided the directions of its directrices.
 pub(crate) fn of_strip(
     k: usize,
     strip: &Rails,

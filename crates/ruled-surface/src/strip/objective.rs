@@ -79,7 +79,7 @@ pub enum Secondary {
 }
 
 impl Secondary {
-    /// Both of them.
+    /// All secondary objectives.
     pub const ALL: [Self; 2] = [Self::BendingEnergy, Self::MeanCurvatureVariation];
 
     /// The objective's name, in snake case.
@@ -151,7 +151,7 @@ impl Objective {
         }
     }
 
-    /// Where its formula stands.
+    /// The source of the formula in the literature.
     #[must_use]
     pub fn source(&self) -> &'static str {
         match self {
@@ -206,7 +206,7 @@ impl Goal {
         self.winding_matters()
     }
 
-    /// Whether the graph's weights look at tangents.
+    /// Whether the weights of the graph use tangents.
     pub(crate) fn needs_tangents(&self) -> bool {
         match self.objective {
             Objective::MinimalTwist | Objective::MinimalNormalVariation => true,

@@ -22,7 +22,7 @@ use std::marker::PhantomData;
 #[derive(Clone, Copy)]
 pub(crate) struct SearchGoal<'a> {
     goal: Goal,
-    /// A weighted sum's.
+    /// The factors of a weighted sum; `None` for other objectives.
     factors: Option<&'a Factors>,
     /// Winding for the normal variation, 1 or -1.
     sign: f64,
@@ -30,7 +30,7 @@ pub(crate) struct SearchGoal<'a> {
 }
 
 impl SearchGoal<'_> {
-    /// A goal that needs no factors, on triangles as they come.
+    /// A goal without factors, for triangles that are wound as they come.
     fn plainly(goal: Goal, test: ConvexityTest) -> Self {
         Self { goal, factors: None, sign: 1.0, test }
     }
@@ -71,7 +71,7 @@ pub(crate) fn solve_all(
             evaluations.push(evaluate(strip, &path, test, lanes, counter.execution())?);
             paths.push(path);
         }
-        // Where the objective has no say, the winding is the one that agrees with the normals.
+        // If the objective does not depend on the winding, the winding that agrees with the normals is taken.
         let flipped = if goal.winding_matters() { sign < 0.0 } else { prefers_flipping(&evaluations) };
         let statistics: Vec<Statistics> = evaluations
             .iter()
@@ -138,7 +138,8 @@ fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipp
 /// optimum. The quotient would weigh rounding.
 const VANISHING: f64 = 1e-12;
 
-/// A weighted sum's factors on one strip, in the strip's own unit.
+/// Returns the factors of a weighted sum on one strip: each weight, divided by the optimum of its term if that is asked
+/// for, in the strip's own unit.
 fn normalised(
     strip: &Rails,
     weights: Weights,
@@ -206,7 +207,7 @@ pub(crate) fn optimal_path(
     Ok(path)
 }
 
-/// Number of times that Q must have more points than P for the two to be exchanged.
+/// If Q has more than this multiple of the points of P, the two are exchanged.
 const FAR_MORE: usize = 8;
 
 /// Whether a closed strip is searched with its directrices exchanged. Divide and conquer takes a search for each point

@@ -160,7 +160,7 @@ struct Sums {
 struct AtBridge {
     convex: bool,
     length: f64,
-    /// Of the triangle after it, doubled; 0 if there is none.
+    /// Twice the area of the triangle after the bridge; 0 if there is none.
     double_area: f64,
     twist: f64,
     variation: [f64; 2],

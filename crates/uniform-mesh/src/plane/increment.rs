@@ -89,7 +89,8 @@ impl Circumradii {
         if self.ranks.len() <= t as usize {
             self.ranks.resize(t as usize + 1, 0);
         }
-        // The bits of a positive float rank as the float does; the lowest 22 of 52 are rounding's business.
+        // The bits of a positive float rank as the float does. The lowest 22 of the 52 bits are left out, because
+        // rounding decides them.
         let rank = if squared.is_finite() && squared >= least { squared.to_bits() >> 22 } else { 0 };
         self.ranks[t as usize] = rank;
         if rank > 0 {

@@ -31,10 +31,10 @@ const ROW: f64 = 0.866_025_403_784_438_6;
 /// Tolerance for rounding in the least distances, in ℓ: lattices aligned with the boundary touch them exactly.
 const TOUCH: f64 = 1e-10;
 
-/// From how many placements the pattern search starts, in all and at one angle.
+/// Largest number of placements from which the pattern search starts, in all and at one angle.
 const STARTS: usize = 24;
 const STARTS_PER_ANGLE: usize = 3;
-/// How many placements are looked at for boundary that runs on the lattice.
+/// Number of best placements for which the edges along the boundary are counted too.
 const BEST: usize = 64;
 
 /// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
@@ -138,10 +138,15 @@ impl Rows {
         );
         let order = |a: &(u32, f64, f64), b: &(u32, f64, f64)| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2));
         sort_rows(&mut self.blocked, &mut self.spare_blocked, &mut self.ends, count, |b| b.0, order);
+        self.find_free(count as u32);
+    }
+
+    /// Collects, row by row, the parts inside the boundary that are not blocked.
+    fn find_free(&mut self, count: u32) {
         self.start.clear();
         self.free.clear();
         let (mut c, mut k) = (0, 0);
-        for row in 0..count as u32 {
+        for row in 0..count {
             self.start.push(self.free.len());
             let mut gap = k;
             while k < self.blocked.len() && self.blocked[k].0 == row {
@@ -285,6 +290,39 @@ impl Search<'_> {
         self.best.extend(candidate);
     }
 
+    /// Moves and turns a placement in ever smaller steps as long as that gives more edges.
+    ///
+    /// # Errors
+    /// The interruptions of `execution`.
+    fn climb(
+        &mut self,
+        (mut edges, mut here): (usize, Placement),
+        mut step: f64,
+        span: (f64, f64),
+        execution: &Execution<'_>,
+    ) -> Result<(usize, Placement), Interruption> {
+        // Ends because each pass uses some of the budget.
+        while step > 5e-4 && self.built < self.budget {
+            let mut moved = false;
+            let turn = step * FRAC_PI_3 / 2.0;
+            for (turn, lift) in [(0.0, 0.0), (0.0, step), (0.0, -step), (turn, 0.0), (-turn, 0.0)] {
+                let x = here.origin.x;
+                let (angle, height) = (here.angle + turn, here.origin.y + lift);
+                let xs = [x, x - step, x + step, x - step / 2.0, x + step / 2.0];
+                if let Some(found) = self.try_heights(angle, height, xs.into_iter())
+                    && found.0 > edges
+                {
+                    (edges, here, moved) = (found.0, found.1, true);
+                }
+                self.look(span, execution)?;
+            }
+            if !moved {
+                step /= 2.0;
+            }
+        }
+        Ok((edges, here))
+    }
+
     /// Looks at the caller's signal once per height tried, with the boundary's size as the work.
     fn look(&self, (from, to): (f64, f64), execution: &Execution<'_>) -> Result<(), Interruption> {
         execution.look(self.boundary.nodes.len() as u64)?;
@@ -335,8 +373,8 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .collect()
 }
 
-/// The placement with the most lattice edges that the search finds, and how many, those along the boundary about;
-/// `None` if no lattice edge fits.
+/// The placement with the most lattice edges that the search finds, and the number of these edges, in which those along
+/// the boundary are estimated. `None` if no lattice edge fits.
 ///
 /// # Errors
 /// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
@@ -364,7 +402,8 @@ pub(crate) fn search(
     };
     let directions = directions(boundary);
     let fraction = move |k: u32| f64::from(k) / f64::from(steps);
-    // Aligned with the boundary and running through its nodes: where an exact fit exists, this is it.
+    // Placements that are aligned with the boundary and run through its nodes. An exact fit is among them if there is
+    // one.
     for (angle, nodes) in directions.iter().take(8) {
         for &node in nodes.iter().step_by((nodes.len() / 4).max(1)).take(4) {
             let origin = unit_vector(-angle).rotate(boundary.nodes[node as usize]);
@@ -386,7 +425,7 @@ pub(crate) fn search(
         }
     }
     search.best.sort_by_key(|&(edges, _)| std::cmp::Reverse(edges));
-    // Among the best, what runs on to the boundary counts as well.
+    // For the best placements the edges that continue the lattice along the boundary count too.
     let with_boundary = |&(edges, placement): &(usize, Placement)| (edges + edges_on(boundary, placement), placement);
     let mut winner: Option<(usize, Placement)> = None;
     for candidate in search.best.iter().take(BEST).map(with_boundary) {
@@ -394,7 +433,7 @@ pub(crate) fn search(
             winner = Some(candidate);
         }
     }
-    // The best few, but not all of one angle: neighbouring heights climb to the same place.
+    // The best few placements, but only a few of one angle, because neighbouring heights lead to the same placement.
     let mut starts: Vec<(usize, Placement)> = Vec::new();
     for &candidate in &search.best {
         let alike = starts.iter().filter(|(_, start)| start.angle == candidate.1.angle).count();
@@ -403,27 +442,7 @@ pub(crate) fn search(
         }
     }
     for (edges, start) in starts {
-        let (mut edges, mut here) = (edges, start);
-        let mut step = 0.5 / f64::from(steps);
-        while step > 5e-4 && search.built < budget {
-            let mut moved = false;
-            let turn = step * FRAC_PI_3 / 2.0;
-            for (turn, lift) in [(0.0, 0.0), (0.0, step), (0.0, -step), (turn, 0.0), (-turn, 0.0)] {
-                let x = here.origin.x;
-                let (angle, height) = (here.angle + turn, here.origin.y + lift);
-                let xs = [x, x - step, x + step, x - step / 2.0, x + step / 2.0];
-                if let Some(found) = search.try_heights(angle, height, xs.into_iter())
-                    && found.0 > edges
-                {
-                    (edges, here, moved) = (found.0, found.1, true);
-                }
-                search.look(span, execution)?;
-            }
-            if !moved {
-                step /= 2.0;
-            }
-        }
-        let climbed = with_boundary(&(edges, here));
+        let climbed = with_boundary(&search.climb((edges, start), 0.5 / f64::from(steps), span, execution)?);
         if winner.is_none_or(|(most, _)| climbed.0 > most) {
             winner = Some(climbed);
         }
@@ -431,8 +450,9 @@ pub(crate) fn search(
     Ok(winner.filter(|&(edges, _)| edges > 0))
 }
 
-/// About how many edges of the finished mesh are lattice edges because the boundary runs on the lattice: pieces of
-/// length 1 between two lattice points, and two to the next row for each boundary node on one.
+/// Estimates the number of edges of the finished mesh that are lattice edges because the boundary runs on the lattice:
+/// pieces of length 1 between two lattice points, and two edges to the next row for each boundary node on a lattice
+/// point.
 fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
     let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
     let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);
@@ -459,7 +479,7 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
         }
     });
     start.push(runs.len());
-    let at = |i: i64, j: i64| -> Option<u32> {
+    let node_number = |i: i64, j: i64| -> Option<u32> {
         let row = usize::try_from(j - first).ok().filter(|&row| row + 1 < start.len())?;
         let row = &runs[start[row]..start[row + 1]];
         let k = row.partition_point(|&(from, ..)| from <= i).checked_sub(1)?;
@@ -476,7 +496,7 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
                 let here = number + (i - from) as u32;
                 let x = placement.origin.x + (i as f64 + j as f64 / 2.0);
                 nodes.push(back.rotate(DVec2::new(x, placement.origin.y + j as f64 * ROW)));
-                let (right, up, up_left) = (at(i + 1, j), at(i, j + 1), at(i - 1, j + 1));
+                let (right, up, up_left) = (node_number(i + 1, j), node_number(i, j + 1), node_number(i - 1, j + 1));
                 if let (Some(a), Some(b)) = (right, up) {
                     triangles.push([here, a, b]);
                 }
@@ -484,7 +504,11 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
                     triangles.push([here, a, b]);
                 }
                 // Each edge once, with the two nodes that would make its triangles.
-                let sides = [(right, up, at(i + 1, j - 1)), (up, right, up_left), (up_left, up, at(i - 1, j))];
+                let sides = [
+                    (right, up, node_number(i + 1, j - 1)),
+                    (up, right, up_left),
+                    (up_left, up, node_number(i - 1, j)),
+                ];
                 for (end, left, right) in sides {
                     let Some(end) = end else { continue };
                     used[here as usize] = true;
@@ -540,7 +564,7 @@ mod tests {
         (nodes, pieces)
     }
 
-    /// Nodes by the definition: inside by crossings, 1 or more from every node, outside every diametral circle.
+    /// The nodes by definition: inside the boundary, 1 or more away from its nodes, outside all diametral circles.
     fn brute_force(boundary: &Boundary<'_>, placement: Placement) -> Vec<DVec2> {
         let mut kept = Vec::new();
         for j in -60..60i64 {

@@ -69,17 +69,17 @@ pub(crate) fn mesh(
     span: (f64, f64),
     execution: &Execution<'_>,
 ) -> Result<(usize, PlaneMesh), Failure> {
-    // Both problems start here: this is also what finds crossing outlines and holes on the wrong side.
+    // The triangulation without inner nodes also finds outlines that cross, and holes on the wrong side.
     let mut region = region(outlines[0], execution)?;
     let mut interrupted = false;
     let middle = span.0 + 0.4 * (span.1 - span.0);
     let mut best: Option<(usize, usize, Placement)> = None;
     if objective == Objective::MostEqualEdges {
         for (which, outline) in outlines.iter().enumerate() {
-            let at = |k: usize| span.0 + (middle - span.0) * k as f64 / outlines.len() as f64;
+            let progress = |k: usize| span.0 + (middle - span.0) * k as f64 / outlines.len() as f64;
             let pieces = outline.pieces();
             let boundary = Boundary { nodes: &outline.nodes, pieces: &pieces };
-            match lattice::search(&boundary, (at(which), at(which + 1)), execution) {
+            match lattice::search(&boundary, (progress(which), progress(which + 1)), execution) {
                 Ok(Some((edges, placement))) => {
                     if best.is_none_or(|(most, ..)| edges > most) {
                         best = Some((edges, which, placement));

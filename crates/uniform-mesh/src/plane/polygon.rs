@@ -124,9 +124,9 @@ impl Polygon {
         let rings: Vec<Vec<u32>> = (0..self.corner_loops.len())
             .map(|ring| (0..self.sources.len() as u32).filter(|&v| self.sources[v as usize].0 == ring).collect())
             .collect();
-        let at = |nodes: &[DVec2], v: u32| nodes[v as usize];
+        let position = |nodes: &[DVec2], v: u32| nodes[v as usize];
         let polygons: Vec<Vec<DVec2>> =
-            rings.iter().map(|ring| ring.iter().map(|&v| at(&self.outline.nodes, v)).collect()).collect();
+            rings.iter().map(|ring| ring.iter().map(|&v| position(&self.outline.nodes, v)).collect()).collect();
         let size = self.positions.iter().map(|p| p.distance(self.positions[0])).fold(0.0, f64::max) / self.unit;
         let node = |(ring, point): PointOf| rings[ring][point];
         match meeting(&polygons, SAME_POINT * size, execution)? {
@@ -143,7 +143,7 @@ impl Polygon {
                     let mut joined = Vec::with_capacity(corners.len());
                     for corner in &corners {
                         let (source, place) = (node(corner.source), node(corner.place));
-                        let there = at(&self.outline.nodes, place);
+                        let there = position(&self.outline.nodes, place);
                         if corner.added {
                             joined.push(self.positions.len() as u32);
                             self.positions.push(self.positions[place as usize]);
@@ -155,8 +155,8 @@ impl Polygon {
                         }
                     }
                     let is_outer = corners.iter().any(|corner| corner.source.0 == 0);
-                    let around = joined.iter().map(|&v| at(&self.outline.nodes, v));
-                    if !is_outer && doubled_area(around, at(&self.outline.nodes, joined[0])) > 0.0 {
+                    let around = joined.iter().map(|&v| position(&self.outline.nodes, v));
+                    if !is_outer && doubled_area(around, position(&self.outline.nodes, joined[0])) > 0.0 {
                         joined.reverse();
                     }
                     self.corner_loops.push(joined);

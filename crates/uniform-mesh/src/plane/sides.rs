@@ -9,7 +9,7 @@ const WHOLE: f64 = 1e-10;
 /// Nodes that are farther apart than this along the boundary, in ℓ, are more than 3ℓ apart up to rounding.
 const CLEARLY_APART: f64 = 3.0 + 1e-6;
 
-/// How long the pieces are that a side of 2ℓ or more is split into.
+/// Length of the pieces into which a side of 2ℓ or more is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Division {
     /// Members as near to ℓ as possible: where the domain's own directions fit the lattice's, the lattice goes on to
@@ -21,7 +21,7 @@ pub(crate) enum Division {
 }
 
 impl Division {
-    /// Those worth trying for an objective.
+    /// The divisions that are tried for an objective.
     pub fn candidates(objective: Objective) -> &'static [Self] {
         match objective {
             Objective::FewestNodes => &[Self::Long],
@@ -30,9 +30,9 @@ impl Division {
     }
 }
 
-/// How many pieces a side of the given length (in ℓ) is split into.
+/// Number of pieces into which a side of the given length (in ℓ) is split.
 pub(crate) fn pieces(length: f64, division: Division) -> u32 {
-    // Up to 2ℓ a side stays whole, but for one that is two members exactly.
+    // A side of up to 2ℓ stays whole, unless it is exactly two members long.
     let most = (length * (1.0 + WHOLE)).floor().max(1.0);
     match division {
         _ if length < 2.0 * (1.0 - WHOLE) => 1,
@@ -65,8 +65,8 @@ struct Side {
     passed: f64,
 }
 
-/// All sides, and the ones that each boundary node stands on: both its own on a side, the one before and the one after
-/// at a corner.
+/// All sides, and for each boundary node the two sides that it stands on. At a corner these are the side before and the
+/// side after it; elsewhere both are the same side.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sides {
     sides: Vec<Side>,
@@ -74,7 +74,7 @@ pub(crate) struct Sides {
 }
 
 impl Sides {
-    /// For this many corners, which are the boundary's first nodes.
+    /// No sides yet. The corners are the boundary's first nodes.
     pub fn new(corners: usize) -> Self {
         Self { sides: Vec::new(), stands: vec![[u32::MAX; 2]; corners] }
     }
@@ -147,7 +147,7 @@ impl Sides {
             }
         }
         // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
-        let at = |v: u32| nodes[v as usize];
+        let position = |v: u32| nodes[v as usize];
         for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
             let first = self.stands[from as usize][1];
             // A walk to a node that is farther away ends before it, after many steps where many sides are short.
@@ -156,13 +156,13 @@ impl Sides {
                 continue;
             }
             let mut s = first;
-            let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
+            let (mut way, mut shorter) = (position(from).distance(position(side(side(s).next).start)), short(s));
             // At most one pass per side of the loop, because the walk also stops where it started.
             while way < 3.0 {
                 s = side(s).next;
                 shorter |= short(s);
                 if self.stands[to as usize].contains(&s) {
-                    if shorter && way + at(side(s).start).distance(at(to)) < 3.0 {
+                    if shorter && way + position(side(s).start).distance(position(to)) < 3.0 {
                         return Why::ShortSide;
                     }
                     break;

@@ -9,8 +9,8 @@
 //! 5. [`Move`](super::refine_on_surface) the inner nodes.
 //!
 //! Departures: the paper leaves the boundary's nodes open. We divide each side (between corners) into pieces that are
-//! equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are
-//! in ℓ and around the surface's centre throughout.
+//! equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Coordinates
+//! are relative to the surface's centre and in units of ℓ.
 
 use super::flatten;
 use super::nurbs::Nurbs;
@@ -32,9 +32,10 @@ use plateau_mesh::{DVec2, DVec3, Mesh};
 const SAMPLES: usize = 8;
 /// A boundary vertex of a film is a corner if the boundary turns by more than this there.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
-/// Edge length of a film's own mesh, in ℓ: short enough that the facets do not show in the members ...
+/// Edge length of a film's own mesh, in ℓ: so short that its facets hardly change the lengths of members. Edges are
+/// longer if the mesh would have more than [`FILM_TRIANGLES`].
 const FILM_EDGE: f64 = 1.0 / 3.0;
-/// ... and longer if the mesh would have more triangles than this.
+/// Largest number of triangles of a film's own mesh.
 const FILM_TRIANGLES: f64 = 60_000.0;
 
 /// Number of pieces of a side that are measured between two looks at the signal.
@@ -86,7 +87,7 @@ impl Surface {
 #[derive(Debug)]
 pub(crate) struct Centred {
     pub centre: DVec3,
-    /// ℓ.
+    /// ℓ in the caller's unit.
     pub unit: f64,
     pub patch: Nurbs,
 }
@@ -132,10 +133,15 @@ impl Auxiliary {
             .flat_map(|i| (0..=nv).map(move |j| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64)))
             .collect();
         let vertices: Vec<DVec3> = parameters.iter().map(|&p| patch.evaluate(p)[0]).collect();
-        let at = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
+        let vertex = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
         let triangles: Vec<[u32; 3]> = (0..nu)
             .flat_map(|i| (0..nv).map(move |j| (i, j)))
-            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+            .flat_map(|(i, j)| {
+                [
+                    [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)],
+                    [vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)],
+                ]
+            })
             .collect();
         let mesh = Mesh::new(vertices, triangles);
         let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
@@ -145,16 +151,16 @@ impl Auxiliary {
         if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
             return None;
         }
-        let closed = (0..=nv).all(|j| apart(at(0, j), at(nu, j)) <= tiny)
-            || (0..=nu).all(|i| apart(at(i, 0), at(i, nv)) <= tiny);
+        let closed = (0..=nv).all(|j| apart(vertex(0, j), vertex(nu, j)) <= tiny)
+            || (0..=nu).all(|i| apart(vertex(i, 0), vertex(i, nv)) <= tiny);
         if closed {
             return None;
         }
         let sides = vec![
-            (0..=nu).map(|i| at(i, 0)).collect(),
-            (0..=nv).map(|j| at(nu, j)).collect(),
-            (0..=nu).rev().map(|i| at(i, nv)).collect(),
-            (0..=nv).rev().map(|j| at(0, j)).collect(),
+            (0..=nu).map(|i| vertex(i, 0)).collect(),
+            (0..=nv).map(|j| vertex(nu, j)).collect(),
+            (0..=nu).rev().map(|i| vertex(i, nv)).collect(),
+            (0..=nv).rev().map(|j| vertex(0, j)).collect(),
         ];
         Some(Self {
             centre: *centre,
@@ -198,8 +204,10 @@ impl Auxiliary {
         let mut sides = Vec::new();
         for ring in topology.boundary_loops() {
             let n = ring.len();
-            let at = |k: usize| mesh.vertices[ring[k % n] as usize];
-            let turns = |k: usize| measure::angle(at(k + n) - at(k + n - 1), at(k + 1) - at(k)) > CORNER_TURN;
+            let position = |k: usize| mesh.vertices[ring[k % n] as usize];
+            let turns = |k: usize| {
+                measure::angle(position(k + n) - position(k + n - 1), position(k + 1) - position(k)) > CORNER_TURN
+            };
             let mut corners: Vec<usize> = (0..n).filter(|&k| given[ring[k] as usize] && turns(k)).collect();
             if corners.is_empty() {
                 // A smooth loop starts at its first input point.
@@ -236,8 +244,8 @@ impl Auxiliary {
         let [along_u, across] = [0, 1].map(|first| {
             // The lengths of opposite sides are averaged.
             let length = |side: &Vec<u32>| -> f64 {
-                let at = |v: u32| self.mesh.vertices[v as usize];
-                side.windows(2).map(|pair| at(pair[0]).distance(at(pair[1]))).sum()
+                let position = |v: u32| self.mesh.vertices[v as usize];
+                side.windows(2).map(|pair| position(pair[0]).distance(position(pair[1]))).sum()
             };
             0.5 * (length(&self.sides[0][first]) + length(&self.sides[0][first + 2]))
         });
@@ -313,10 +321,10 @@ impl Auxiliary {
                 sides.push((first, line.length(), false));
             }
             let n = nodes.len();
-            let at = |k: usize| boundary.outline.nodes[nodes[k % n] as usize];
+            let node = |k: usize| boundary.outline.nodes[nodes[k % n] as usize];
             for k in 0..sides.len() {
                 let end = sides.get(k + 1).map_or(n, |next: &(usize, f64, bool)| next.0);
-                sides[k].2 = is_sharp(at(end) - at(end - 1), at(end + 1) - at(end));
+                sides[k].2 = is_sharp(node(end) - node(end - 1), node(end + 1) - node(end));
             }
             boundary.sides.add_loop(&nodes, &sides);
             boundary.outline.loops.push(nodes);
@@ -337,8 +345,8 @@ pub(crate) struct Boundary {
     corners: usize,
 }
 
-/// A point between two. A coordinate that both share is kept exactly, because nodes on one side of a patch must not
-/// make triangles.
+/// Returns the point at a fraction of the way from `a` to `b`. A coordinate that both share is kept exactly, so that
+/// nodes on a straight side of a patch are exactly collinear and span no triangle.
 fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
     a + (b - a) * part
 }
@@ -385,11 +393,11 @@ impl Line {
     /// The interruptions of `execution`.
     fn pieces(&self, surface: &Surface, division: Division, execution: &Execution<'_>) -> Result<u32, Interruption> {
         let mut count = pieces(self.length(), division);
-        // The middle of the piece that was too short, as a fraction of the line. At a sharp bend it stays too short for
-        // many counts, so that the piece there is tried first.
+        // Middle of the piece that was too short, as a fraction of the line. At a sharp bend a piece stays too short
+        // for many counts, so the piece there is measured first.
         let mut bend = 0.0;
         let mut work = 0;
-        // Ends because each pass takes a piece away. Together the passes may measure count² pieces.
+        // Ends because each pass removes a piece. Together the passes measure at most count² pieces.
         while count > 1 {
             let node = |k: u32| {
                 let (p, q) = self.at(self.length() * f64::from(k) / f64::from(count));
@@ -418,7 +426,7 @@ impl Line {
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
     let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
-    // Flattening asks for even triangles more than for the least area.
+    // For flattening, even triangles matter more than the least area.
     minimal_surface::Options {
         slides: false,
         ..minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
@@ -433,7 +441,7 @@ pub(crate) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }
 
-/// Converts the film solver's errors to places of this module's input.
+/// Converts the places of the film solver's errors to places in this module's input.
 fn below_domain(error: Error) -> Error {
     let below = |errors: Vec<InputError>| {
         let below = |e: InputError| {
@@ -455,7 +463,7 @@ fn below_domain(error: Error) -> Error {
     }
 }
 
-/// The fans from each boundary to its mean together bound the least area of a film with these boundaries from above.
+/// Upper bound of the least area of a film: the area of the fans from each boundary to its mean.
 pub(crate) fn film_area(boundaries: &[Vec<DVec3>]) -> f64 {
     let fan = |points: &Vec<DVec3>| -> f64 {
         let centre = mean(points);

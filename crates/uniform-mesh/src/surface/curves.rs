@@ -32,7 +32,7 @@ pub(super) fn join_curves(
     kinks_are_corners: bool,
     corner: &mut [bool],
 ) -> Vec<Curve> {
-    // Each edge is listed once at either end, by one of its half-edges.
+    // Each edge is listed at both of its ends, by one of its half-edges.
     let mut at_vertex: Vec<(u32, u32)> = Vec::new();
     for h in 0..topology.twin.len() as u32 {
         let twin = topology.twin[h as usize];
@@ -47,7 +47,7 @@ pub(super) fn join_curves(
         &at_vertex[first..last]
     };
     let other = |h: u32, v: u32| if topology.from(h) == v { topology.to(h) } else { topology.from(h) };
-    let at = |v: u32| mesh.vertices[v as usize];
+    let position = |v: u32| mesh.vertices[v as usize];
     let mut k = 0;
     // Ends because the edges around a vertex include the one at `k`.
     while k < at_vertex.len() {
@@ -55,7 +55,9 @@ pub(super) fn join_curves(
         let edges = around(v);
         k += edges.len();
         let sharp = match *edges {
-            [(_, g), (_, h)] => measure::angle(at(v) - at(other(g, v)), at(other(h, v)) - at(v)) > CORNER_TURN,
+            [(_, g), (_, h)] => {
+                measure::angle(position(v) - position(other(g, v)), position(other(h, v)) - position(v)) > CORNER_TURN
+            }
             _ => true,
         };
         corner[v as usize] |= edges.len() != 2 || (sharp && kinks_are_corners);
@@ -70,7 +72,7 @@ pub(super) fn join_curves(
             used[h as usize] = true;
             let end = other(h, v);
             curve.edges.push((h, topology.from(h) != v));
-            curve.at.push(curve.length() + at(v).distance(at(end)));
+            curve.at.push(curve.length() + position(v).distance(position(end)));
             v = end;
             if corner[v as usize] || v == start {
                 break;

@@ -4,15 +4,17 @@ use super::move_nodes::{OnSurface, Sheet};
 use crate::options::{Optimise, Options, Transition};
 use crate::report::{Method, SurfaceFit, UniformMesh, Why};
 use plateau_mesh::measure::{self, angles, double_area_vector};
+use plateau_mesh::topology::edge_key;
 use std::collections::BTreeSet;
 
 /// Limits that a mesh of a curved surface must keep to be called converged.
 struct Limits {
     /// Difference between the mesh's area and the surface's, as a fraction of the surface's.
     area: f64,
-    /// Angle between a triangle's normal and the surface's, radians: beyond it the triangle faces away.
+    /// Largest angle between a triangle's normal and the surface's, radians. At a larger angle the triangle counts as
+    /// turned away from the surface.
     normal: f64,
-    /// Members that curvature or the optimisation takes out of [ℓ, 2ℓ] stay within this range, in ℓ.
+    /// Range, in ℓ, of the members that curvature or the optimisation takes out of [ℓ, 2ℓ].
     lengths: (f64, f64),
     /// Least inner angle, radians, of triangles without an edge that the boundary takes out of range.
     angle: f64,
@@ -85,16 +87,12 @@ fn smallest_angle(result: &UniformMesh) -> f64 {
         .out_of_range
         .iter()
         .filter(|edge| of_boundary(edge.why))
-        .map(|edge| sorted(result.members[edge.member]))
+        .map(|edge| edge_key(result.members[edge.member]))
         .collect();
     let judged = result
         .mesh
         .triangles
         .iter()
-        .filter(|&&[a, b, c]| [[a, b], [b, c], [c, a]].into_iter().all(|edge| !excused.contains(&sorted(edge))));
+        .filter(|&&[a, b, c]| [[a, b], [b, c], [c, a]].into_iter().all(|edge| !excused.contains(&edge_key(edge))));
     judged.flat_map(|&triangle| angles(result.mesh.corners(triangle))).fold(f64::INFINITY, f64::min)
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }

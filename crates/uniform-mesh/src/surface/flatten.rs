@@ -18,7 +18,7 @@ use plateau_mesh::execution::Execution;
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::unit_vector;
 use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
-use plateau_mesh::sparse::{Symbolic, SymmetricMatrix};
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec2, DVec3, Mesh, measure};
 use std::f64::consts::TAU;
@@ -27,12 +27,12 @@ struct Flattening<'a> {
     edges: &'a [[u32; 2]],
     lengths: &'a [f64],
     triangles: &'a [[u32; 3]],
-    /// The metric's scale: squares of mean relative edge terms.
+    /// Scale of the metric: the mean of 1/Lˢ² over the edges.
     metric: f64,
 }
 
 impl LeastSquares<2> for Flattening<'_> {
-    type Place = DVec2;
+    type Location = DVec2;
 
     fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
         self.edges.iter().for_each(|edge| couple(edge));
@@ -104,7 +104,8 @@ pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Erro
     if let Some(normal) = doubled.try_normalize() {
         let frame = Frame::with_normal(normal);
         let plane: Vec<DVec2> = mesh.vertices.iter().map(|&p| frame.coordinates(p)).collect();
-        // Steep triangles would start far too small. Tutte's embedding is then better.
+        // Triangles that are steep against the mean plane would start far too small. Tutte's embedding is then the
+        // better start.
         let steepest = |&t: &[u32; 3]| {
             let area = measure::double_area_vector(mesh.corners(t)).length();
             doubled_area(&plane, t) > 0.05 * area
@@ -126,8 +127,8 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     };
     let loops = topology.boundary_loops();
     let length = |ring: &Vec<u32>| -> f64 {
-        let at = |v: u32| mesh.vertices[v as usize];
-        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| at(a).distance(at(b))).sum()
+        let position = |v: u32| mesh.vertices[v as usize];
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| position(a).distance(position(b))).sum()
     };
     if loops.is_empty() || topology.components() != 1 || topology.genus() != 0 {
         return Err(failed());
@@ -159,6 +160,21 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
             }
         }
     }
+    let mut plane = at_means(&neighbours, &fixed).map_err(|_| failed())?;
+    plane.truncate(mesh.vertices.len());
+    // If the boundary is wavy, the circle encloses far more than the surface's area. The embedding is therefore scaled
+    // to the mean length of the edges.
+    let (mut on_surface, mut in_plane) = (0.0, 0.0);
+    for [a, b] in edges(topology) {
+        on_surface += mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
+        in_plane += plane[a as usize].distance(plane[b as usize]);
+    }
+    plane.iter_mut().for_each(|p| *p *= on_surface / in_plane);
+    if mesh.triangles.iter().all(|&t| doubled_area(&plane, t) > 0.0) { Ok(plane) } else { Err(failed()) }
+}
+
+/// Positions for which every vertex without a given one lies at the mean of its neighbours.
+fn at_means(neighbours: &[Vec<u32>], fixed: &[Option<DVec2>]) -> Result<Vec<DVec2>, LinearError> {
     let free: Vec<u32> = (0..neighbours.len() as u32).filter(|&v| fixed[v as usize].is_none()).collect();
     let mut unknown = vec![u32::MAX; neighbours.len()];
     for (k, &v) in free.iter().enumerate() {
@@ -185,19 +201,9 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
         matrix.row_start.push(matrix.columns.len() as u32);
     }
     if n > 0 {
-        let symbolic = Symbolic::analyse(&matrix, None).map_err(|_| failed())?;
-        symbolic.factorise(&matrix).and_then(|factor| factor.solve(&mut right)).map_err(|_| failed())?;
+        Symbolic::analyse(&matrix, None)?.factorise(&matrix)?.solve(&mut right)?;
     }
-    let at =
+    let position =
         |v: usize| fixed[v].unwrap_or_else(|| DVec2::new(right[unknown[v] as usize], right[n + unknown[v] as usize]));
-    let mut plane: Vec<DVec2> = (0..mesh.vertices.len()).map(at).collect();
-    // If the boundary is wavy, the circle encloses far more than the surface's area. The embedding is therefore scaled
-    // to the mean length of the edges.
-    let (mut on_surface, mut in_plane) = (0.0, 0.0);
-    for [a, b] in edges(topology) {
-        on_surface += mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
-        in_plane += plane[a as usize].distance(plane[b as usize]);
-    }
-    plane.iter_mut().for_each(|p| *p *= on_surface / in_plane);
-    if mesh.triangles.iter().all(|&t| doubled_area(&plane, t) > 0.0) { Ok(plane) } else { Err(failed()) }
+    Ok((0..neighbours.len()).map(position).collect())
 }

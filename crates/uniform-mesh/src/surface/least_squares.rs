@@ -1,6 +1,5 @@
-//! Sums of squared edge terms, which flattening, the moves of nodes and the sharing of lengths have in common, over
-//! points with two coordinates each, lowered by [`minimise`](levenberg_marquardt::minimise) with a report of every
-//! step.
+//! Least-squares problems over points with two coordinates each: flattening, the moves of nodes and the sharing of
+//! lengths. [`minimise`](levenberg_marquardt::minimise) lowers their energy, and every step is reported.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -34,7 +33,7 @@ pub(crate) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 
     0.9 * most
 }
 
-/// The end of a run, and its part of the progress.
+/// Stopping rule of a run, and its part of the progress.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub phase: &'static str,
@@ -46,7 +45,7 @@ pub(crate) struct Settings {
     pub tolerance: f64,
 }
 
-/// The end of a run.
+/// Result of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Outcome {
     pub energy: f64,
@@ -60,7 +59,7 @@ pub(crate) struct Outcome {
 /// On an interruption `x` is the best so far.
 pub(crate) fn minimise<P: LeastSquares<2>>(
     problem: &mut P,
-    x: &mut Vec<P::Place>,
+    x: &mut Vec<P::Location>,
     settings: Settings,
     execution: &Execution<'_>,
 ) -> Outcome {
@@ -75,7 +74,7 @@ pub(crate) fn minimise<P: LeastSquares<2>>(
         max_iterations,
     };
     let mut steps = 0;
-    let mut observe = |iteration: u64, _: &[P::Place], energy: f64| {
+    let mut observe = |iteration: u64, _: &[P::Location], energy: f64| {
         steps = iteration;
         execution.report(Progress {
             fraction: from + (to - from) * iteration as f64 / max_iterations as f64,

@@ -16,7 +16,7 @@ use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use plateau_mesh::{DVec2, DVec3};
 
-/// Distance, in ℓ, by which the bounds of rim members are drawn in, so that members with a small remaining excess are
+/// Distance, in ℓ, by which the bounds of rim members are narrowed, so that members with a small remaining excess are
 /// still within [ℓ, 2ℓ].
 const MARGIN: f64 = 1e-7;
 /// Weight of a rim member's excess against a lattice member's deviation.
@@ -28,9 +28,9 @@ const LARGEST_SHIFT: f64 = 0.5;
 const ENOUGH: f64 = 1e-9;
 const ROUNDS: usize = 16;
 const ATTEMPTS: usize = 3;
-/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more the
-/// steps beyond lowered the energy by one or two hundredths, and took four fifths of the time. Meshes of fewer than 600
-/// nodes never reach it: their rounds end first.
+/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more,
+/// further steps lowered the energy by one or two hundredths and took four fifths of the time. Meshes of fewer than 600
+/// nodes never reach this number, because their rounds end first.
 const NODE_STEPS: usize = 600_000;
 /// Fewest steps that an attempt may take whatever the number of nodes.
 const FEWEST_STEPS: usize = 30;
@@ -45,11 +45,11 @@ pub(crate) enum TargetLength {
     Free,
 }
 
-/// Bounds of one optimisation.
+/// Limits of the work of one optimisation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Maximum number of attempts. Each has wider bounds for the members that the attempt before could not bring into
-    /// theirs.
+    /// Maximum number of attempts. Each attempt widens the bounds of the members that the attempt before could not
+    /// bring into theirs.
     pub attempts: usize,
     /// Maximum number of multiplier updates per attempt.
     pub rounds: usize,
@@ -62,18 +62,18 @@ pub(crate) struct Effort {
 /// A surface on which nodes move, by displacements with two coordinates each.
 pub(crate) trait Sheet {
     /// The place of a node.
-    type Place: Copy + std::fmt::Debug;
+    type Location: Copy + std::fmt::Debug;
     /// Bounds of the optimisation on this surface.
     fn effort(&self) -> Effort;
     /// Point of the surface, and its derivatives by the two coordinates of a displacement.
-    fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
+    fn evaluate(&self, place: Self::Location) -> [DVec3; 3];
     /// Whether none of the triangles is flipped. `at` returns places and positions.
-    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Place, DVec3)) -> bool;
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Location, DVec3)) -> bool;
     /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after the part of the step that
     /// may be taken, and returns that part. `triangles` are those with a moving corner.
-    fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]) -> f64;
-    /// The point of the surface below the middle of a triangle, and the surface's unit normal there.
-    fn below(&self, corners: [Self::Place; 3], middle: DVec3) -> (DVec3, DVec3);
+    fn advance(&self, mesh: &Moved<'_, Self::Location>, step: &[DVec2], to: &mut [Self::Location]) -> f64;
+    /// The point of the surface nearest to the middle of a triangle, and the surface's unit normal there.
+    fn below(&self, corners: [Self::Location; 3], middle: DVec3) -> (DVec3, DVec3);
 }
 
 /// The moving part of a mesh.
@@ -88,7 +88,7 @@ pub(crate) struct Moved<'a, P> {
 }
 
 impl Sheet for Surface {
-    type Place = DVec2;
+    type Location = DVec2;
 
     fn effort(&self) -> Effort {
         // The derivatives jump between a film's facets, so that the last digits of the minimum are not defined.
@@ -108,11 +108,11 @@ impl Sheet for Surface {
     }
 
     fn advance(&self, mesh: &Moved<'_, DVec2>, step: &[DVec2], to: &mut [DVec2]) -> f64 {
-        let of = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
+        let with_step = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
             Some(k) => (mesh.moving[k], step[k]),
             None => (mesh.standing[v as usize], DVec2::ZERO),
         };
-        let most = step_before_flip(mesh.triangles.iter().map(|t| t.map(of)));
+        let most = step_before_flip(mesh.triangles.iter().map(|t| t.map(with_step)));
         for (node, place) in to.iter_mut().enumerate() {
             *place = self.restrict(mesh.moving[node] + step[node] * most);
         }
@@ -141,7 +141,7 @@ impl Sheet for Surface {
 #[derive(Debug)]
 pub(crate) struct OnSurface<'a, S: Sheet> {
     pub surface: &'a S,
-    pub parameters: Vec<S::Place>,
+    pub parameters: Vec<S::Location>,
     pub positions: Vec<DVec3>,
     /// Number of leading nodes that stay where they are.
     pub fixed: usize,
@@ -194,8 +194,8 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         let active: Vec<usize> = (0..nodes.members.len())
             .filter(|&m| targets[m] != TargetLength::Free && nodes.members[m].iter().any(|&v| v >= fixed))
             .collect();
-        let at = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
-        let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &at);
+        let located = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
+        let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &located);
         let triangles = nodes.triangles.iter().filter(guarded).copied().collect();
         let (bounds, shifts) = (vec![[0.0; 2]; active.len()], vec![[0.0; 2]; active.len()]);
         let moving = nodes.parameters.len() - nodes.fixed;
@@ -280,7 +280,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
 }
 
 impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
-    type Place = S::Place;
+    type Location = S::Location;
 
     fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
         let fixed = self.nodes.fixed as u32;
@@ -292,13 +292,13 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
         }
     }
 
-    fn energy(&mut self, x: &[S::Place]) -> f64 {
+    fn energy(&mut self, x: &[S::Location]) -> f64 {
         self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
-        let at = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
+        let located = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
             Some(k) => (x[k], self.here[k][0]),
             None => (self.nodes.parameters[v as usize], self.nodes.positions[v as usize]),
         };
-        if !self.nodes.surface.are_upright(&self.triangles, &at) {
+        if !self.nodes.surface.are_upright(&self.triangles, &located) {
             return f64::INFINITY;
         }
         (0..self.active.len())
@@ -309,7 +309,7 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
             .sum()
     }
 
-    fn assemble(&mut self, x: &[S::Place], normal: &mut NormalEquations<2>) {
+    fn assemble(&mut self, x: &[S::Location], normal: &mut NormalEquations<2>) {
         self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
         for (metric, [_, du, dv]) in self.metrics.iter_mut().zip(&self.here) {
             *metric = [du.dot(*du), du.dot(*dv), dv.dot(*dv)];
@@ -337,7 +337,7 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
         }
     }
 
-    fn advance(&self, x: &[S::Place], step: &[[f64; 2]], to: &mut [S::Place]) -> f64 {
+    fn advance(&self, x: &[S::Location], step: &[[f64; 2]], to: &mut [S::Location]) -> f64 {
         let nodes = self.nodes;
         let step: Vec<DVec2> = step.iter().map(|&step| step.into()).collect();
         let mesh = Moved {
@@ -370,7 +370,7 @@ pub(crate) fn refine<S: Sheet>(
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> Option<Interruption> {
-    let start: Vec<S::Place> = nodes.parameters[nodes.fixed..].to_vec();
+    let start: Vec<S::Location> = nodes.parameters[nodes.fixed..].to_vec();
     let mut moving = Moving::new(nodes, targets);
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
@@ -415,7 +415,7 @@ pub(crate) fn refine<S: Sheet>(
 
 impl<S: Sheet> Moving<'_, '_, S> {
     /// ½ Σ (L - target)² over the members that have a target length.
-    fn deviation(&mut self, x: &[S::Place]) -> f64 {
+    fn deviation(&mut self, x: &[S::Location]) -> f64 {
         self.energy(x);
         let aimed = |k: &usize| matches!(self.targets[self.active[*k]], TargetLength::At(_));
         let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
@@ -425,7 +425,7 @@ impl<S: Sheet> Moving<'_, '_, S> {
     /// Runs the method of multipliers once, from `x`.
     fn multipliers(
         &mut self,
-        x: &mut Vec<S::Place>,
+        x: &mut Vec<S::Location>,
         Effort { rounds, iterations, tolerance, .. }: Effort,
         phase: &'static str,
         (from, to): (f64, f64),

@@ -17,7 +17,7 @@
 //! triangles for which that is possible.
 
 use super::move_nodes::{Effort, Moved, OnSurface, Sheet, TargetLength, refine};
-use super::reference::{Bond, NodePlace, Reference};
+use super::reference::{Bond, NodeLocation, Reference};
 use super::remesh::{Collapse, Net, Size, longest_squared};
 use crate::edges::edges;
 use crate::options::Objective;
@@ -27,10 +27,11 @@ use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::topology::{next, previous};
 use plateau_mesh::{DVec2, DVec3};
 
-/// The target lengths of the remeshing, in ℓ.
+/// Target lengths of the remeshing for the fewest nodes and for the most equal edges, in ℓ.
 ///
-/// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places
-/// take the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
+/// The remeshing makes edges between 0.8 and 4/3 of the target. With a target of 1.45 they fill [ℓ, 2ℓ]; strongly
+/// curved places take the shortest edges that the range allows. For the most equal edges the target exceeds ℓ, because
+/// the edges outside the group are longer than those in it.
 const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
 /// Number of rounds that move the nodes and mend members out of range.
@@ -40,33 +41,33 @@ const REPAIRS: usize = 2;
 /// Members outside this range, in ℓ, count as far out of range. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not
 /// converged.
 const FAR: (f64, f64) = (0.7, 2.3);
-/// Number of multiplier updates in each of these moves.
+/// Number of multiplier updates in each move of these rounds.
 const BRIEF: usize = 2;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
 /// Members within this range, in ℓ, may belong to the lattice group.
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
-/// Members outside this range, in ℓ, are mended. The next move of the nodes brings the others into [ℓ, 2ℓ].
+/// Members outside this range, in ℓ, are split or collapsed. The next move of the nodes brings the others into [ℓ, 2ℓ].
 const OUT: (f64, f64) = (0.98, 2.02);
 /// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, after a move.
 /// Without this bound nodes are pressed flat against the boundary.
 const THINNEST: f64 = 0.12;
-/// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians)
-/// is split, so that the node may join it.
+/// Least length (in ℓ) and least angle (radians) of an edge that is split because it faces a node at a wide angle and
+/// cannot flip. The node may then join the new vertex.
 const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
-/// Largest number of nodes that the search for a free degree of freedom visits.
+/// Largest number of nodes that one search for a node with a free degree of freedom visits.
 const SEARCH: usize = 300;
-/// Number of nodes that these searches visit between two looks at the signal.
+/// Number of nodes that all these searches visit between two looks at the signal.
 const NODES_PER_LOOK: u64 = 1 << 16;
 
 impl Sheet for Reference {
-    type Place = NodePlace;
+    type Location = NodeLocation;
 
     fn effort(&self) -> Effort {
         Effort { attempts: 1, rounds: 6, iterations: 20, tolerance: 1e-4 }
     }
 
-    fn evaluate(&self, place: NodePlace) -> [DVec3; 3] {
+    fn evaluate(&self, place: NodeLocation) -> [DVec3; 3] {
         let point = self.point(place.spot);
         match place.bond {
             Bond::Free => {
@@ -78,11 +79,11 @@ impl Sheet for Reference {
         }
     }
 
-    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (NodePlace, DVec3)) -> bool {
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (NodeLocation, DVec3)) -> bool {
         triangles.iter().all(|t| self.is_upright(t.map(at)))
     }
 
-    fn advance(&self, mesh: &Moved<'_, NodePlace>, step: &[DVec2], to: &mut [NodePlace]) -> f64 {
+    fn advance(&self, mesh: &Moved<'_, NodeLocation>, step: &[DVec2], to: &mut [NodeLocation]) -> f64 {
         let displaced = |k: usize, part: f64| {
             let here = mesh.moving[k];
             let step = step[k] * part;
@@ -90,11 +91,11 @@ impl Sheet for Reference {
             match here.bond {
                 Bond::Free => {
                     let [_, x, y] = Sheet::evaluate(self, here);
-                    NodePlace { spot: self.walk(here.spot, x * step.x + y * step.y), ..here }
+                    NodeLocation { spot: self.walk(here.spot, x * step.x + y * step.y), ..here }
                 }
                 Bond::Curve { curve, at } => {
                     let at = (at + step.x).clamp(0.0, self.curves[curve as usize].length());
-                    NodePlace { spot: self.on_curve(curve, at), bond: Bond::Curve { curve, at } }
+                    NodeLocation { spot: self.on_curve(curve, at), bond: Bond::Curve { curve, at } }
                 }
                 Bond::Fixed(_) => here,
             }
@@ -103,15 +104,15 @@ impl Sheet for Reference {
         for (k, place) in to.iter_mut().enumerate() {
             *place = displaced(k, 1.0);
         }
-        // Nodes whose step would turn a triangle take a smaller part of it, and at last no step.
+        // A node whose step would flip a triangle takes a smaller part of the step, and at last no step.
         for part in [0.4, 0.1, 0.0, 0.0, 0.0] {
             let positions: Vec<DVec3> = to.iter().map(|place| self.point(place.spot)).collect();
-            let at = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
+            let located = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
                 Some(k) => (to[k], positions[k]),
                 None => (mesh.standing[v as usize], self.point(mesh.standing[v as usize].spot)),
             };
             let turned: Vec<[u32; 3]> =
-                mesh.triangles.iter().filter(|t| !self.is_upright(t.map(at))).copied().collect();
+                mesh.triangles.iter().filter(|t| !self.is_upright(t.map(located))).copied().collect();
             if turned.is_empty() {
                 break;
             }
@@ -127,8 +128,8 @@ impl Sheet for Reference {
         parts.iter().sum::<f64>() / parts.len() as f64
     }
 
-    fn below(&self, corners: [NodePlace; 3], middle: DVec3) -> (DVec3, DVec3) {
-        let free: Vec<NodePlace> = corners.into_iter().filter(|place| place.bond == Bond::Free).take(1).collect();
+    fn below(&self, corners: [NodeLocation; 3], middle: DVec3) -> (DVec3, DVec3) {
+        let free: Vec<NodeLocation> = corners.into_iter().filter(|place| place.bond == Bond::Free).take(1).collect();
         let starts = if free.is_empty() { corners.to_vec() } else { free };
         let mut best = (f64::INFINITY, DVec3::ZERO, DVec3::ZERO);
         for start in starts.into_iter().flat_map(|place| self.sides(place.spot)) {
@@ -145,7 +146,7 @@ impl Sheet for Reference {
 
 impl Reference {
     /// Whether a triangle's normal agrees with the surface's at its corners, and the triangle is no sliver.
-    fn is_upright(&self, corners: [(NodePlace, DVec3); 3]) -> bool {
+    fn is_upright(&self, corners: [(NodeLocation, DVec3); 3]) -> bool {
         let mean: DVec3 = corners.iter().map(|(place, _)| self.normal(place.spot)).sum();
         let corners = corners.map(|corner| corner.1);
         double_area_vector(corners).dot(mean) > THINNEST * longest_squared(corners) * mean.length()
@@ -173,7 +174,7 @@ pub(crate) fn mesh<'a>(
     if !optimise {
         return Ok((best, None));
     }
-    // The net with the best nodes, before its members were mended.
+    // Copy of the net from which the best nodes came, before its members were mended.
     let mut of_best = net.clone();
     let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1 + REPAIRS) as f64;
     let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
@@ -183,17 +184,7 @@ pub(crate) fn mesh<'a>(
         refine(nodes, &targets, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
     };
     let move_repaired = |nodes: &mut OnSurface<'a, Reference>, k: usize| {
-        let target = |(&lattice, &ends): (&bool, &[u32; 2])| {
-            // Targets that no place of the nodes can reach would push the nodes towards a sharp corner, or away from
-            // it.
-            let across = reference.apart_across(ends.map(|v| nodes.parameters[v as usize]));
-            match across {
-                _ if lattice => TargetLength::At(1.0),
-                Some(apart) => TargetLength::Within((2.0 * apart).min(1.0)),
-                None => TargetLength::Within(1.0),
-            }
-        };
-        let targets: Vec<TargetLength> = nodes.lattice_group.iter().zip(&nodes.members).map(target).collect();
+        let targets = reachable_targets(nodes);
         refine(nodes, &targets, reference.effort(), "optimise_nodes", (part(k), part(k + 1)), execution)
     };
     let mut least = f64::INFINITY;
@@ -238,6 +229,20 @@ pub(crate) fn mesh<'a>(
         best = here;
     }
     Ok((best, interrupted))
+}
+
+/// The target lengths of all members, shorter for members across a sharp corner: targets that no location of the nodes
+/// can reach would push the nodes towards the corner, or away from it.
+fn reachable_targets(nodes: &OnSurface<'_, Reference>) -> Vec<TargetLength> {
+    let target = |(&lattice, &ends): (&bool, &[u32; 2])| {
+        let across = nodes.surface.apart_across(ends.map(|v| nodes.parameters[v as usize]));
+        match across {
+            _ if lattice => TargetLength::At(1.0),
+            Some(apart) => TargetLength::Within((2.0 * apart).min(1.0)),
+            None => TargetLength::Within(1.0),
+        }
+    };
+    nodes.lattice_group.iter().zip(&nodes.members).map(target).collect()
 }
 
 /// Number of members that are far out of range without a reason in the boundary.

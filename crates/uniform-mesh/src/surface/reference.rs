@@ -22,16 +22,20 @@ use plateau_mesh::{DVec2, DVec3, Mesh};
 /// A line of a patch with discontinuous derivatives is a crease if the normals on its two sides differ by more than
 /// this angle somewhere, radians.
 const CREASE: f64 = 0.35;
-/// in ℓ.
+/// Largest distance from a corner, in ℓ, at which the angle between two curves bounds the edges between them.
 const NEAR_CORNER: f64 = 3.0;
 /// A sharp corner or a short closed side is the reason for a short edge only if the edge has at least this fraction of
 /// the length that the corner or the side leaves to an edge.
 const FORCED: f64 = 0.9;
 /// Number of intervals into which each side is divided to find the distance between two sides near a corner.
 const STEPS_NEAR_CORNER: usize = 8;
-/// Distance of three nodes on a circle, as a fraction of its length. A closed side needs three nodes.
+/// Distance between three nodes evenly spaced on a circle, as a fraction of the circle's length. A closed side has at
+/// least three nodes.
 const OF_THREE: f64 = 0.275;
 const LONGEST_WALK: usize = 2000;
+/// Number of tangential steps to the foot of a point. A step is exact on one facet. On an arch of half a turn four
+/// steps leave less than a thousandth of the way.
+const FOOT_STEPS: usize = 4;
 
 /// A point of the reference triangulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +57,7 @@ pub(crate) enum Bond {
 
 /// The place of a node on the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct NodePlace {
+pub(crate) struct NodeLocation {
     pub spot: Spot,
     pub bond: Bond,
 }
@@ -255,7 +259,7 @@ impl Reference {
     /// The smallest angle between two curves at a vertex, or the angle around the vertex if it has fewer than two
     /// curves, radians.
     pub fn angle_at(&self, vertex: u32) -> f64 {
-        let at = |v: u32| self.mesh.vertices[v as usize];
+        let position = |v: u32| self.mesh.vertices[v as usize];
         let (mut sectors, mut begins_on_curve) = (vec![0.0], true);
         for (k, h) in self.topology.outgoing_half_edges(vertex).enumerate() {
             if k == 0 {
@@ -263,10 +267,10 @@ impl Reference {
             } else if self.stops[h as usize] {
                 sectors.push(0.0);
             }
-            let sides = [self.topology.to(h), self.topology.opposite(h)].map(|v| at(v) - at(vertex));
+            let sides = [self.topology.to(h), self.topology.opposite(h)].map(|v| position(v) - position(vertex));
             *sectors.last_mut().expect("starts with one sector") += measure::angle(sides[0], sides[1]);
         }
-        // The sector in which the turn began ends where the turn ends.
+        // The first and the last sector are one if the turn did not begin on a curve.
         if !begins_on_curve && let [first, .., last] = &mut sectors[..] {
             *last += *first;
             *first = f64::INFINITY;
@@ -288,7 +292,7 @@ impl Reference {
     /// The reason why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the creases
     /// are the reason only for edges that have the length that they allow. Shorter edges have the reason
     /// [`Why::Curvature`].
-    pub fn why(&self, ends: [NodePlace; 2], length: f64) -> Why {
+    pub fn why(&self, ends: [NodeLocation; 2], length: f64) -> Why {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
         if length > 1.0 || first.is_empty() || second.is_empty() {
             return Why::Curvature;
@@ -312,7 +316,7 @@ impl Reference {
 
     /// The least length that a sharp corner allows for edges across it, if these nodes are on its two sides and that
     /// length is below ℓ.
-    pub fn apart_across(&self, ends: [NodePlace; 2]) -> Option<f64> {
+    pub fn apart_across(&self, ends: [NodeLocation; 2]) -> Option<f64> {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
         if first.is_empty() || second.is_empty() || first.iter().any(|c| second.contains(c)) {
             return None;
@@ -322,7 +326,7 @@ impl Reference {
 
     /// The distance between the curves of two nodes at the corner where they meet, infinite if the corner is not sharp.
     /// `None` if the curves do not meet, or the nodes are not near the corner.
-    fn apart_at_corner(&self, ends: [NodePlace; 2], [first, second]: [&[u32]; 2]) -> Option<f64> {
+    fn apart_at_corner(&self, ends: [NodeLocation; 2], [first, second]: [&[u32]; 2]) -> Option<f64> {
         let points = ends.map(|place| self.point(place.spot));
         let mut least = None;
         for (&c, &d) in first.iter().flat_map(|c| second.iter().map(move |d| (c, d))) {
@@ -459,12 +463,12 @@ impl Reference {
             [_, _] => {
                 let k = w.iter().position(|&w| w > 0.0).unwrap_or(0);
                 let v = self.mesh.triangles[t as usize][k];
-                let at = |h: u32| {
+                let at_corner = |h: u32| {
                     let mut weights = [0.0; 3];
                     weights[h as usize % 3] = 1.0;
                     Spot { triangle: h / 3, weights }
                 };
-                self.topology.outgoing_half_edges(v).map(at).collect()
+                self.topology.outgoing_half_edges(v).map(at_corner).collect()
             }
             _ => vec![spot],
         }
@@ -473,12 +477,15 @@ impl Reference {
     /// The spot near `start` whose point of the surface is nearest to a point of space, by a few tangential steps.
     pub fn foot(&self, start: Spot, point: DVec3) -> Spot {
         let mut spot = start;
-        for _ in 0..4 {
-            let normal = self.facet_normal(spot);
-            let off = point - self.point(spot);
-            spot = self.walk(spot, off - normal * off.dot(normal));
+        for _ in 0..FOOT_STEPS {
+            spot = self.walk(spot, self.off_foot(spot, point));
         }
         spot
+    }
+
+    /// The part along the facet of the way from a spot to a point of space: zero at the point's foot.
+    fn off_foot(&self, spot: Spot, point: DVec3) -> DVec3 {
+        (point - self.point(spot)).reject_from_normalized(self.facet_normal(spot))
     }
 }
 
@@ -512,9 +519,9 @@ mod tests {
                 let starts_here = is_origin(&reference, curve.ends[0]);
                 let at = if starts_here { from_corner } else { curve.length() - from_corner };
                 let bond = Bond::Curve { curve: curves[which], at };
-                NodePlace { spot: reference.on_curve(curves[which], at), bond }
+                NodeLocation { spot: reference.on_curve(curves[which], at), bond }
             };
-            let why = |ends: [NodePlace; 2]| {
+            let why = |ends: [NodeLocation; 2]| {
                 let [p, q] = ends.map(|place| reference.point(place.spot));
                 reference.why(ends, p.distance(q))
             };
@@ -531,6 +538,30 @@ mod tests {
     }
 
     #[test]
+    fn the_steps_to_a_foot_leave_little_of_the_way() {
+        let row = |x: f64, z: f64| vec![DVec3::new(x, 0.0, z), DVec3::new(x, 10.0, z)];
+        let control_points = vec![row(-5.0, 0.0), row(-4.0, 8.0), row(4.0, 8.0), row(5.0, 0.0)];
+        let knots = [vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]];
+        let patch = Nurbs { degrees: [3, 1], knots, control_points, weights: None };
+        let reference = Reference::of_patch(&patch, &Place::field("domain")).unwrap();
+        let centre = |triangle: u32| Spot { triangle, weights: [1.0 / 3.0; 3] };
+        let mut compared = 0;
+        for t in 0..reference.mesh.triangles.len() as u32 {
+            for other in (0..reference.mesh.triangles.len() as u32).step_by(7) {
+                let (start, end) = (reference.point(centre(t)), reference.point(centre(other)));
+                let point = end + 0.1 * reference.facet_normal(centre(other));
+                if start.distance(end) > 1.0 {
+                    continue;
+                }
+                let rest = reference.off_foot(reference.foot(centre(t), point), point).length();
+                assert!(rest < 1e-3 * start.distance(end).max(0.1), "{t} {other}: {rest} of {}", start.distance(end));
+                compared += 1;
+            }
+        }
+        assert!(compared > 100, "{compared}");
+    }
+
+    #[test]
     fn a_short_side_is_the_reason_only_for_the_whole_side() {
         let (mut reference, curves) = rhombus(90.0);
         for vertex in &mut reference.mesh.vertices {
@@ -542,10 +573,10 @@ mod tests {
         let curve = &reference.curves[curves[0] as usize];
         let end = |k: usize| {
             let bond = Bond::Fixed(curve.ends[k]);
-            NodePlace { spot: reference.spot_of(curve.ends[k]), bond }
+            NodeLocation { spot: reference.spot_of(curve.ends[k]), bond }
         };
         let middle =
-            NodePlace { spot: reference.on_curve(curves[0], 0.1), bond: Bond::Curve { curve: curves[0], at: 0.1 } };
+            NodeLocation { spot: reference.on_curve(curves[0], 0.1), bond: Bond::Curve { curve: curves[0], at: 0.1 } };
         assert_eq!(reference.why([end(0), end(1)], 0.8), Why::ShortSide);
         assert_eq!(reference.why([end(0), middle], 0.1), Why::Curvature);
     }

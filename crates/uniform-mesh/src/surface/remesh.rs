@@ -8,12 +8,12 @@
 //! Edges that are split or collapsed in one pass share no triangle, like in [`remesh`](plateau_film::minimal_surface)
 //! (no neighbourhood), so that a pass is one rebuild of the triangle list.
 
-use super::reference::{Bond, NodePlace, Reference};
+use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
 use plateau_mesh::edit::may_collapse;
-use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::execution::{Execution, Interruption, WORK_PER_TRIANGLE};
 use plateau_mesh::measure::{self, double_area_vector};
-use plateau_mesh::topology::{NONE, Topology};
+use plateau_mesh::topology::{NONE, Topology, edge_key};
 
 /// Constants of the remeshing.
 struct Remeshing {
@@ -60,7 +60,7 @@ pub(crate) struct Size {
     pub largest: f64,
     /// The length where the surface is strongly curved, in ℓ.
     pub least: f64,
-    /// Between them, the product of length and curvature.
+    /// Product of length and curvature where the length lies between these two bounds.
     pub turn: f64,
 }
 
@@ -83,7 +83,7 @@ pub(crate) enum Collapse {
 #[derive(Clone, Debug)]
 pub(crate) struct Net<'a> {
     pub reference: &'a Reference,
-    pub places: Vec<NodePlace>,
+    pub places: Vec<NodeLocation>,
     pub positions: Vec<DVec3>,
     pub normals: Vec<DVec3>,
     pub topology: Topology,
@@ -98,11 +98,6 @@ pub(crate) fn longest_squared([a, b, c]: [DVec3; 3]) -> f64 {
     a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
 }
 
-/// An edge's ends in order.
-fn ordered(a: u32, b: u32) -> [u32; 2] {
-    [a.min(b), a.max(b)]
-}
-
 impl<'a> Net<'a> {
     /// The reference's own triangles.
     pub fn new(reference: &'a Reference, size: Size) -> Self {
@@ -112,7 +107,7 @@ impl<'a> Net<'a> {
         for (number, curve) in reference.curves.iter().enumerate() {
             let number = number as u32;
             for (k, (from, to)) in reference.chain(number).into_iter().enumerate() {
-                along.push((ordered(from, to), number));
+                along.push((edge_key([from, to]), number));
                 bonds[from as usize] = Bond::Curve { curve: number, at: curve.at[k] };
             }
         }
@@ -122,8 +117,8 @@ impl<'a> Net<'a> {
                 bonds[v as usize] = Bond::Fixed(v);
             }
         }
-        let places: Vec<NodePlace> =
-            (0..count as u32).map(|v| NodePlace { spot: reference.spot_of(v), bond: bonds[v as usize] }).collect();
+        let places: Vec<NodeLocation> =
+            (0..count as u32).map(|v| NodeLocation { spot: reference.spot_of(v), bond: bonds[v as usize] }).collect();
         let mut net = Self {
             reference,
             places: Vec::new(),
@@ -138,14 +133,14 @@ impl<'a> Net<'a> {
         net
     }
 
-    fn push(&mut self, place: NodePlace) {
+    fn push(&mut self, place: NodeLocation) {
         self.places.push(place);
         self.positions.push(self.reference.point(place.spot));
         self.normals.push(self.reference.normal(place.spot));
         self.sizes.push(self.size.at(self.reference.curvature(place.spot)));
     }
 
-    pub fn put(&mut self, v: u32, place: NodePlace) {
+    pub fn put(&mut self, v: u32, place: NodeLocation) {
         let v = v as usize;
         self.places[v] = place;
         self.positions[v] = self.reference.point(place.spot);
@@ -154,7 +149,7 @@ impl<'a> Net<'a> {
     }
 
     /// Moves every node to its new place.
-    pub fn put_all(&mut self, places: &[NodePlace]) {
+    pub fn put_all(&mut self, places: &[NodeLocation]) {
         for (v, &place) in places.iter().enumerate() {
             self.put(v as u32, place);
         }
@@ -169,7 +164,7 @@ impl<'a> Net<'a> {
         if self.is_free(a) || self.is_free(b) {
             return None;
         }
-        self.along.binary_search_by_key(&ordered(a, b), |edge| edge.0).ok().map(|k| self.along[k].1)
+        self.along.binary_search_by_key(&edge_key([a, b]), |edge| edge.0).ok().map(|k| self.along[k].1)
     }
 
     pub fn length(&self, h: u32) -> f64 {
@@ -192,20 +187,8 @@ impl<'a> Net<'a> {
         self.is_upright(triangle.map(|v| self.positions[v as usize]), triangle.map(|v| self.normals[v as usize]))
     }
 
-    /// Returns one half-edge for each edge whose key is above 1, by falling keys.
-    fn ranked(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
-        let twin = &self.topology.twin;
-        let mut ranked: Vec<(f64, u32)> = (0..twin.len() as u32)
-            .filter(|&h| twin[h as usize] == NONE || twin[h as usize] > h)
-            .map(|h| (key(h), h))
-            .filter(|&(key, _)| key > 1.0)
-            .collect();
-        ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        ranked.into_iter().map(|(_, h)| h).collect()
-    }
-
     /// The place half way between two nodes, along a curve if they are neighbours on it.
-    fn middle(&self, a: u32, b: u32) -> Option<NodePlace> {
+    fn middle(&self, a: u32, b: u32) -> Option<NodeLocation> {
         let [p, q] = [a, b].map(|v| self.positions[v as usize]);
         let [from, to] = [a, b].map(|v| self.places[v as usize]);
         if let Some(curve) = self.curve_of(a, b) {
@@ -213,7 +196,7 @@ impl<'a> Net<'a> {
             let near = self.reference.at(curve, from.bond, other)?;
             let other = self.reference.at(curve, to.bond, Some(near))?;
             let at = 0.5 * (near + other);
-            return Some(NodePlace { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+            return Some(NodeLocation { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
         }
         let length = p.distance(q);
         for (start, from, to) in [(from, p, q), (to, q, p)] {
@@ -224,7 +207,7 @@ impl<'a> Net<'a> {
                 let spot = self.reference.foot(spot, (from + to) / 2.0);
                 let point = self.reference.point(spot);
                 if point.distance(from).max(point.distance(to)) < 0.8 * length {
-                    return Some(NodePlace { spot, bond: Bond::Free });
+                    return Some(NodeLocation { spot, bond: Bond::Free });
                 }
             }
         }
@@ -233,7 +216,7 @@ impl<'a> Net<'a> {
 
     /// Splits the edges that are too long, longest first, at most one of each triangle. Returns their number.
     fn split(&mut self) -> usize {
-        let edges = self.ranked(|h| self.length(h) / (REMESHING.long * self.size_at(h)));
+        let edges = self.topology.ranked_edges(|h| self.length(h) / (REMESHING.long * self.size_at(h)));
         self.split_edges(&edges)
     }
 
@@ -274,7 +257,7 @@ impl<'a> Net<'a> {
                 continue;
             }
             if let Some(curve) = self.curve_of(a, b) {
-                along.push((ordered(a, b), self.places.len() as u32, curve));
+                along.push((edge_key([a, b]), self.places.len() as u32, curve));
             }
             let middle = self.places.len() as u32;
             self.push(place);
@@ -290,7 +273,7 @@ impl<'a> Net<'a> {
             split.sort_unstable();
             self.along.retain(|edge| split.binary_search(&edge.0).is_err());
             for ([a, b], middle, curve) in along {
-                self.along.extend([(ordered(a, middle), curve), (ordered(b, middle), curve)]);
+                self.along.extend([(edge_key([a, middle]), curve), (edge_key([b, middle]), curve)]);
             }
             self.along.sort_unstable();
             self.rebuild(&triangles);
@@ -305,7 +288,8 @@ impl<'a> Net<'a> {
 
     /// Collapses the edges that are too short, shortest first, whose neighbourhoods do not touch. Returns their number.
     fn collapse(&mut self, to: Collapse) -> usize {
-        let edges = self.ranked(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
+        let edges =
+            self.topology.ranked_edges(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
         self.collapse_edges(&edges, to, REMESHING.long)
     }
 
@@ -381,7 +365,7 @@ impl<'a> Net<'a> {
                 .collect();
             for (edge, _) in &mut self.along {
                 let [a, b] = edge.map(moved);
-                *edge = ordered(a, b);
+                *edge = edge_key([a, b]);
             }
             self.along.retain(|([a, b], _)| a != b);
             self.along.sort_unstable();
@@ -393,7 +377,8 @@ impl<'a> Net<'a> {
     /// The neighbours of a vertex.
     pub fn ring(&self, v: u32) -> Vec<u32> {
         let mut ring: Vec<u32> = self.topology.outgoing_half_edges(v).map(|h| self.topology.to(h)).collect();
-        // The last neighbour of a boundary vertex is only found opposite to an edge.
+        // The last neighbour of a boundary vertex is not the end of an outgoing half-edge. It is opposite to the last
+        // of them.
         if let Some(last) = self.topology.outgoing_half_edges(v).last() {
             let other = self.topology.opposite(last);
             if !ring.contains(&other) {
@@ -489,7 +474,7 @@ impl<'a> Net<'a> {
         let before = self.places[v as usize];
         for part in [1.0, 0.4] {
             let spot = self.reference.walk(before.spot, step * part);
-            self.put(v, NodePlace { spot, bond: Bond::Free });
+            self.put(v, NodeLocation { spot, bond: Bond::Free });
             if self.star_is_upright(v) {
                 return;
             }
@@ -507,7 +492,7 @@ impl<'a> Net<'a> {
         let &[low, high] = &neighbours[..] else { return };
         let before = self.places[v as usize];
         let at = 0.5 * (low + high);
-        self.put(v, NodePlace { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+        self.put(v, NodeLocation { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
         if !self.star_is_upright(v) {
             self.put(v, before);
         }
@@ -540,7 +525,7 @@ impl<'a> Net<'a> {
         self.places = (0..order.len()).map(|k| self.places[old(k)]).collect();
         for (edge, _) in &mut self.along {
             let [a, b] = edge.map(|v| place[v as usize]);
-            *edge = ordered(a, b);
+            *edge = edge_key([a, b]);
         }
         self.along.sort_unstable();
         self.topology = self.topology.clone().renumbered(&place);
@@ -564,7 +549,7 @@ impl<'a> Net<'a> {
             }
         }
         for _ in 0..REMESHING.rounds {
-            execution.look(20 * self.places.len() as u64)?;
+            execution.look(WORK_PER_TRIANGLE * self.topology.triangles().len() as u64)?;
             self.split();
             self.collapse(Collapse::Middle);
             self.flip_to_delaunay();

@@ -2,12 +2,12 @@
 //! seams sewn up and poles merged.
 
 use super::nurbs::{Nurbs, unit_normal};
-use plateau_mesh::topology::NONE;
+use plateau_mesh::topology::{NONE, edge_key};
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
 /// Constants of the triangulation of a patch.
 struct Grid {
-    /// Largest side of a cell, in ℓ. Half an edge resolves the metric.
+    /// Largest side of a cell, in ℓ. Half an edge is short enough to resolve the metric.
     side: f64,
     /// Largest angle between the normals at the ends of a cell's side, radians.
     turn: f64,
@@ -15,7 +15,7 @@ struct Grid {
     samples: usize,
     /// Largest number of samples along one parameter.
     most_samples: usize,
-    /// Bounds of the number of cells. Between them the number is `cells_per_area` for each ℓ² of surface.
+    /// Range of the number of cells. Within this range there are `cells_per_area` cells for each ℓ² of surface.
     cells: (f64, f64),
     cells_per_area: f64,
     /// Least number of cells along a parameter between two creases.
@@ -44,21 +44,23 @@ pub(super) struct Tessellation {
     pub corners: Vec<u32>,
 }
 
+/// The distinct knots along an axis, mapped to \[0, 1\], and whether the patch may have a crease there.
+fn distinct_knots(patch: &Nurbs, axis: usize) -> Vec<(f64, bool)> {
+    let (knots, degree) = (&patch.knots[axis], patch.degrees[axis]);
+    let (low, high) = (knots[degree], knots[knots.len() - degree - 1]);
+    let mut distinct: Vec<(f64, usize)> = Vec::new();
+    for &knot in knots.iter().filter(|&&knot| knot >= low && knot <= high) {
+        match distinct.last_mut() {
+            Some((last, count)) if *last == knot => *count += 1,
+            _ => distinct.push((knot, 1)),
+        }
+    }
+    distinct.iter().map(|&(knot, count)| ((knot - low) / (high - low), count >= degree)).collect()
+}
+
 /// The parameters of the lines of a tensor-product grid, and the numbers of the lines that may be creases.
 fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
-    // Distinct knots on [0, 1], and whether the patch may have a crease there.
-    let spans: [Vec<(f64, bool)>; 2] = [0, 1].map(|axis| {
-        let (knots, degree) = (&patch.knots[axis], patch.degrees[axis]);
-        let (low, high) = (knots[degree], knots[knots.len() - degree - 1]);
-        let mut distinct: Vec<(f64, usize)> = Vec::new();
-        for &knot in knots.iter().filter(|&&knot| knot >= low && knot <= high) {
-            match distinct.last_mut() {
-                Some((last, count)) if *last == knot => *count += 1,
-                _ => distinct.push((knot, 1)),
-            }
-        }
-        distinct.iter().map(|&(knot, count)| ((knot - low) / (high - low), count >= degree)).collect()
-    });
+    let spans = [0, 1].map(|axis| distinct_knots(patch, axis));
     let samples: [Vec<f64>; 2] = [0, 1].map(|axis| {
         let count = spans[axis].len() - 1;
         let each = GRID.samples.min(GRID.most_samples / count).max(1);
@@ -141,8 +143,7 @@ pub(super) fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
         .map(|(u, v)| patch.evaluate(DVec2::new(u, v))[0])
         .collect();
     let index = |i: usize, j: usize| i * (nv + 1) + j;
-    let size = points.iter().map(|p| p.length()).fold(0.0, f64::max);
-    let tiny = COINCIDENT * size;
+    let tiny = COINCIDENT * points.iter().map(|p| p.length()).fold(0.0, f64::max);
     let same = |a: (usize, usize), b: (usize, usize)| points[index(a.0, a.1)].distance(points[index(b.0, b.1)]) <= tiny;
     let closed = [(0..=nv).all(|j| same((0, j), (nu, j))), (0..=nu).all(|i| same((i, 0), (i, nv)))];
     // The sides u = 0, u = 1, v = 0, v = 1.
@@ -179,6 +180,13 @@ pub(super) fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
             let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
             let numbers = corners.map(|(i, j)| vertex(i, j));
             let places = corners.map(|(i, j)| DVec2::new(us[i], vs[j]));
+            let middle = 0.5 * (places[0] + places[2]);
+            // A pole has every parameter of its side. A triangle there takes the middle of the cell.
+            let parameters_at = |(i, j): (usize, usize), place: DVec2| {
+                let x = if (j == 0 && pole[2]) || (j == nv && pole[3]) { middle.x } else { place.x };
+                let y = if (i == 0 && pole[0]) || (i == nu && pole[1]) { middle.y } else { place.y };
+                DVec2::new(x, y)
+            };
             // The cell is cut along its shorter diagonal. At a pole only one triangle is left.
             let straight = apart(numbers[0], numbers[2]) <= apart(numbers[1], numbers[3]) * (1.0 + 1e-9);
             let halves = if straight { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] };
@@ -187,32 +195,20 @@ pub(super) fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
                 if triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0] {
                     continue;
                 }
-                let mut at = half.map(|k| places[k]);
-                // A pole has every parameter of its side. The triangle takes the middle of the cell's.
-                for (k, &corner) in half.iter().enumerate() {
-                    let (i, j) = corners[corner];
-                    if (j == 0 && pole[2]) || (j == nv && pole[3]) {
-                        at[k].x = 0.5 * (places[0].x + places[2].x);
-                    }
-                    if (i == 0 && pole[0]) || (i == nu && pole[1]) {
-                        at[k].y = 0.5 * (places[0].y + places[2].y);
-                    }
-                }
                 if (0..3).any(|k| apart(triangle[k], triangle[(k + 1) % 3]) <= tiny) {
                     return None;
                 }
                 triangles.push(triangle);
-                parameters.push(at);
+                parameters.push(half.map(|k| parameters_at(corners[k], places[k])));
             }
         }
     }
     let mut candidates = Vec::new();
-    let ordered = |a: u32, b: u32| [a.min(b), a.max(b)];
     for &i in &creases[0] {
-        candidates.push((0..nv).map(|j| ordered(vertex(i, j), vertex(i, j + 1))).collect());
+        candidates.push((0..nv).map(|j| edge_key([vertex(i, j), vertex(i, j + 1)])).collect());
     }
     for &j in &creases[1] {
-        candidates.push((0..nu).map(|i| ordered(vertex(i, j), vertex(i + 1, j))).collect());
+        candidates.push((0..nu).map(|i| edge_key([vertex(i, j), vertex(i + 1, j)])).collect());
     }
     let corners = vec![vertex(0, 0), vertex(nu, 0), vertex(nu, nv), vertex(0, nv)];
     Some(Tessellation { mesh: Mesh::new(vertices, triangles), parameters, lines: candidates, corners })

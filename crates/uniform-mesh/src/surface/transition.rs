@@ -22,7 +22,7 @@ use crate::plane::increment::Circumradii;
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::measure;
 use plateau_mesh::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
-use plateau_mesh::topology::NONE;
+use plateau_mesh::topology::{NONE, edge_key};
 use plateau_mesh::{DVec2, DVec3};
 
 /// An edge flips if its opposite angles add up to more than 180° plus this angle, in radians.
@@ -35,10 +35,10 @@ const FLIPS_PER_EDGE: usize = 20;
 const WORK_PER_LOOK: u64 = 4096;
 /// Maximum number of times that the rim is rebuilt.
 const REBUILDS: usize = 6;
-/// The rebuilding ends when a round gains less than this fraction of the misfit, ...
+/// The rebuilding ends when a round lowers the misfit by less than this fraction of it.
 const ENOUGH_GAIN: f64 = 1e-3;
-/// ... or when the misfit for each member is below this value. On a flat patch lengths are off only by rounding and by
-/// the tolerance of the flattening.
+/// The rebuilding ends when the misfit per member is below this value. On a flat patch lengths are off only by rounding
+/// and by the tolerance of the flattening.
 const NO_MISFIT: f64 = 1e-12;
 /// Weight of a rim member that is out of range, relative to a lattice member.
 const RIM_WEIGHT: f64 = 10.0;
@@ -156,7 +156,7 @@ pub(crate) fn rebuild<'a>(
     result.triangles.extend(rim.flat.corners.iter().map(|t| t.map(|v| part[v as usize])));
     let Ok(topology) = topology(result.positions.clone(), &result.triangles) else { return Ok(None) };
     result.members = edges(&topology);
-    let in_group = |&[a, b]: &[u32; 2]| core.group.binary_search(&[a.min(b), a.max(b)]).is_ok();
+    let in_group = |&edge: &[u32; 2]| core.group.binary_search(&edge_key(edge)).is_ok();
     result.lattice_group = result.members.iter().map(in_group).collect();
     if result.lattice_group.iter().filter(|&&lattice| lattice).count() != core.group.len() {
         return Ok(None);
@@ -188,9 +188,8 @@ impl Core {
             number[v as usize] = list.len() as u32;
             list.push(v);
         }
-        let ordered = |a: u32, b: u32| [a.min(b), a.max(b)];
         let mut group: Vec<[u32; 2]> =
-            lattice().map(|&[a, b]| ordered(number[a as usize], number[b as usize])).collect();
+            lattice().map(|&[a, b]| edge_key([number[a as usize], number[b as usize]])).collect();
         group.sort_unstable();
         // The directed edges of the triangles, by which boundary edges are found.
         let mut directed: Vec<[u32; 2]> =
@@ -203,11 +202,11 @@ impl Core {
             let edges = [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
             let new = t.map(|v| number[v as usize]);
             let all_lattice = edges.iter().all(|&[a, b]| {
-                !outline(a, b) && group.binary_search(&ordered(number[a as usize], number[b as usize])).is_ok()
+                !outline(a, b) && group.binary_search(&edge_key([number[a as usize], number[b as usize]])).is_ok()
             });
             if all_lattice {
                 triangles.push(new);
-                sides.extend([ordered(new[0], new[1]), ordered(new[1], new[2]), ordered(new[2], new[0])]);
+                sides.extend([[new[0], new[1]], [new[1], new[2]], [new[2], new[0]]].map(edge_key));
             }
             for [a, b] in edges.into_iter().filter(|&[a, b]| outline(a, b)) {
                 let (from, to) = (number[a as usize], number[b as usize]);
@@ -215,7 +214,7 @@ impl Core {
             }
         }
         sides.sort_unstable();
-        let mut on_outline: Vec<[u32; 2]> = constraints.iter().map(|c| ordered(c.from, c.to)).collect();
+        let mut on_outline: Vec<[u32; 2]> = constraints.iter().map(|c| edge_key([c.from, c.to])).collect();
         on_outline.sort_unstable();
         for &[from, to] in &group {
             let count = sides.partition_point(|s| *s <= [from, to]) - sides.partition_point(|s| *s < [from, to]);

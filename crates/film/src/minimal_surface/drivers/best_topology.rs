@@ -2,9 +2,11 @@
 //!
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
 //!    default solver solves it from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
-//!    leaves unstable surfaces. The film *holds* if it converged, is stable, is connected and has no flipped triangle.
-//!    Of those that hold the one of least area counts, and one that passes through itself only if all do. Boundaries
-//!    that a [cone](crate::minimal_surface::cone) parts are not tried, because no connected film spans them.
+//!    leaves unstable surfaces. Where it converges to a surface that does not hold or passes through itself, it also
+//!    solves from each way to lay out the boundaries in the disc. The film *holds* if it converged, is stable, is
+//!    connected and has no flipped triangle. Of those that hold the one of least area counts, and one that passes
+//!    through itself only if all do. Boundaries that a [cone](crate::minimal_surface::cone) parts are not tried,
+//!    because no connected film spans them.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
@@ -154,7 +156,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     }
     run.spanning = Some(SpanningComparison { topologies: compared, connected_film_exists, largest_gap_fraction });
     let initial_area = chosen.iter().map(|part| part.initial_area).sum();
-    Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
+    Ok(SolvedFilm { film, kind: chosen[0].kind, arrangement: None, initial_area, run })
 }
 
 /// Solves the topologies whose areas differ by less than the error of the coarse meshes at full size. If none of their
@@ -282,8 +284,9 @@ fn compare(
     topology.stability =
         held.iter().map(|part| part.run.stability).collect::<Option<Vec<Stability>>>().and_then(|all| {
             all.into_iter().reduce(|a, b| Stability {
-                stable: a.stable && b.stable,
-                morse_index: a.morse_index + b.morse_index,
+                stable: a.stable.zip(b.stable).map(|(a, b)| a && b),
+                morse_index: a.morse_index.zip(b.morse_index).map(|(a, b)| a + b),
+                least_index: a.least_index + b.least_index,
                 lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
                 margin: a.margin.zip(b.margin).map(|(a, b)| a.min(b)),
                 // The combined method is the less certain one.
@@ -334,8 +337,8 @@ impl<'a> SpanningProblem<'a> {
         for (k, &set) in sets.iter().enumerate() {
             let share = [share * k as f64, share * (k + 1) as f64];
             let known = coarse.and_then(|coarse| coarse.films[set as usize].as_ref());
-            let start = known.map(|film| start_of(film.kind));
-            match exec.part(share, |exec| self.part(set, start.as_ref(), exec)) {
+            let start = known.map(|film| (start_of(film.kind), film.arrangement));
+            match exec.part(share, |exec| self.part(set, start.clone(), exec)) {
                 Ok(part) => {
                     parts.interrupted |= part.run.stop_reason == StopReason::Deadline;
                     parts.films[set as usize] = (set.count_ones() == 1 || spans(&part)).then_some(part);
@@ -395,10 +398,15 @@ impl<'a> SpanningProblem<'a> {
     }
 
     /// Step 1 for one set, from one start or from all of them.
-    fn part(&self, set: u32, start: Option<&InitialMesh>, exec: &Execution) -> Result<SolvedFilm, Error> {
+    fn part(
+        &self,
+        set: u32,
+        start: Option<(InitialMesh, Option<usize>)>,
+        exec: &Execution,
+    ) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
         match start {
-            Some(start) => self.connected(&boundaries, start, true, exec),
+            Some((start, arrangement)) => self.connected(&boundaries, &start, arrangement, true, exec),
             None => match cone::part(&boundaries, exec)? {
                 Some(parted) => Err(cone::refusal(&parted)),
                 None => self.least(&boundaries, exec),
@@ -409,7 +417,7 @@ impl<'a> SpanningProblem<'a> {
     /// The film of least area among those from all initial meshes. Films that hold come first, and among them those
     /// that do not pass through themselves.
     fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
-        let first = self.connected(boundaries, &InitialMesh::Auto, true, exec)?;
+        let first = self.connected(boundaries, &InitialMesh::Auto, None, true, exec)?;
         if boundaries.len() == 1 {
             return Ok(first);
         }
@@ -419,11 +427,22 @@ impl<'a> SpanningProblem<'a> {
         };
         let mut least = (rank(&first)?, first);
         let mut tried = vec![least.1.kind];
-        for start in [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings] {
-            if least.1.run.stop_reason == StopReason::Deadline || tried.iter().any(|&kind| is_of_kind(&start, kind)) {
+        let otherwise = [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings].map(|start| (start, None));
+        // Several boundaries can be laid out in the plane in several ways. Where the most likely of them gives a
+        // surface that does not hold or passes through itself, another one may give a film. Where the first solve does
+        // not converge, none of them is tried, because nearly always there is no film and each would take as long.
+        let has_converged = least.1.run.stop_reason == StopReason::Residual;
+        let layouts = if has_converged { initial_mesh::arrangements(boundaries) } else { 0 };
+        let layouts = (0..layouts).map(|k| (InitialMesh::Disk, Some(k)));
+        for (start, arrangement) in otherwise.into_iter().chain(layouts) {
+            let is_needless = match arrangement {
+                None => tried.iter().any(|&kind| is_of_kind(&start, kind)),
+                Some(_) => least.0 == (false, false),
+            };
+            if is_needless || least.1.run.stop_reason == StopReason::Deadline {
                 continue;
             }
-            let next = match self.connected(boundaries, &start, true, exec) {
+            let next = match self.connected(boundaries, &start, arrangement, true, exec) {
                 Ok(next) => next,
                 Err(Error::NoResult { .. } | Error::Input(_)) => continue,
                 Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
@@ -443,18 +462,22 @@ impl<'a> SpanningProblem<'a> {
         &self,
         boundaries: &[Vec<DVec3>],
         initial_mesh: &InitialMesh,
+        arrangement: Option<usize>,
         may_refine: bool,
         exec: &Execution,
     ) -> Result<SolvedFilm, Error> {
         let options = Options { initial_mesh: initial_mesh.clone(), ..self.options_for(boundaries) };
-        if let Some(solved) = nested::solve(boundaries, &options, OnUnstable::Descend, exec)? {
+        if let Some(solved) = nested::solve(boundaries, &options, arrangement, OnUnstable::Descend, exec)? {
             return Ok(solved);
         }
-        let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
+        let (start, kind) = initial_mesh::build(boundaries, &options, arrangement, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, Self::task(&options, options.boundary_edges(), may_refine), exec)?;
-        Ok(SolvedFilm { film, kind, initial_area, run })
+        // Widening would move the bridges of a narrow strip away from the corners that they join.
+        let is_narrow = kind == InitialMeshKind::Rings && *initial_mesh != InitialMesh::Rings;
+        let task = Self::task(&options, options.boundary_edges(), may_refine);
+        let run = newton::run(&mut film, newton::Task { may_widen: !is_narrow, ..task }, exec)?;
+        Ok(SolvedFilm { film, kind, arrangement, initial_area, run })
     }
 
     /// Step 4. The films on the way are not refined at their necks, which would take many times as long; the film over
@@ -472,7 +495,7 @@ impl<'a> SpanningProblem<'a> {
         let mut held = None;
         for halving in 1..=HALVINGS {
             let fraction = 0.5f64.powi(halving as i32);
-            match self.connected(&at(fraction), &InitialMesh::Auto, false, exec) {
+            match self.connected(&at(fraction), &InitialMesh::Auto, None, false, exec) {
                 Ok(part) if spans(&part) => {
                     held = Some((fraction, part));
                     break;

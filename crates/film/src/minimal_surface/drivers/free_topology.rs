@@ -24,21 +24,19 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Largest number of solves of step 1 if the caller gives none. A film beyond its last stable shape shrinks slowly.
 const DEFAULT_SOLVES: u32 = 2000;
-/// Relative change of area per solve that ends step 1 at first. A larger value tries step 2 earlier.
+/// Relative change of area per solve that ends step 1 at first.
 const SETTLED_AREA: f64 = 1e-4;
-/// Relative change of area per solve that ends step 1 after step 2 has failed. A larger value gives up a slowly closing
-/// neck earlier.
+/// Relative change of area per solve that ends step 1 after step 2 has failed.
 const AT_REST: f64 = 1e-9;
 /// Largest number of rounds that remove flipped triangles after a neck has closed.
 const MOST_UNFOLDINGS: u32 = 3;
-/// Triangles with an angle below this (radians) are removed in such a round. A larger value removes more of a spike.
+/// Triangles with an angle below this (radians) are removed in a round that removes flipped triangles.
 const NEEDLE: f64 = 0.15;
-/// Step 2 starts with new triangles if fewer than this fraction of the initial mesh are left. A larger value replaces
-/// smaller losses.
+/// Step 2 starts with new triangles if fewer than this fraction of the initial mesh are left.
 const FEW: f64 = 0.8;
-/// Number of passes that bring their number back.
+/// Number of passes that bring the number of triangles back.
 const REFILL_PASSES: u32 = 12;
-/// Number of times that every free vertex is averaged in such a round. A larger value flattens the film further.
+/// Number of times that every free vertex is averaged in a round that removes flipped triangles.
 const UNFOLDING_SWEEPS: u32 = 50;
 
 /// Steps 1 to 3 on a film. The report counts the solves of steps 1 and 2.
@@ -89,7 +87,7 @@ pub(crate) fn run(
         let task = newton::Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
         let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, task, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
-        let stable = finish.stability.is_none_or(|stability| stability.stable);
+        let stable = finish.stability.is_none_or(|stability| stability.least_index == 0);
         let interrupted = finish.stop_reason == StopReason::Deadline;
         run.append(finish);
         done += part;
@@ -168,7 +166,7 @@ mod tests {
         let run = run(&mut film, &FreeTopology::default(), limits, false, &Execution::default()).unwrap();
         film.mesh().check().unwrap();
         assert_eq!((run.stop_reason, film.flipped_triangles()), (StopReason::Residual, 0));
-        assert!(run.stability.is_some_and(|stability| stability.stable));
+        assert!(run.stability.is_some_and(|stability| stability.stable == Some(true)));
         assert!(run.history.windows(2).all(|pair| pair[1].iteration == pair[0].iteration + 1));
         assert_eq!(run.history.len(), run.iterations as usize);
         (film, run)

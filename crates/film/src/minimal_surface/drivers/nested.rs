@@ -21,7 +21,7 @@
 //! skip points, a triangle is flipped, multigrid does not converge), the caller solves the full mesh directly.
 
 use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
-use crate::equilibrium::stability::{self, Unknown, WithMargin};
+use crate::equilibrium::stability::{self, MorseIndex, Unknown, WithMargin};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
@@ -47,43 +47,42 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Smallest number of triangles of the coarse mesh, which has at most four times as many. A larger value gives fewer
-/// levels and more work on the coarse mesh.
+/// Smallest number of triangles of the coarse mesh, which has at most four times as many.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
-/// Smallest number of triangles of the coarse mesh per boundary vertex. A larger value skips fewer boundary points.
+/// Smallest number of triangles of the coarse mesh per boundary vertex.
 const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
-/// A boundary vertex at which the boundary turns by more than this (radians) is a corner. A coarse edge also replaces
-/// at most this much turning. A larger value skips more points of a curved boundary.
+/// A boundary vertex at which the boundary turns by more than this (radians) is a corner. A coarse edge replaces at
+/// most this much turning.
 const CORNER: f64 = 0.6;
-/// Residual to which the levels between the coarsest and the finest are solved. A larger value starts the next level
-/// from a less accurate surface.
+/// Residual to which the levels between the coarsest and the finest are solved.
 const MIDDLE_TOLERANCE: f64 = 1e-3;
 /// Largest number of triangles for which the Morse index is computed by a factorisation. Above it the sign of the
 /// lowest eigenvalue decides, which costs far less on a large mesh.
 const INERTIA_TRIANGLES: usize = 250_000;
-/// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh. With a larger value
-/// more requests are solved coarse to fine.
+/// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh.
 const LONG_EDGE: f64 = 1.6;
-/// Number of sweeps in which all vertices of the finest mesh slide. Its triangles are halves of good ones, so that
-/// fewer do than elsewhere. A larger value lowers the largest gradient further and takes longer.
+/// Number of sweeps in which all vertices of the finest mesh slide. Its triangles are halves of good ones, so that it
+/// needs fewer sweeps than the coarser meshes.
 const FULL_SWEEPS: u32 = 1;
 /// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
 /// converge.
 const STEPS_PER_LEVEL: u32 = 12;
 
-/// Solves coarse to fine. `None` if the request is too small for the method, or the method does not apply.
+/// Solves coarse to fine, with three and more boundaries laid out in the plane as `arrangement` says (see
+/// [`initial_mesh::build`]). `None` if the request is too small for the method, or the method does not apply.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
 pub(crate) fn solve(
     boundaries: &[Vec<DVec3>],
     options: &Options,
+    arrangement: Option<usize>,
     on_unstable: OnUnstable,
     exec: &Execution,
 ) -> Result<Option<SolvedFilm>, Error> {
     // A polygon of fewer points may bound no film where the whole polygon does. The next plan keeps more points.
     for plan in Plan::from_coarse(boundaries, options) {
-        if let Some(solved) = follow(&plan, boundaries, options, on_unstable, exec)? {
+        if let Some(solved) = follow(&plan, boundaries, options, arrangement, on_unstable, exec)? {
             return Ok(Some(solved));
         }
     }
@@ -94,11 +93,13 @@ fn follow(
     plan: &Plan,
     boundaries: &[Vec<DVec3>],
     options: &Options,
+    arrangement: Option<usize>,
     on_unstable: OnUnstable,
     exec: &Execution,
 ) -> Result<Option<SolvedFilm>, Error> {
     let coarse_options = Options { resolution: plan.resolution, ..options.clone() };
-    let (mut film, kind) = match initial_mesh::build(&plan.coarse_boundaries(boundaries), &coarse_options, exec) {
+    let coarse = plan.coarse_boundaries(boundaries);
+    let (mut film, kind) = match initial_mesh::build(&coarse, &coarse_options, arrangement, exec) {
         Ok((start, kind)) => (start.refined(exec)?, kind),
         Err(Error::Interrupted(interruption)) => return Err(interruption.into()),
         // The error is reported for the whole request, by the direct solve.
@@ -125,7 +126,7 @@ fn follow(
         (film, _) = places.refine(&film);
     }
     let run = solve.into_run(stop_reason, stability);
-    Ok(places.input_points_first(film).map(|film| SolvedFilm { film, kind, initial_area, run }))
+    Ok(places.input_points_first(film).map(|film| SolvedFilm { film, kind, arrangement, initial_area, run }))
 }
 
 /// Solves the coarse film and corrects it level by level. On the last level the vertices slide if `slides`. `None` if
@@ -152,7 +153,7 @@ fn climb(
         Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
         Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
     };
-    if coarse.morse_index > 0 {
+    if coarse.morse_index.most > 0 {
         return Ok(None);
     }
     let Some(margin) = coarse.margin else { return Ok(None) };
@@ -226,17 +227,19 @@ fn climb(
             let multiply = |x: &[f64], product: &mut [f64]| matrix.multiply(x, product);
             let lowest = stability::lowest_mode(multiply, mass, unit, mode, precondition, solve.exec)?;
             let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
-            let morse_index = if by_inertia {
+            let index = if by_inertia {
                 solve.exec.look(film.triangles().len() as u64)?;
                 let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Ok(None) };
-                match stability::morse_index(&symbolic, &matrix, mass, unit, &state.constraints) {
+                match stability::morse_index(&symbolic, &matrix, mass, unit, &state.constraints, solve.exec) {
                     Ok(index) => index,
-                    Err(_) => return Ok(None),
+                    Err(Unknown::Refused(_)) => return Ok(None),
+                    Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
                 }
             } else {
-                usize::from(lowest.eigenvalue < 0.0)
+                MorseIndex { least: 0, most: 0 }
             };
-            if (morse_index > 0) != (lowest.eigenvalue < 0.0) || morse_index > 0 {
+            let rounding = stability::rounding_of_form(&matrix, &lowest.vector);
+            if index.checked_against(lowest.eigenvalue, rounding).most > 0 {
                 return Ok(None);
             }
             let margin = if calm {
@@ -263,7 +266,8 @@ fn climb(
             let lowest_eigenvalue = lowest.eigenvalue;
             let method = if by_inertia { StabilityMethod::Inertia } else { StabilityMethod::Eigenvalue };
             let margin = Some(margin);
-            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method, margin }));
+            let (stable, morse_index, least_index) = (Some(true), Some(0), 0);
+            return Ok(Some(Stability { stable, morse_index, least_index, lowest_eigenvalue, method, margin }));
         }
         hierarchy.push(matrix, parents);
         coarse_area = state.energy;

@@ -193,7 +193,7 @@ pub(super) struct Hole {
 }
 
 impl Shape {
-    /// Whether the plane's lengths are unlike those in space, so that a mesh has to be evened out there.
+    /// Whether lengths in the plane differ from those in space, so that a mesh has to be evened out in space.
     pub fn is_mapped(&self) -> bool {
         !matches!(self, Self::Plane(_))
     }
@@ -201,7 +201,8 @@ impl Shape {
     /// The ways to lay out boundaries in space, the most trusted first.
     ///
     /// Three and more boundaries are places on a sphere: as they are seen from a common centre; as circles at those
-    /// places, if seen from there they cross; as circles on one ring.
+    /// places, if seen from there they cross; as circles on one ring in the order of their directions, and in the
+    /// opposite order, because boundaries that surround each other have no order.
     pub fn arrangements(boundaries: &[Vec<DVec3>]) -> Vec<Self> {
         let mut arrangements = Vec::new();
         if boundaries.len() > 2 {
@@ -211,13 +212,16 @@ impl Shape {
             arrangements.extend(seen.iter().map(|&directions| Self::Sphere(directions)));
             arrangements.extend(seen.iter().map(|directions| directions.circles(boundaries)));
         }
-        arrangements.push(Self::disc(boundaries));
+        arrangements.push(Self::disc(boundaries, false));
+        if boundaries.len() > 2 {
+            arrangements.push(Self::disc(boundaries, true));
+        }
         arrangements
     }
 
     /// A disc for one boundary. Of several boundaries the longest is outside, and the others are inside, each facing it
-    /// as in space.
-    pub fn disc(boundaries: &[Vec<DVec3>]) -> Self {
+    /// as in space. Three and more are spread evenly in the order of their directions, or in the opposite one.
+    pub fn disc(boundaries: &[Vec<DVec3>], is_opposite: bool) -> Self {
         let lengths: Vec<f64> = boundaries.iter().map(|points| polyline::length(points, true)).collect();
         let mut outer = 0;
         for k in 1..boundaries.len() {
@@ -233,10 +237,15 @@ impl Shape {
                 let angles = directions(boundaries, outer, &others);
                 let mut placed: Vec<(f64, usize)> = angles.into_iter().zip(others.iter().copied()).collect();
                 placed.sort_by(|a, b| a.0.total_cmp(&b.0));
-                // They are spread evenly, in the order of their directions.
-                let count = placed.len() as f64;
-                let first = placed[0].0;
-                placed.iter().enumerate().map(|(k, &(_, hole))| (first + TAU * k as f64 / count, hole)).collect()
+                let step = TAU / placed.len() as f64;
+                // The turn of the even places that brings them nearest to the directions.
+                let turns = || placed.iter().enumerate().map(|(k, &(angle, _))| unit_vector(angle - step * k as f64));
+                let sum: DVec2 = turns().sum();
+                let turn = if sum.length() > CONCENTRIC { libm::atan2(sum.y, sum.x) } else { placed[0].0 };
+                if is_opposite {
+                    placed.reverse();
+                }
+                placed.iter().enumerate().map(|(k, &(_, hole))| (turn + step * k as f64, hole)).collect()
             }
         };
         let holes = placed
@@ -345,12 +354,15 @@ fn mean_gap(p: &[DVec3], q: &[DVec3], matching: &Matching) -> f64 {
     sum / matching.bridges.len() as f64
 }
 
-/// Distances that differ by less than this fraction of the outer boundary's radius are equal.
+/// A loop is concentric with the outer boundary if the distance of their means is below this fraction of the outer
+/// boundary's radius, and no direction is nearer than others if the distances differ by less.
 const CONCENTRIC: f64 = 1e-9;
 /// About the number of points of a concentric loop that are compared.
 const COMPARED_POINTS: usize = 256;
 
-/// For each other boundary the angle of the nearest point on the outer circle.
+/// For each other boundary the angle on the outer circle at which it lies: the phase of the first Fourier coefficient
+/// of its nearness along the outer boundary. Unlike the nearest point, no two boundaries have this angle in common
+/// because the outer boundary has few points.
 fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<f64> {
     let rim = &boundaries[outer];
     let centre = polyline::mean(rim);
@@ -360,7 +372,7 @@ fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<
         .iter()
         .map(|&k| {
             let towards = polyline::mean(&boundaries[k]) - centre;
-            // Of concentric loops the mean is rounding, and the nearest points tell instead.
+            // The mean of a concentric loop has no certain direction, so the nearest points decide.
             let is_concentric = towards.length() <= CONCENTRIC * radius;
             let stride = boundaries[k].len() / COMPARED_POINTS + 1;
             let nearness = |point: DVec3| {
@@ -371,15 +383,15 @@ fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<
                     (point - centre).dot(towards) / towards.length()
                 }
             };
-            let (mut best, mut angle, mut along) = (f64::NEG_INFINITY, 0.0, 0.0);
+            let (mut along, mut sum) = (0.0, DVec2::ZERO);
             for (i, &point) in rim.iter().enumerate() {
-                let facing = nearness(point);
-                if facing > best + CONCENTRIC * radius {
-                    (best, angle) = (facing, TAU * along / total);
-                }
-                along += point.distance(rim[(i + 1) % rim.len()]);
+                let next = rim[(i + 1) % rim.len()];
+                let step = point.distance(next);
+                let nearness = 0.5 * (nearness(point) + nearness(next));
+                sum += step * nearness * unit_vector(TAU * (along + 0.5 * step) / total);
+                along += step;
             }
-            angle
+            if sum.length() <= CONCENTRIC * radius * total { 0.0 } else { libm::atan2(sum.y, sum.x) }
         })
         .collect()
 }

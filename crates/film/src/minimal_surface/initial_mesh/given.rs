@@ -9,8 +9,7 @@ use plateau_mesh::polyline::position_key;
 use plateau_mesh::topology::{Defect, NONE, Topology};
 use plateau_mesh::{DVec3, Error, Mesh, Place};
 
-/// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment. A
-/// larger value accepts less exact coordinates.
+/// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment.
 pub(crate) const ON_SEGMENT: f64 = 1e-9;
 
 /// A film from the client's mesh. The mesh must be an oriented manifold whose boundary loops are the boundaries: each
@@ -131,13 +130,13 @@ struct Matched {
 /// otherwise stays on the segments.
 fn follow(mesh: &Mesh, vertices: &[u32], polygon: &[DVec3]) -> Option<Matched> {
     let n = vertices.len();
-    let at = |k: usize| mesh.vertices[vertices[k] as usize];
-    let starts = (0..n).filter(|&k| at(k) == polygon[0]);
+    let position = |k: usize| mesh.vertices[vertices[k] as usize];
+    let starts = (0..n).filter(|&k| position(k) == polygon[0]);
     starts.flat_map(|start| [(start, false), (start, true)]).find_map(|(start, backwards)| {
         let index = |k: usize| if backwards { start + n - k } else { start + k } % n;
         let mut own = vec![0];
         for k in 1..n {
-            let point = at(index(k));
+            let point = position(index(k));
             if own.len() < polygon.len() && point == polygon[own.len()] {
                 own.push(k);
                 continue;

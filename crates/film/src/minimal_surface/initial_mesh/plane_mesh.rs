@@ -1,6 +1,6 @@
 //! A graded triangulation of a plane domain between closed polygons: boundary, lattice points, constrained Delaunay.
 
-use super::lattice::{SizeField, Source};
+use super::graded_lattice::{SizeField, Source};
 use glam::DVec2;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::polygon::{contains, doubled_area, inside};
@@ -42,8 +42,7 @@ pub(super) enum PlaneError {
     Interrupted(Interruption),
 }
 
-/// Number of rounds of relaxation and flips that smooth the lattice beside the boundary. A larger value gives more even
-/// triangles there.
+/// Number of rounds of relaxation and flips that smooth the lattice beside the boundary.
 const SMOOTHING_ROUNDS: u32 = 4;
 
 impl PlaneRegion {

@@ -64,7 +64,7 @@ fn sampled(
     resolution: Resolution,
     exec: &Execution,
 ) -> Result<Vec<Sampled>, Interruption> {
-    let at = |size: f64, sampling: BoundarySampling| -> Vec<Sampled> {
+    let with_size = |size: f64, sampling: BoundarySampling| -> Vec<Sampled> {
         boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect()
     };
     let longest_of = |points: &Vec<DVec3>| -> f64 {
@@ -74,14 +74,14 @@ fn sampled(
     let mut size = size;
     // Ends because each round lengthens the pieces by a tenth or more, up to `WITHOUT_INFLUENCE`.
     loop {
-        let sampled = at(size, BoundarySampling::Refine);
+        let sampled = with_size(size, BoundarySampling::Refine);
         let points: usize = sampled.iter().map(|boundary| boundary.points.len()).sum();
         exec.look(points as u64)?;
         let added = sampled.iter().flat_map(|boundary| &boundary.own).any(|own| !own);
         match resolution {
             // Only the grading beside short segments still adds points.
             Resolution::Triangles(count) if added && points > count && size > WITHOUT_INFLUENCE * longest => {
-                return Ok(at(size, BoundarySampling::Keep));
+                return Ok(with_size(size, BoundarySampling::Keep));
             }
             Resolution::Triangles(count) if added && points > count => {
                 size *= 1.1 * points as f64 / count.max(1) as f64
@@ -106,9 +106,9 @@ pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolutio
     let (n, m) = (first.len(), second.len());
     for &(i, j) in &matching.bridges {
         let (i, j) = (i % n, j % m);
-        let at = |j: usize| second[matching.order[j % m]];
-        let from_first = to_sides(first[i], [at(j + m - 1), at(j), at(j + 1)]);
-        let from_second = to_sides(at(j), [first[(i + n - 1) % n], first[i], first[(i + 1) % n]]);
+        let opposite = |j: usize| second[matching.order[j % m]];
+        let from_first = to_sides(first[i], [opposite(j + m - 1), opposite(j), opposite(j + 1)]);
+        let from_second = to_sides(opposite(j), [first[(i + n - 1) % n], first[i], first[(i + 1) % n]]);
         gaps[i] = gaps[i].min(from_first);
         gaps[n + j] = gaps[n + j].min(from_second);
     }
@@ -147,10 +147,10 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result
 }
 
 /// Mean distance of the points of two boundaries from the other one that counts as narrow, as a fraction of the edges
-/// of a strip of single triangles. With a larger value more annuli begin as rings.
+/// of a strip of single triangles.
 const NARROW: f64 = 1.0;
 
-/// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.
+/// Upper bound of the growth of boundary pieces, per length.
 const GRADING: f64 = 0.3;
 
 /// Multiple of the longest segment above which a size has no influence, because with [`GRADING`] the sizes of
@@ -275,8 +275,8 @@ impl Skeleton {
             Inner::Centre(centre) => vec![*centre; n],
             Inner::Loop { index, matching } => {
                 let inner = &self.boundaries[*index];
-                let at = |j: usize| self.points[inner[matching.order[j]] as usize];
-                matching.partners(n).into_iter().map(at).collect()
+                let partner = |j: usize| self.points[inner[matching.order[j]] as usize];
+                matching.partners(n).into_iter().map(partner).collect()
             }
         };
         let mut ring = outer.clone();

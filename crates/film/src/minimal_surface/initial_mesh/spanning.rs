@@ -11,23 +11,21 @@
 //! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
 
 use super::domain::{Shape, largest_height};
+use super::harmonic_map::harmonic;
+use super::layout::{GRADING, GRADING_STEP, Goal, Layout, TOLERATED, grading};
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{PlaneError, PlaneMesh, PlaneRegion};
 use super::sampling::{Sampled, numbers, sample};
-use crate::energy::dirichlet::laplacian;
 use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::harmonic::Dirichlet;
 use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use glam::DVec2;
-use plateau_mesh::codes::Reason;
 use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::isotropic::{RUNAWAY, resample};
 use plateau_mesh::remesh::subdivision::subdivide;
-use plateau_mesh::sparse::pattern::Pattern;
-use plateau_mesh::sparse::{LinearError, Symbolic};
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
 
@@ -55,12 +53,9 @@ impl Start {
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Growth of the edge length per distance from the boundary. A larger value gives fewer and less even triangles.
-const GRADING: f64 = 0.3;
-/// Where the spacing of the boundary asks for more triangles than are wanted, the growth is multiplied by
-/// [`GRADING_STEP`] at most this many times: up to 26. A larger value accepts more boundaries.
+/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], up to 26, if the spacing of the boundary
+/// asks for more triangles than are wanted.
 const STEEPEST_GRADING: u32 = 11;
-const GRADING_STEP: f64 = 1.5;
 /// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a
 /// plane star of 50,000 points. It only decides which growth is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
@@ -71,27 +66,24 @@ const DENSE: f64 = 3.0;
 /// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better
 /// than too many.
 const AIM: f64 = 1.01;
-/// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger value gives more even meshes and
-/// takes longer.
+/// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger coarse mesh would give more even
+/// triangles but take longer.
 const COARSE_TRIANGLES: f64 = 450.0;
-/// A size is accepted if it meets the resolution to within this fraction. A larger value takes fewer trials.
+/// A size is accepted if it meets the resolution to within this fraction.
 const CLOSE_ENOUGH: f64 = 0.02;
-/// Largest fraction by which the resolution may be missed. A larger value accepts more boundaries.
-const TOLERATED: f64 = 0.1;
 /// Largest number of rounds of solving and isotropic remeshing that improve a mesh that was mapped into space.
 const ROUNDS: u32 = 8;
-/// The area has settled if a round leaves more than this fraction of it. A larger value takes more rounds.
+/// The area has settled if a round leaves more than this fraction of it.
 const SETTLED_AREA: f64 = 0.998;
-/// A projected mesh whose smallest angle (radians) is at least this is not remeshed. A larger value remeshes more
-/// meshes.
+/// A projected mesh whose smallest angle (radians) is at least this is not remeshed.
 const GOOD_ANGLE: f64 = 0.44;
 /// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
 /// longer.
 const LARGEST_RESAMPLED: f64 = 20_000.0;
 /// If the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its
-/// edges are split. A larger value splits fewer edges.
+/// edges are split.
 const FINEST_MAPPED: usize = 2_000;
-/// Number of passes of isotropic remeshing from there to the wanted number.
+/// Number of passes of isotropic remeshing from that mesh to the wanted number of triangles.
 const FINE_PASSES: u32 = 12;
 /// Largest number of sizes that are tried.
 const TRIALS: u32 = 10;
@@ -99,52 +91,6 @@ const TRIALS: u32 = 10;
 const PATIENCE: u32 = 3;
 /// Largest number of rounds that add vertices if no size gave enough.
 const DENSIFICATIONS: u32 = 4;
-
-/// A resolution, and the Euler characteristic of the surface that it is counted on.
-#[derive(Clone, Copy, Debug)]
-struct Goal {
-    resolution: Resolution,
-    euler: i64,
-}
-
-impl Goal {
-    /// The number of triangles that a film over these boundaries should have.
-    fn triangles(&self, film: &Film) -> f64 {
-        match self.resolution {
-            Resolution::Triangles(count) => count as f64,
-            Resolution::InteriorVertices(count) => {
-                let boundary = film.boundaries.iter().map(Vec::len).sum::<usize>() as f64;
-                2.0 * count as f64 + boundary - 2.0 * self.euler as f64
-            }
-            Resolution::EdgeLength(length) => film.area() / (0.75f64.sqrt() / 2.0 * length * length),
-        }
-    }
-
-    /// Ratio of the wanted to the reached number of triangles. Above 1 the mesh must become finer.
-    fn shortfall(&self, layout: &Layout, subdivisions: u32) -> f64 {
-        let growth = 4f64.powi(subdivisions as i32);
-        let triangles = layout.triangles as f64 * growth;
-        match self.resolution {
-            Resolution::Triangles(count) => count as f64 / triangles,
-            Resolution::InteriorVertices(count) => {
-                // By Euler's formula F = 2 (interior) + (boundary) - 2 χ.
-                let boundary = layout.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
-                let interior = 0.5 * (triangles - boundary) + self.euler as f64;
-                (count as f64).max(0.5) / interior.max(0.25)
-            }
-            Resolution::EdgeLength(length) => {
-                let reached = layout.mean_edge / 2f64.powi(subdivisions as i32);
-                (reached / length) * (reached / length)
-            }
-        }
-    }
-}
-
-/// Growth of the edge length per distance from the boundary after some steps.
-fn grading(steps: u32) -> f64 {
-    // Multiplied one by one, so that the growth does not depend on where the search for it began.
-    (0..steps).fold(GRADING, |grading, _| grading * GRADING_STEP)
-}
 
 /// Why there is no film: the domain has no mesh, or another error that [`Spanning::build`] returns.
 enum NoFilm {
@@ -164,8 +110,8 @@ impl From<Error> for NoFilm {
     }
 }
 
-/// Largest number of edges into which all fixed curves together are divided. A larger value takes longer, because each
-/// end is searched for in the whole film.
+/// Largest number of edges into which all fixed curves together are divided. It bounds the time, because each end is
+/// searched for in the whole film.
 const MOST_PINS: f64 = 2e4;
 
 static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
@@ -175,25 +121,6 @@ static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines
 struct Pinned {
     pins: Pins,
     places: Vec<DVec2>,
-}
-
-/// The result of one trial of a size: the sampled boundaries and the positions of the vertices between them. Only the
-/// accepted layout is triangulated, because the number of triangles does not depend on the triangulation.
-struct Layout {
-    boundaries: Vec<Sampled>,
-    domain: PlaneRegion,
-    sites: Vec<DVec2>,
-    triangles: usize,
-    /// Mean edge length in space, if the resolution is an edge length.
-    mean_edge: f64,
-    /// Mean over the sites of the length in the plane per length in space.
-    scale: f64,
-}
-
-impl Layout {
-    fn boundary_points(&self) -> usize {
-        self.boundaries.iter().map(|boundary| boundary.points.len()).sum()
-    }
 }
 
 /// A layout with its mesh.
@@ -327,7 +254,7 @@ impl Spanning<'_> {
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let asked = estimate(self.boundaries, self.options).triangles + boundary as f64;
-        // Of a domain that the boundaries are mapped to, little lies outside them.
+        // Boundaries that are mapped to circles leave little of the rectangle outside.
         let outside = if self.shape.is_mapped() { 5e4 } else { 1e6 };
         (64.0 * asked + outside).min(LARGEST_COUNT as f64) as usize
     }
@@ -668,56 +595,4 @@ impl Spanning<'_> {
         }
         Ok(())
     }
-}
-
-/// Moves the free vertices so that all coordinates are harmonic over the plane mesh.
-fn harmonic(
-    in_plane: &[DVec2],
-    triangles: &[[u32; 3]],
-    fixed: &[bool],
-    vertices: &mut [DVec3],
-    exec: &Execution,
-) -> Result<(), Error> {
-    let pattern = Pattern::new(triangles, fixed);
-    if pattern.free.vertex.is_empty() {
-        return Ok(());
-    }
-    exec.look(triangles.len() as u64)?;
-    let flat: Vec<DVec3> = in_plane.iter().map(|p| p.extend(0.0)).collect();
-    let (mut matrix, mut unused) = (pattern.matrix(), Vec::new());
-    laplacian(&pattern, &flat, triangles, &mut matrix, &mut unused);
-    let n = pattern.free.vertex.len();
-    let mut solution = vec![0.0; 3 * n];
-    for triangle in triangles {
-        for k in 0..3 {
-            let [a, b, c] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]].map(|v| v as usize);
-            let (u, v) = (in_plane[a] - in_plane[c], in_plane[b] - in_plane[c]);
-            let weight = 0.5 * u.dot(v) / u.perp_dot(v).abs().max(f64::MIN_POSITIVE);
-            for (free, other) in [(a, b), (b, a)] {
-                if !fixed[free] && fixed[other] {
-                    let row = pattern.free.unknown[free] as usize;
-                    let pull = weight * vertices[other];
-                    for (axis, pull) in pull.to_array().into_iter().enumerate() {
-                        solution[axis * n + row] += pull;
-                    }
-                }
-            }
-        }
-    }
-    let solved = Symbolic::analyse(&matrix, None)
-        .and_then(|symbolic| symbolic.factorise(&matrix).and_then(|factorisation| factorisation.solve(&mut solution)));
-    solved.map_err(|error| match error {
-        LinearError::TooLarge => {
-            Error::no_result(Reason::TooLarge, "the mesh is too large to factorise; ask for fewer triangles")
-        }
-        _ => Error::no_result(
-            Reason::DegenerateBoundary,
-            "the boundary's points lie so that its initial mesh is degenerate",
-        ),
-    })?;
-    for (row, &v) in pattern.free.vertex.iter().enumerate() {
-        vertices[v as usize] = DVec3::new(solution[row], solution[n + row], solution[2 * n + row]);
-    }
-    exec.look(triangles.len() as u64)?;
-    Ok(())
 }

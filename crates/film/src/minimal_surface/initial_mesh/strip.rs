@@ -13,8 +13,7 @@ pub(super) struct Matching {
     pub bridges: Vec<(usize, usize)>,
 }
 
-/// Number of samples on each loop that decide the direction and the start. A larger value distinguishes more starts and
-/// takes longer.
+/// Number of samples on each loop that decide the direction and the start.
 const SAMPLES: usize = 64;
 
 impl Matching {

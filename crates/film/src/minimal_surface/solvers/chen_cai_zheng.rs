@@ -231,12 +231,12 @@ impl Relaxation<'_> {
 /// The step of eq. 5 for one vertex, and the number of the vertex's triangles.
 fn eq5_step(film: &Film, v: u32) -> (DVec3, u64) {
     let topology = &film.topology;
-    let at = |vertex: u32| film.vertices[vertex as usize];
-    let here = at(v);
+    let position = |vertex: u32| film.vertices[vertex as usize];
+    let here = position(v);
     let (mut matrix, mut gradient, mut ring) = (DMat3::ZERO, DVec3::ZERO, 0);
     for h in topology.outgoing_half_edges(v) {
-        let j = at(topology.to(h));
-        let edge = at(topology.opposite(h)) - j;
+        let j = position(topology.to(h));
+        let edge = position(topology.opposite(h)) - j;
         let to_j = j - here;
         let length_squared = edge.length_squared();
         // Twice the area of the triangle. It is bounded below, so that a vertex on the line of the opposite edge can

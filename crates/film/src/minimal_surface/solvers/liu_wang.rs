@@ -71,7 +71,7 @@ impl Bending {
 }
 
 impl LeastSquares<3> for Bending {
-    type Place = DVec3;
+    type Location = DVec3;
 
     fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
         (0..self.rows.rows()).for_each(|row| couple(self.rows.row(row).0));

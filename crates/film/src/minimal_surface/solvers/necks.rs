@@ -22,21 +22,19 @@ use std::f64::consts::TAU;
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// A film of at least this margin, whose edges turn by at most [`COARSE_TURNING`], exists without a second look. A film
-/// with one boundary has no neck, so that its edges do not matter. Between
-/// rings it is reached at nine tenths of the largest distance. A larger value looks at more films.
+/// A film of at least this margin whose edges turn by at most [`COARSE_TURNING`] exists without a further check. The
+/// edges of a film with one boundary do not matter, because it has no neck. Between rings this margin is reached at
+/// nine tenths of the largest distance.
 const CALM: f64 = 0.6;
-/// Largest turning of the normal along an edge (radians) of a film that exists without a second look. A hexagonal neck
-/// has more. A smaller value looks at more films.
+/// Largest turning of the normal along an edge (radians) of a film that exists without a further check. The edges of a
+/// hexagonal neck turn further.
 const COARSE_TURNING: f64 = 0.7;
 /// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians), or would do
 /// so on a fine mesh. A plane film around a small hole has none.
 const BENT: f64 = 0.3;
-/// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π. A
-/// smaller value refines more films.
+/// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π.
 const COARSE_EDGE: f64 = 0.7;
-/// The margin of the film with halved edges, as a fraction of the film's own, from which on the film is resolved. A
-/// larger value refines more films.
+/// A film is resolved if halving its edges once leaves at least this fraction of its margin.
 const RESOLVED: f64 = 0.8;
 /// Turning of the normal along an edge (radians) at which the refinement aims first; each further round halves it. A
 /// neck has 2 π over it edges around.
@@ -135,8 +133,8 @@ pub(crate) fn longest_free_edges(film: &Film) -> Vec<f64> {
     longest
 }
 
-/// Steps 1 and 2 for the margins of a film and of the film with edges shorter by the factor `halvings` of two. `None`
-/// stands for a finer film that was not found.
+/// Steps 1 and 2 for the margin of a film and that of the film whose edges are halved `halvings` times. `fine` is
+/// `None` if no finer film was found.
 pub(crate) fn compare(coarse: f64, fine: Option<f64>, halvings: u32) -> Look {
     let Some(fine) = fine else { return Look::Unresolved(None) };
     let growth = f64::from(4u32.pow(halvings.min(12)));

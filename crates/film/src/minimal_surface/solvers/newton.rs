@@ -7,10 +7,11 @@
 //!    starts again. If it converges with small angles, these are widened where they are, and it starts again from
 //!    there. In the end the vertices slide along the film to where its triangles have less area
 //!    ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects it once more.
-//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
-//!    left along its lowest mode.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, a surface that is unstable
+//!    or whose index is undecided is left along its lowest mode.
 //! 4. *Look again* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
-//!    compared with a finer one, and where its mesh is too coarse it is refined and solved again from step 1.
+//!    compared with a finer one, and where its mesh is too coarse it is refined and solved again from step 1. If the
+//!    refined mesh stalls, its degenerate triangles are removed once.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
 use crate::equilibrium::residual::curvature;
@@ -31,6 +32,7 @@ use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
 use plateau_mesh::remesh::sliding::{SWEEPS, slide};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
+use plateau_mesh::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
 use plateau_mesh::sparse::pattern::Pattern;
@@ -40,44 +42,41 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Largest number of rounds of Pinkall-Polthier solves before Newton's method begins. A larger value accepts poorer
-/// starts.
+/// Largest number of rounds of Pinkall-Polthier solves before Newton's method begins.
 const MAX_ROUNDS: u32 = 16;
 /// Number of first rounds with a single solve each, because a poor start needs new triangles first.
 const SINGLE_ROUNDS: u32 = 3;
-/// Largest number of solves in each later round. A larger value remeshes less often.
+/// Largest number of solves in each later round.
 const SOLVES_PER_ROUND: u32 = 4;
-/// Number of tangential relaxations after each round's solves. A larger value gives more even triangles.
+/// Number of tangential relaxations after each round's solves.
 const RELAXATIONS_PER_ROUND: u32 = 4;
-/// A round that changes the area by less than this fraction is the last. With a larger value Newton's method starts
-/// further from the solution.
+/// A round that changes the area by less than this fraction is the last.
 const SETTLED_AREA: f64 = 1e-3;
-/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge. With a
-/// larger value Newton's method starts further from the solution.
+/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge.
 const SETTLED_MOTION: f64 = 0.05;
-/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
-/// extrapolates the areas of larger meshes too, which takes longer.
+/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near
-/// a stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the
-/// exact surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
-/// whatever its Morse index.
+/// a stationary surface. It is taken to that surface, whatever the Morse index. The largest residual is no measure of
+/// nearness, because at vertices of uneven triangles it stays above 1 on the exact surface, however fine the mesh.
 const NEARLY_STATIONARY: f64 = 1.0;
 /// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
-/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. A
-/// larger value changes more films. It is above the 20 degrees that are promised, because a solve takes some back.
+/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. The
+/// angle is above the 20 degrees that are promised, because a solve makes some angles smaller again.
 pub(crate) const NARROW: f64 = 0.384;
-/// Angles are widened to this (radians, 28 degrees) where that is possible. A larger value changes more triangles.
+/// Angles are widened to this (radians, 28 degrees) where that is possible.
 pub(crate) const WIDE: f64 = 0.489;
-/// Largest number of rounds of widening and solving. A larger value helps films whose angles a solve shrinks again.
+/// Largest number of rounds of widening and solving. There are several because a solve may shrink angles again.
 pub(crate) const WIDENINGS: u32 = 4;
-/// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less. With a
-/// larger value more films stay as they were.
+/// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less.
 pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
-/// Largest number of rounds of flips that open folds. A larger value helps films whose folds a solve closes again.
+/// Largest number of rounds of flips that open folds. There are several because a solve may close folds again.
 const OPENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 2;
+/// Where Newton's method stalls on a refined mesh, triangles with an angle below this (radians, 0.06 degrees) are
+/// removed.
+const DEGENERATE: f64 = 1e-3;
 /// Largest number of refinements of a neck.
 const MOST_LOOKS: u32 = 4;
 /// Largest number of passes of one refinement. Each halves the longest edges once.
@@ -92,8 +91,8 @@ pub(crate) struct Task {
     pub on_unstable: OnUnstable,
     /// Whether the initial mesh is the caller's own, which may lie near a stationary surface.
     pub given: bool,
-    /// Whether small angles may be widened, which changes the number of triangles. Not where the caller was promised a
-    /// mesh: their own, or rings.
+    /// Whether small angles may be widened, which changes the number of triangles. Meshes that the caller gave, and
+    /// rings, are not widened, because their triangles were promised.
     pub may_widen: bool,
     /// Whether a mesh that is too coarse for a neck may be refined, which can make many times as many triangles.
     pub may_refine: bool,
@@ -185,6 +184,7 @@ impl<'a> Solve<'a> {
         let (mut reason, mut converged) = self.converge(film)?;
         let mut returns = 0;
         let mut looks = 0;
+        let mut thin_removed = false;
         loop {
             let found = match converged {
                 Some((pattern, mut direct)) => {
@@ -203,11 +203,20 @@ impl<'a> Solve<'a> {
                     (reason, converged) = self.converge_again(film)?;
                     continue;
                 }
+                // Newton's method stalls where a vertex has come to lie on an edge beside it, because the vertex moves
+                // along its normal only.
+                if reason == StopReason::Stalled && looks > 0 && !std::mem::replace(&mut thin_removed, true) {
+                    let changes = remove_degenerate_triangles(film, DEGENERATE, Necks::Keep, self.exec)?;
+                    if changes.any() {
+                        (reason, converged) = self.converge_again(film)?;
+                        continue;
+                    }
+                }
                 // If the refined mesh does not hold the film, no such film exists.
                 let is_lost = looks > 0 && reason != StopReason::MaxIterations;
                 return Ok((if is_lost { StopReason::Collapsed } else { reason }, None));
             };
-            if stability.stable {
+            if stability.stable == Some(true) {
                 let own = variation.margin.as_ref().map(|margin| margin.value);
                 let look = self.look(film, &pattern, direct, variation.margin)?;
                 let finer = match look {
@@ -249,7 +258,7 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// The film with a mesh of these sizes; `None` if that is no finer mesh.
+    /// The film with a mesh of these sizes. `None` if that mesh is not finer.
     fn refined(&mut self, film: &Film, sizes: Vec<f64>) -> Result<Option<Film>, Interruption> {
         let mut finer = film.clone();
         refine(&mut finer, sizes, REFINING_PASSES, self.boundary_edges, self.exec)?;
@@ -550,13 +559,14 @@ impl<'a> Solve<'a> {
             Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
         };
         let stability = Stability {
-            stable: variation.morse_index == 0,
-            morse_index: variation.morse_index,
+            stable: variation.morse_index.decided().map(|index| index == 0),
+            morse_index: variation.morse_index.decided(),
+            least_index: variation.morse_index.least,
             lowest_eigenvalue: variation.lowest.eigenvalue,
             method: StabilityMethod::Inertia,
             margin: None,
         };
-        self.unstable_mode = (!stability.stable).then(|| {
+        self.unstable_mode = (stability.least_index > 0).then(|| {
             let heights = &variation.lowest.vector;
             let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
             let mut direction = vec![DVec3::ZERO; film.vertices.len()];

@@ -1,6 +1,8 @@
 //! Half-circles from pole to pole of one sphere, and films between them.
 
 use super::super::options::{FreeTopology, InitialMesh, Newton, Resolution, TopologyRule};
+use super::angles::{THIRD_OF_TURN, angles_around};
+use super::wires::Rim;
 use super::*;
 
 /// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths

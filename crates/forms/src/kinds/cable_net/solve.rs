@@ -2,7 +2,7 @@
 
 use super::{CableNetStatistics, Group};
 use crate::audit::comparison::Audit;
-use crate::solved::{self, Draft, Frame, archive, generator, reactions, to_json, warnings};
+use crate::solved::{self, CoordinateSystem, Draft, archive, generator, reactions, to_json, warnings};
 use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
 use plateau_archive::{Attribute, LineSet, Lines};
@@ -23,7 +23,7 @@ pub(super) struct SolverInput {
 const NAMED_EDGES: usize = 10;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { net, options, groups, force } = self;
         let force = *force;
         let found = cable_net::solve(net, options, exec)?;
@@ -43,8 +43,8 @@ impl solved::SolverInput for SolverInput {
         let archive = archive(Contents {
             generator: generator(),
             title: "cable net".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             input_vertices: vec![(0..found.vertices.len() as u32).collect()],
             mesh: Mesh::new(found.vertices, Vec::new()),
             line_sets,

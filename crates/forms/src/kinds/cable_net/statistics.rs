@@ -142,8 +142,8 @@ impl CableResult {
         let path: f64 = edges().map(|k| found.forces[k] * found.lengths[k]).sum();
         let forces = ValueRange::of(edges().map(|k| found.forces[k]));
         let deviation = |values: &[f64], target: fn(&geometry::Edge) -> Option<f64>| {
-            let of = |k: usize| Some((values[k] / target(&net.edges[k])? - 1.0).abs());
-            edges().filter_map(of).reduce(f64::max)
+            let relative = |k: usize| Some((values[k] / target(&net.edges[k])? - 1.0).abs());
+            edges().filter_map(relative).reduce(f64::max)
         };
         Self {
             name: group.name.clone(),

@@ -2,7 +2,7 @@
 
 use crate::audit::comparison::Audit;
 use crate::common::Point;
-use crate::solved::{self, Draft, Frame, archive, generator, origin, to_json};
+use crate::solved::{self, CoordinateSystem, Draft, archive, generator, origin, to_json};
 use crate::source::Source;
 use plateau_archive::archive::Contents;
 use plateau_mesh::{Error, Execution, Mesh};
@@ -30,7 +30,7 @@ pub struct EnlargementStatistics {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { source, factor, stated } = self;
         let given = source.archive().contents();
         exec.look(1)?;
@@ -45,8 +45,8 @@ impl solved::SolverInput for SolverInput {
         let archive = archive(Contents {
             generator: generator(),
             title: "enlargement".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             mesh,
             input_vertices: given.input_vertices.clone(),
             statistics: statistics.clone(),

@@ -10,6 +10,7 @@ use crate::rejection::{FieldError, Rejection};
 use base64::Engine as _;
 use plateau_archive::glb::{self, Refusal, Triangles};
 use plateau_archive::units::{Unit, UpAxis};
+use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 use std::collections::HashMap;
 
@@ -80,19 +81,19 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
         return Ok(());
     }
     let neighbours = boundary_neighbours(&mesh.triangles);
-    let cell = |p: DVec3| (p / tolerance).floor().to_array();
-    let key = |cell: [f64; 3]| cell.map(|x| (x + 0.0).to_bits());
+    let cell = |p: DVec3| (p / tolerance).floor();
     let mut cells: HashMap<[u64; 3], Vec<u32>> = HashMap::new();
     for &v in neighbours.keys() {
-        cells.entry(key(cell(mesh.vertices[v as usize]))).or_default().push(v);
+        cells.entry(position_key(cell(mesh.vertices[v as usize]))).or_default().push(v);
     }
     let mut is_restored = vec![false; mesh.vertices.len()];
     let around = [-1.0, 0.0, 1.0];
     for &point in boundaries.iter().flatten() {
-        let [x, y, z] = cell(point);
-        let places =
-            around.iter().flat_map(|&i| around.iter().flat_map(move |&j| around.map(|k| [x + i, y + j, z + k])));
-        let near: Vec<u32> = places.filter_map(|place| cells.get(&key(place))).flatten().copied().collect();
+        let own = cell(point);
+        let offsets =
+            around.iter().flat_map(|&i| around.iter().flat_map(move |&j| around.map(|k| DVec3::new(i, j, k))));
+        let near = offsets.filter_map(|offset| cells.get(&position_key(own + offset)));
+        let near: Vec<u32> = near.flatten().copied().collect();
         if near.len() > MOST_NEAR {
             return Err(format!(
                 "has more than {MOST_NEAR} vertices within the rounding of its numbers ({tolerance:.1e})"
@@ -110,7 +111,8 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
     Ok(())
 }
 
-/// Moves the boundary's vertices between two restored ones onto the straight line between those, within the tolerance.
+/// Moves the boundary vertices between two neighbouring restored vertices onto the straight line through both, if they
+/// are within the tolerance.
 fn straighten(mesh: &mut Mesh, neighbours: &HashMap<u32, Vec<u32>>, is_restored: &[bool], tolerance: f64) {
     let starts: Vec<u32> = (0..is_restored.len() as u32).filter(|&v| is_restored[v as usize]).collect();
     for start in starts {

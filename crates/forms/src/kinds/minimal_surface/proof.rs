@@ -133,7 +133,7 @@ impl Certificate {
 
 /// The axes of a field.
 #[derive(Clone, Debug, Serialize)]
-struct Frame {
+struct FieldAxes {
     origin: Point,
     axes: [Point; 3],
 }
@@ -152,7 +152,7 @@ struct Orientation<'a> {
     loops: Vec<Vec<Point>>,
     free_loops: &'a [usize],
     area_lower_bound: f64,
-    frame: Option<Frame>,
+    frame: Option<FieldAxes>,
     r#box: [Point; 2],
     mirrors: Vec<Mirror>,
     vertices: Vec<Point>,
@@ -176,7 +176,7 @@ impl<'a> CertificateDocument<'a> {
     /// Returns the document of a lower bound.
     #[must_use]
     pub fn of(found: &'a LowerBound) -> Self {
-        let frame = |axes: lower_bound::Axes| Frame {
+        let field_axes = |axes: lower_bound::Axes| FieldAxes {
             origin: axes.origin.to_array(),
             axes: axes.directions.map(|direction| direction.to_array()),
         };
@@ -185,7 +185,7 @@ impl<'a> CertificateDocument<'a> {
             loops: field.loops.iter().map(|points| points.iter().map(|p| p.to_array()).collect()).collect(),
             free_loops: &field.free_loops,
             area_lower_bound: field.area_lower_bound,
-            frame: field.axes.map(frame),
+            frame: field.axes.map(field_axes),
             r#box: field.corners.map(|corner| corner.to_array()),
             mirrors: field.mirrors.iter().map(mirror).collect(),
             vertices: field.vertices.iter().map(|vertex| vertex.to_array()).collect(),

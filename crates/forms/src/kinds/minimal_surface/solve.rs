@@ -7,7 +7,7 @@ use super::proof;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
 use crate::solved::{
-    self, Draft, Frame, Kept, Moved, archive, generator, line_set, origin, polylines, to_json, warnings,
+    self, CoordinateSystem, Draft, Kept, Moved, archive, generator, line_set, origin, polylines, to_json, warnings,
 };
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_archive::{Attribute, Lines};
@@ -32,7 +32,7 @@ const LEAST_RANGE: f64 = 0.01;
 const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { boundaries, options, certify } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
@@ -55,13 +55,14 @@ impl solved::SolverInput for SolverInput {
             line_sets.push(line_set("junctions", polylines(&junctions.curves, false)));
         }
         let least_range = if radius > 0.0 { LEAST_RANGE / radius } else { 0.0 };
-        let curvature = Attribute::new(MEAN_CURVATURE, format!("1/{}", frame.unit.symbol()), surface.mean_curvature)
+        let per_length = format!("1/{}", coordinates.unit.symbol());
+        let curvature = Attribute::new(MEAN_CURVATURE, per_length, surface.mean_curvature)
             .ending_at_percentile(WITHIN_SCALE, least_range);
         let archive = archive(Contents {
             generator: generator(),
             title: "minimal surface".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             mesh: surface.mesh,
             vertex_attributes: std::iter::once(curvature).chain(proof.slack).collect(),
             line_sets,

@@ -94,7 +94,8 @@ pub struct Junctions {
     pub largest_deviation_at_ends_deg: f64,
     /// Mean departure of `sheet_angles_deg` from 120° over all these vertices.
     pub mean_deviation_deg: f64,
-    /// Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed.
+    /// Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed, or if
+    /// rounding does not decide the sign of one.
     pub morse_index: Option<usize>,
 }
 

@@ -27,8 +27,8 @@ struct Total {
 impl SolverInput {
     pub(super) fn compare(&self, audit: &mut Audit) {
         let contents = audit.contents;
-        let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-        audit.equal("/vertices", vertices.len());
+        let triangles = &contents.mesh.triangles;
+        audit.equal("/vertices", contents.mesh.vertices.len());
         if self.options.sampling.is_none() && !audit.warns("projected") {
             points::at_their_vertices(audit, self.directrices.iter().map(|points| &points[..]));
         }
@@ -48,9 +48,26 @@ impl SolverInput {
         if !audit.goes_on(triangles.len()) {
             return;
         }
+        let strips = strips.min(rails.len() - 1);
+        if let Some((total, listed)) = self.compare_strips(audit, strips, bridges, &rails) {
+            self.compare_sums(audit, &total, bridges.len(), &triangles[listed..]);
+        }
+    }
+
+    /// Compares every strip. Returns the sums over the strips and the number of their triangles, which come before
+    /// those of the caps. `None` if the strips are not sound, or the audit ends here.
+    fn compare_strips<'c>(
+        &self,
+        audit: &mut Audit<'c>,
+        strips: usize,
+        bridges: &[[u32; 2]],
+        rails: &[Rail<'c>],
+    ) -> Option<(Total, usize)> {
+        let contents = audit.contents;
+        let triangles = &contents.mesh.triangles;
         let (mut first_bridge, mut first_triangle) = (0usize, 0usize);
         let mut total: Option<Total> = None;
-        for k in 0..strips.min(rails.len() - 1) {
+        for k in 0..strips {
             let pointer = format!("/strips/{k}");
             let count = audit.stated_count(&format!("{pointer}/bridges"));
             let own = bridges.get(first_bridge..first_bridge.saturating_add(count)).unwrap_or_default();
@@ -62,7 +79,7 @@ impl SolverInput {
                     || format!("the bridges of strip {k} join its directrices"),
                     || "they do not".into(),
                 );
-                return;
+                return None;
             };
             audit.require(
                 strip.follows_its_rails(),
@@ -84,7 +101,7 @@ impl SolverInput {
             );
             let figures = strip.figures();
             if !audit.goes_on(own.len()) {
-                return;
+                return None;
             }
             self.compare_strip(audit, &pointer, &figures, own.len());
             add(&mut total, &figures);
@@ -101,17 +118,22 @@ impl SolverInput {
             || "the strips have all triangles".into(),
             || format!("{first_triangle} of {}", triangles.len()),
         );
-        let Some(total) = total else { return };
+        Some((total?, first_triangle))
+    }
+
+    /// Compares the figures of all strips together, and of the `caps`.
+    fn compare_sums(&self, audit: &mut Audit, total: &Total, bridges: usize, caps: &[[u32; 3]]) {
+        let contents = audit.contents;
         let convex = Measured::count(total.convex);
         let mut area = total.area;
-        for &triangle in &triangles[first_triangle..] {
-            let sides = Sides::of(corners(vertices, triangle));
+        for &triangle in caps {
+            let sides = Sides::of(corners(&contents.mesh.vertices, triangle));
             area.add(0.5 * sides.double_area, 0.5 * audit.step * sides.perimeter());
         }
         audit.figure("/area", area.measured());
         audit.figure("/total_normal_twist", total.twist.measured());
         audit.figure("/convex_bridges", convex);
-        audit.figure("/convex_bridge_ratio", ratio(convex, bridges.len()));
+        audit.figure("/convex_bridge_ratio", ratio(convex, bridges));
         audit.figure("/bending_energy", total.bending.measured());
         audit.figure("/mean_curvature_variation", total.curvature_variation.measured());
         let ranges = [
@@ -126,7 +148,8 @@ impl SolverInput {
             }
         }
         for name in ["objective_value", "secondary_value", "normal_variation"] {
-            let of_strips = (0..strips).map(|k| audit.stated(&format!("/strips/{k}/{name}")));
+            let strips = 0..audit.entries("/strips");
+            let of_strips = strips.map(|k| audit.stated(&format!("/strips/{k}/{name}")));
             let Some(sum) = of_strips.sum::<Option<f64>>() else { continue };
             audit.figure(&format!("/{name}"), Measured::within(sum, 1e-9 * sum.abs()));
         }
@@ -136,20 +159,21 @@ impl SolverInput {
     fn rails<'c>(&self, audit: &Audit<'c>) -> Vec<Rail<'c>> {
         let contents = audit.contents;
         let mut lines = points::polylines(contents, "directrices").into_iter();
-        let of = |(k, numbers): (usize, &'c Vec<u32>)| {
+        let rail = |(k, numbers): (usize, &'c Vec<u32>)| {
             let is_apex = numbers.iter().all(|v| v == &numbers[0]);
             let vertices = if is_apex { &numbers[..1] } else { lines.next().unwrap_or_default() };
             // A directrix that runs against its input has falling vertex numbers.
             let is_reversed = audit.value("/reversed")[k] == true;
             let given = |vectors: &Option<Vec<Vec<DVec3>>>, sign: f64| -> Vec<DVec3> {
                 let Some(vectors) = vectors.as_ref().and_then(|vectors| vectors.get(k)) else { return Vec::new() };
-                let of = |v: &u32| numbers.iter().position(|number| number == v).and_then(|i| vectors.get(i).copied());
-                vertices.iter().map(|v| sign * of(v).unwrap_or_default().normalize_or_zero()).collect()
+                let index = |v: &u32| numbers.iter().position(|number| number == v);
+                let vector = |v: &u32| index(v).and_then(|i| vectors.get(i).copied());
+                vertices.iter().map(|v| sign * vector(v).unwrap_or_default().normalize_or_zero()).collect()
             };
             let tangents = given(&self.options.tangents, if is_reversed { -1.0 } else { 1.0 });
             Rail { vertices, tangents, normals: given(&self.options.normals, 1.0) }
         };
-        contents.input_vertices.iter().enumerate().map(of).collect()
+        contents.input_vertices.iter().enumerate().map(rail).collect()
     }
 
     fn strip<'c>(&self, audit: &Audit<'c>, bridges: &[[u32; 2]], rails: [Rail<'c>; 2]) -> Option<Strip<'c>> {

@@ -3,7 +3,9 @@
 use super::RuledStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
-use crate::solved::{self, Draft, Frame, archive, generator, line_set, origin, polylines, to_json, warnings};
+use crate::solved::{
+    self, CoordinateSystem, Draft, archive, generator, line_set, origin, polylines, to_json, warnings,
+};
 use plateau_archive::Lines;
 use plateau_archive::archive::BRIDGES;
 use plateau_archive::archive::Contents;
@@ -23,7 +25,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { directrices, options } = self;
         let mut surface = ruled_surface::solve(directrices, options, exec)?;
         let (mesh, warned) = (&surface.mesh, &mut surface.warnings);
@@ -33,8 +35,8 @@ impl solved::SolverInput for SolverInput {
         let archive = archive(Contents {
             generator: generator(),
             title: "ruled surface".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             mesh: surface.mesh,
             line_sets: vec![
                 line_set("directrices", polylines(&surface.directrices, options.closed)),

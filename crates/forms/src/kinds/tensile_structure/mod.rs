@@ -1,19 +1,22 @@
 //! Tensile structures: the request, its statistics, and their conversion to and from the geometry's types.
 
 mod audit;
+mod cable;
+mod film;
+mod guide;
 mod solve;
 mod statistics;
 
+pub use cable::{Along, Cable, Mast, MastMode, Mode};
+pub use film::{Chamber, Film, RadialDirection, WarpDirection};
+pub use guide::{CircleGuide, CylinderGuide, Guide, LineGuide, MeshGuide, PlaneGuide, SphereGuide};
 pub use statistics::{
     CableForce, ChamberState, EdgeReaction, LayerFigures, MastForce, Ponding, RingPosition, SupportReaction,
     TensileStatistics,
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{
-    Below180, Fraction, List, NonNegative, OneOf, Positive, Signed, Text, Whole, given, given_one, is_default, one,
-    unwritten,
-};
+use crate::bounds::{Below180, Fraction, List, Positive, Signed, Whole, given, given_one, is_default, one, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -21,8 +24,7 @@ use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_film::equilibrium::Support;
-use plateau_film::tensile_structure::{self as geometry, WeaveHold};
+use plateau_film::tensile_structure as geometry;
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -116,8 +118,6 @@ const WEIGHT: Input =
 const MAX_CABLES: usize = 1000;
 /// Largest number of layers, and of chambers, of a request. Cushions have two to five.
 const MAX_LAYERS: usize = 16;
-/// Largest number of points of a polyline of directions. Every triangle looks for its nearest point in every round.
-const MAX_DIRECTION_POINTS: usize = 200;
 
 /// A film with cables, pressure and weight, whose shape in equilibrium is found.
 ///
@@ -199,183 +199,6 @@ pub enum TensileStructureKind {
     TensileStructure,
 }
 
-/// The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "TensileFilm")]
-pub struct Film {
-    /// Isotropic tension, a force per length.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Positive")]
-    pub tension: Option<Positive>,
-    /// Stress along the warp, a force per length.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Positive")]
-    pub warp: Option<Positive>,
-    /// Stress along the weft, at right angles to the warp, a force per length.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Positive")]
-    pub weft: Option<Positive>,
-    #[serde(default, deserialize_with = "given_one", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "WarpDirection")]
-    pub direction: Option<WarpDirection>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "WeaveHold")]
-    pub hold: Option<WeaveHold>,
-    /// Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
-    /// the height by the weight.
-    #[serde(default)]
-    pub weight: NonNegative,
-}
-
-/// A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
-/// mean, which stand for the ground. It has exactly one of `pressure` and `volume`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Chamber {
-    /// Number of the layer, counted from 0.
-    #[serde(default)]
-    #[schemars(range(max = 4_294_967_295u32))]
-    pub below: u32,
-    /// Pressure above that outside, a force per area.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Signed")]
-    pub pressure: Option<Signed>,
-    /// Volume. The pressure is found.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Positive")]
-    pub volume: Option<Positive>,
-}
-
-/// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
-/// onto the film. Directions need no unit length.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
-pub struct WarpDirection {
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "RadialDirection")]
-    pub radial: Option<RadialDirection>,
-    /// Vector along which the warp runs.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Point")]
-    pub parallel: Option<Point>,
-    /// Polyline along whose tangent at the nearest point the warp runs.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "List<Point, 2, MAX_DIRECTION_POINTS>")]
-    pub along: Option<List<Point, 2, MAX_DIRECTION_POINTS>>,
-}
-
-impl OneOf for WarpDirection {
-    fn given(&self) -> usize {
-        let given = [self.radial.is_some(), self.parallel.is_some(), self.along.is_some()];
-        given.into_iter().filter(|given| *given).count()
-    }
-}
-
-/// The weft runs around an axis and the warp away from it. The axis must not pass through the film.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct RadialDirection {
-    /// A point of the axis.
-    pub point: Point,
-    pub axis: Point,
-}
-
-impl Film {
-    /// Converts the film to the geometry's type.
-    fn to_geometry(&self, pointer: &str) -> Result<geometry::FilmStress, Vec<FieldError>> {
-        Ok(geometry::FilmStress { prestress: self.prestress(pointer)?, weight: self.weight.get() })
-    }
-
-    /// Converts the prestress to the geometry's type, or returns what is missing or too much. `pointer` is the film's.
-    fn prestress(&self, pointer: &str) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
-        let (warp, weft, direction) = match (self.tension, self.warp, self.weft, &self.direction, self.hold) {
-            (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension.get())),
-            (None, None, None, None, None) => {
-                let detail = "is required, or warp, weft and direction in its place";
-                return Err(vec![FieldError::new(format!("{pointer}/tension"), detail)]);
-            }
-            (Some(_), ..) => {
-                let detail = "is not allowed with warp, weft, direction or hold";
-                return Err(vec![FieldError::new(format!("{pointer}/tension"), detail)]);
-            }
-            (None, Some(warp), Some(weft), Some(direction), _) => (warp, weft, direction),
-            (None, warp, weft, direction, _) => {
-                let given = [("warp", warp.is_some()), ("weft", weft.is_some()), ("direction", direction.is_some())];
-                let detail = "is required: a prestress by warp and weft needs both and a direction";
-                let missing = given.into_iter().filter(|(_, given)| !given);
-                return Err(missing.map(|(name, _)| FieldError::new(format!("{pointer}/{name}"), detail)).collect());
-            }
-        };
-        let unit = |vector: Point, field: &str| {
-            let error = || FieldError::new(format!("{pointer}/direction/{field}"), "must be a vector with a length");
-            DVec3::from_array(vector).try_normalize().ok_or_else(|| vec![error()])
-        };
-        let direction = match direction {
-            WarpDirection { radial: Some(RadialDirection { point, axis }), .. } => {
-                geometry::WarpDirection::Radial { point: DVec3::from_array(*point), axis: unit(*axis, "radial/axis")? }
-            }
-            WarpDirection { parallel: Some(vector), .. } => {
-                geometry::WarpDirection::Parallel(unit(*vector, "parallel")?)
-            }
-            WarpDirection { along, .. } => {
-                geometry::WarpDirection::Along(common::points(along.as_deref().unwrap_or_default()))
-            }
-        };
-        let hold = self.hold.unwrap_or_default();
-        Ok(geometry::FilmPrestress::Woven(geometry::Weave { warp: warp.get(), weft: weft.get(), direction, hold }))
-    }
-}
-
-/// A cable. Its course is exactly one of `along`, `across` and `points`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Cable {
-    /// Name in statistics and warnings. Null means its number, as in `cable 0`.
-    #[serde(default)]
-    pub name: Option<Text<1, 100>>,
-    /// Part of a boundary along which the cable runs. The film's edge hangs on the cable.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Along")]
-    pub along: Option<Along>,
-    /// Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
-    /// the last are points of the boundaries. Cables across the film may share points but must not cross.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "List<Point, 2>")]
-    pub across: Option<List<Point, 2>>,
-    /// Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
-    /// the hub of a ring is joined to it; any other point is a support.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "[Point; 2]")]
-    pub points: Option<[Point; 2]>,
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub mode: Mode,
-    /// Value that the mode holds constant: a force, a force per length (`force_density`) or a length.
-    pub value: Positive,
-    /// EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length.
-    #[serde(default)]
-    pub axial_stiffness: Option<Positive>,
-    /// Weight per length of the found shape.
-    #[serde(default)]
-    pub weight: NonNegative,
-}
-
-/// A part of a boundary, in the boundary's direction. Points are counted from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Along {
-    #[serde(default)]
-    #[schemars(range(max = 4_294_967_295u32))]
-    pub boundary: u32,
-    /// Number of the point at which the cable begins.
-    #[schemars(range(max = 4_294_967_295u32))]
-    pub from: u32,
-    /// Number of the point at which it ends.
-    #[schemars(range(max = 4_294_967_295u32))]
-    pub to: u32,
-}
-
 /// A point of a boundary, counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -428,233 +251,9 @@ pub struct Ring {
     pub hub: Option<Point>,
 }
 
-/// A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
-/// hub of a ring is joined to it; any other point is a support. At least one end is no support.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Mast {
-    /// Name in statistics and warnings. Null means its number, as in `mast 0`.
-    #[serde(default)]
-    pub name: Option<Text<1, 100>>,
-    pub points: [Point; 2],
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub mode: MastMode,
-    /// Value that the mode holds constant: a length, or the force with which the mast pushes.
-    pub value: Positive,
-}
-
-/// Quantity of a mast that is held constant.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum MastMode {
-    /// The length. The force is found, and negative if the mast has to pull.
-    #[default]
-    Length,
-    /// The force with which the mast pushes. The length is found.
-    Force,
-}
-
-impl Mast {
-    fn to_geometry(&self, number: usize) -> geometry::Cable {
-        geometry::Cable {
-            name: self.name.as_deref().map_or_else(|| format!("mast {number}"), str::to_owned),
-            course: geometry::Course::Mast(self.points.map(DVec3::from_array)),
-            mode: match self.mode {
-                MastMode::Length => geometry::CableMode::Length(self.value.get()),
-                MastMode::Force => geometry::CableMode::Force(self.value.get()),
-            },
-            axial_stiffness: None,
-            weight: 0.0,
-        }
-    }
-}
-
-/// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
-/// unit length.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
-pub struct Guide {
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "LineGuide")]
-    pub line: Option<LineGuide>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "CircleGuide")]
-    pub circle: Option<CircleGuide>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "PlaneGuide")]
-    pub plane: Option<PlaneGuide>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "SphereGuide")]
-    pub sphere: Option<SphereGuide>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "CylinderGuide")]
-    pub cylinder: Option<CylinderGuide>,
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "MeshGuide")]
-    pub mesh: Option<MeshGuide>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LineGuide {
-    pub point: Point,
-    pub direction: Point,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CircleGuide {
-    pub centre: Point,
-    /// Normal of the circle's plane.
-    pub axis: Point,
-    pub radius: Positive,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PlaneGuide {
-    pub point: Point,
-    pub normal: Point,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SphereGuide {
-    pub centre: Point,
-    pub radius: Positive,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CylinderGuide {
-    /// A point of the axis.
-    pub point: Point,
-    pub axis: Point,
-    pub radius: Positive,
-}
-
-/// A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MeshGuide {
-    pub vertices: List<Point, 3>,
-    /// Vertex indices of each triangle, counted from 0.
-    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
-    pub triangles: List<[u32; 3], 1>,
-    /// Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
-    /// curved surface two to three times the length of its edges.
-    pub rounding: Positive,
-}
-
-impl MeshGuide {
-    /// Number of vertices or of triangles, whichever is larger.
-    fn size(&self) -> usize {
-        self.vertices.len().max(self.triangles.len())
-    }
-}
-
-impl OneOf for Guide {
-    fn given(&self) -> usize {
-        let given = [
-            self.line.is_some(),
-            self.circle.is_some(),
-            self.plane.is_some(),
-            self.sphere.is_some(),
-            self.cylinder.is_some(),
-            self.mesh.is_some(),
-        ];
-        given.into_iter().filter(|given| *given).count()
-    }
-}
-
-impl Guide {
-    /// Converts the guide, which has one member, or returns the place of an error and the error.
-    fn to_geometry(&self) -> Result<Support, (String, String)> {
-        let unit = |vector: Point, field: &str| {
-            let error = || (field.to_owned(), "must be a vector with a length".to_owned());
-            DVec3::from_array(vector).try_normalize().ok_or_else(error)
-        };
-        let place = DVec3::from_array;
-        if let Some(LineGuide { point, direction }) = self.line {
-            let direction = unit(direction, "line/direction")?;
-            return Ok(Support::Line { point: place(point), direction });
-        }
-        if let Some(CircleGuide { centre, axis, radius }) = self.circle {
-            return Ok(Support::Circle {
-                centre: place(centre),
-                axis: unit(axis, "circle/axis")?,
-                radius: radius.get(),
-            });
-        }
-        if let Some(SphereGuide { centre, radius }) = self.sphere {
-            return Ok(Support::Sphere { centre: place(centre), radius: radius.get() });
-        }
-        if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
-            return Ok(Support::Cylinder {
-                point: place(point),
-                axis: unit(axis, "cylinder/axis")?,
-                radius: radius.get(),
-            });
-        }
-        if let Some(MeshGuide { vertices, triangles, rounding }) = &self.mesh {
-            return Support::mesh(&common::points(vertices), triangles, rounding.get())
-                .map_err(|error| (format!("mesh{}", error.place), error.detail));
-        }
-        let PlaneGuide { point, normal } = self.plane.ok_or_else(|| ("plane".into(), "is required".into()))?;
-        Ok(Support::Plane { point: place(point), normal: unit(normal, "plane/normal")? })
-    }
-}
-
 impl BoundaryPoint {
     fn to_geometry(self) -> geometry::BoundaryPoint {
         geometry::BoundaryPoint { boundary: self.boundary as usize, point: self.point as usize }
-    }
-}
-
-/// Quantity of a cable that is held constant.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[schemars(rename = "CableMode")]
-pub enum Mode {
-    /// The force. With a weight, the mean force.
-    #[default]
-    Force,
-    /// The force at the first end.
-    EndTension,
-    /// The part of the force at the first end that is across the up axis.
-    HorizontalComponent,
-    /// The force divided by the length of the whole cable.
-    ForceDensity,
-    /// The length in the found shape.
-    Length,
-    /// The length without force. The force is EA (length / unstressed length - 1), and 0 if that is negative.
-    UnstressedLength,
-    /// The largest distance from the chord between the ends.
-    Sag,
-}
-
-impl Cable {
-    fn to_geometry(&self, number: usize) -> geometry::Cable {
-        let name = self.name.as_deref().map_or_else(|| format!("{number}"), str::to_owned);
-        let course = match (&self.along, &self.across, &self.points) {
-            (_, Some(points), _) => geometry::Course::Across(common::points(points)),
-            (Some(Along { boundary, from, to }), ..) => {
-                geometry::Course::Boundary { boundary: *boundary as usize, from: *from as usize, to: *to as usize }
-            }
-            (None, None, points) => geometry::Course::Air(points.unwrap_or_default().map(DVec3::from_array)),
-        };
-        let mode = match self.mode {
-            Mode::Force => geometry::CableMode::Force,
-            Mode::EndTension => geometry::CableMode::EndTension,
-            Mode::HorizontalComponent => geometry::CableMode::HorizontalComponent,
-            Mode::ForceDensity => geometry::CableMode::ForceDensity,
-            Mode::Length => geometry::CableMode::Length,
-            Mode::UnstressedLength => geometry::CableMode::UnstressedLength,
-            Mode::Sag => geometry::CableMode::Sag,
-        };
-        let (axial_stiffness, weight) = (self.axial_stiffness.map(Positive::get), self.weight.get());
-        geometry::Cable { name, course, mode: mode(self.value.get()), axial_stiffness, weight }
     }
 }
 

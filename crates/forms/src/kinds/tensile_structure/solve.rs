@@ -4,7 +4,7 @@ use super::TensileStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
 use crate::solved::{
-    self, Draft, Frame, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
+    self, CoordinateSystem, Draft, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
 };
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::{ForceUnit, Unit};
@@ -40,7 +40,7 @@ fn stresses(of_triangles: &[tensile_structure::TriangleStress], force: ForceUnit
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { structure, options, force } = self;
         let force = *force;
         let mut found = tensile_structure::solve(structure, options, exec)?;
@@ -62,11 +62,11 @@ impl solved::SolverInput for SolverInput {
         let archive = archive(Contents {
             generator: generator(),
             title: "tensile structure".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             input_vertices: found.input_vertices,
             mesh: found.mesh,
-            triangle_attributes: stresses(&found.stresses, force, frame.unit),
+            triangle_attributes: stresses(&found.stresses, force, coordinates.unit),
             line_sets,
             statistics: statistics.clone(),
             ..Contents::default()

@@ -167,24 +167,7 @@ impl TensileStatistics {
         origin: Point,
     ) -> Self {
         let statistics = &result.statistics;
-        let cable = |(cable, found): (&geometry::Cable, &geometry::CableResult)| CableForce {
-            name: cable.name.clone(),
-            mode: cable.mode.name(),
-            force: found.force,
-            force_min: found.force_range.0,
-            force_max: found.force_range.1,
-            length: found.length,
-            unstressed_length: found.unstressed_length,
-            sag: found.sag,
-            slack: found.slack,
-        };
         let members = || structure.cables.iter().zip(&result.cables);
-        let mast = |(mast, found): (&geometry::Cable, &geometry::CableResult)| MastForce {
-            name: mast.name.clone(),
-            mode: mast.mode.name(),
-            force: -found.force,
-            length: found.length,
-        };
         let layer = |layer: &geometry::LayerResult| LayerFigures {
             triangles: layer.triangles,
             area: layer.area,
@@ -216,8 +199,8 @@ impl TensileStatistics {
             pressure: statistics.chambers.first().map_or(0.0, |chamber| chamber.pressure),
             layers: statistics.layers.iter().map(layer).collect(),
             chambers: structure.chambers.iter().zip(&statistics.chambers).map(chamber).collect(),
-            cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable).collect(),
-            masts: members().filter(|(member, _)| member.course.is_mast()).map(mast).collect(),
+            cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable_force).collect(),
+            masts: members().filter(|(member, _)| member.course.is_mast()).map(mast_force).collect(),
             rings: structure.rings.iter().zip(&result.ring_travels).map(ring).collect(),
             reactions: result.reactions.iter().map(reaction).collect(),
             edge_reactions: result.edge_reactions.iter().map(edge).collect(),
@@ -253,4 +236,22 @@ impl TensileStatistics {
             self_intersections_skipped: crossings.skipped,
         }
     }
+}
+
+fn cable_force((cable, found): (&geometry::Cable, &geometry::CableResult)) -> CableForce {
+    CableForce {
+        name: cable.name.clone(),
+        mode: cable.mode.name(),
+        force: found.force,
+        force_min: found.force_range.0,
+        force_max: found.force_range.1,
+        length: found.length,
+        unstressed_length: found.unstressed_length,
+        sag: found.sag,
+        slack: found.slack,
+    }
+}
+
+fn mast_force((mast, found): (&geometry::Cable, &geometry::CableResult)) -> MastForce {
+    MastForce { name: mast.name.clone(), mode: mast.mode.name(), force: -found.force, length: found.length }
 }

@@ -3,7 +3,7 @@
 use super::UniformStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
-use crate::solved::{self, Draft, Frame, archive, generator, origin, to_json, warnings};
+use crate::solved::{self, CoordinateSystem, Draft, archive, generator, origin, to_json, warnings};
 use plateau_archive::archive::Contents;
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_mesh::self_intersections::Order;
@@ -17,7 +17,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { domain, options } = self;
         let mut solved = uniform_mesh::solve(domain, options, exec)?;
         let (mesh, warned) = (&solved.mesh, &mut solved.warnings);
@@ -28,18 +28,18 @@ impl solved::SolverInput for SolverInput {
         let statistics = to_json(&UniformStatistics::of(&solved, options, crossings, origin(&solved.mesh)))?;
         // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
         let group = |name: &str, lattice: bool| {
-            let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
-            let lengths = of().map(|member| solved.lengths[member]).collect();
-            let attributes = vec![Attribute::new("length", frame.unit.symbol(), lengths)];
-            let lines = Lines::Segments(of().map(|member| solved.members[member]).collect());
+            let members = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
+            let lengths = members().map(|member| solved.lengths[member]).collect();
+            let attributes = vec![Attribute::new("length", coordinates.unit.symbol(), lengths)];
+            let lines = Lines::Segments(members().map(|member| solved.members[member]).collect());
             LineSet { name: "members".into(), group: name.into(), lines, attributes }
         };
         let line_sets = vec![group("lattice", true), group("rim", false)];
         let archive = archive(Contents {
             generator: generator(),
             title: "uniform mesh".into(),
-            unit: frame.unit,
-            up: frame.up,
+            unit: coordinates.unit,
+            up: coordinates.up,
             input_vertices: input_vertices(domain, &solved),
             mesh: solved.mesh,
             line_sets,

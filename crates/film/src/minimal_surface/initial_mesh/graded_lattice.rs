@@ -195,8 +195,8 @@ pub(super) struct SizeField<'a> {
     pub cap: &'a dyn Fn(DVec2) -> f64,
 }
 
-/// Smallest distance of a lattice point from a source, as a fraction of the local size; nearer points would make flat
-/// triangles. A larger value leaves wider gaps beside the boundary.
+/// Smallest distance of a lattice point from a source, as a fraction of the local size. Nearer points would make flat
+/// triangles.
 const CLEARANCE: f64 = 0.6;
 
 /// Largest number of halvings from the root, so that sizes may vary by 2^24 within one domain.
@@ -216,6 +216,24 @@ struct Cell {
 enum Sources {
     All,
     Few(Rc<[u32]>),
+}
+
+impl Sources {
+    /// Whether both are the same list, or all sources.
+    fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Few(one), Self::Few(other)) => Rc::ptr_eq(one, other),
+            (Self::All, Self::All) => true,
+            _ => false,
+        }
+    }
+}
+
+/// The four triangles that the midpoints of the sides make of a triangle, and whether each points the other way.
+fn quarters([a, b, c]: [[i64; 2]; 3]) -> [([[i64; 2]; 3], bool); 4] {
+    let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+    let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
+    [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
 }
 
 /// Number of cells visited between two looks, which takes a few milliseconds.
@@ -292,8 +310,7 @@ impl SizeField<'_> {
             found.sort_unstable();
             found.dedup_by_key(|corner| corner.0);
         };
-        let mut merged = 0;
-        let mut visited = 0;
+        let (mut merged, mut visited) = (0, 0);
         while let Some(Cell { corners, depth, inverted, near }) = stack.pop() {
             visited += 1;
             if visited % CELLS_BETWEEN_LOOKS == 0 {
@@ -303,19 +320,13 @@ impl SizeField<'_> {
             let [p, q, r] = places;
             let centre = (p + q + r) / 3.0;
             let side = side / 2f64.powi(depth as i32);
-            let reach = side / 3f64.sqrt();
             if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
                 continue;
             }
             let (size, clearance) = self.size_and_clearance(centre, &tree, &near);
             if depth < DEPTH && side > size * (1.0 + 1e-9) {
-                let near = self.narrowed(centre, reach, (size, clearance), &tree, &near);
-                let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-                let [a, b, c] = corners;
-                let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
-                for (corners, turned) in
-                    [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
-                {
+                let near = self.narrowed(centre, side / 3f64.sqrt(), (size, clearance), &tree, &near);
+                for (corners, turned) in quarters(corners) {
                     let inverted = inverted != turned;
                     stack.push(Cell { corners, depth: depth + 1, inverted, near: near.clone() });
                 }
@@ -324,12 +335,7 @@ impl SizeField<'_> {
             if inverted {
                 continue;
             }
-            let is_last = match (lists.last(), &near) {
-                (Some(Sources::Few(last)), Sources::Few(near)) => Rc::ptr_eq(last, near),
-                (Some(Sources::All), Sources::All) => true,
-                _ => false,
-            };
-            if !is_last {
+            if !lists.last().is_some_and(|last| last.is_same(&near)) {
                 lists.push(near);
             }
             let list = lists.len() as u32 - 1;

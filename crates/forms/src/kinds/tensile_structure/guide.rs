@@ -1,0 +1,145 @@
+//! The lines and surfaces on which a tensile structure slides, as a request has them.
+
+use crate::bounds::{List, OneOf, Positive, given};
+use crate::common::{self, Point};
+use plateau_film::equilibrium::Support;
+use plateau_mesh::DVec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+/// unit length.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
+pub struct Guide {
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "LineGuide")]
+    pub line: Option<LineGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "CircleGuide")]
+    pub circle: Option<CircleGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "PlaneGuide")]
+    pub plane: Option<PlaneGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "SphereGuide")]
+    pub sphere: Option<SphereGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "CylinderGuide")]
+    pub cylinder: Option<CylinderGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "MeshGuide")]
+    pub mesh: Option<MeshGuide>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LineGuide {
+    pub point: Point,
+    pub direction: Point,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CircleGuide {
+    pub centre: Point,
+    /// Normal of the circle's plane.
+    pub axis: Point,
+    pub radius: Positive,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneGuide {
+    pub point: Point,
+    pub normal: Point,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereGuide {
+    pub centre: Point,
+    pub radius: Positive,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderGuide {
+    /// A point of the axis.
+    pub point: Point,
+    pub axis: Point,
+    pub radius: Positive,
+}
+
+/// A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshGuide {
+    pub vertices: List<Point, 3>,
+    /// Vertex indices of each triangle, counted from 0.
+    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: List<[u32; 3], 1>,
+    /// Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
+    /// curved surface two to three times the length of its edges.
+    pub rounding: Positive,
+}
+
+impl MeshGuide {
+    /// Number of vertices or of triangles, whichever is larger.
+    pub(super) fn size(&self) -> usize {
+        self.vertices.len().max(self.triangles.len())
+    }
+}
+
+impl OneOf for Guide {
+    fn given(&self) -> usize {
+        let given = [
+            self.line.is_some(),
+            self.circle.is_some(),
+            self.plane.is_some(),
+            self.sphere.is_some(),
+            self.cylinder.is_some(),
+            self.mesh.is_some(),
+        ];
+        given.into_iter().filter(|given| *given).count()
+    }
+}
+
+impl Guide {
+    /// Converts the guide, which has one member, or returns the place of an error and the error.
+    pub(super) fn to_geometry(&self) -> Result<Support, (String, String)> {
+        let unit = |vector: Point, field: &str| {
+            let error = || (field.to_owned(), "must be a vector with a length".to_owned());
+            DVec3::from_array(vector).try_normalize().ok_or_else(error)
+        };
+        let place = DVec3::from_array;
+        if let Some(LineGuide { point, direction }) = self.line {
+            let direction = unit(direction, "line/direction")?;
+            return Ok(Support::Line { point: place(point), direction });
+        }
+        if let Some(CircleGuide { centre, axis, radius }) = self.circle {
+            return Ok(Support::Circle {
+                centre: place(centre),
+                axis: unit(axis, "circle/axis")?,
+                radius: radius.get(),
+            });
+        }
+        if let Some(SphereGuide { centre, radius }) = self.sphere {
+            return Ok(Support::Sphere { centre: place(centre), radius: radius.get() });
+        }
+        if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
+            return Ok(Support::Cylinder {
+                point: place(point),
+                axis: unit(axis, "cylinder/axis")?,
+                radius: radius.get(),
+            });
+        }
+        if let Some(MeshGuide { vertices, triangles, rounding }) = &self.mesh {
+            return Support::mesh(&common::points(vertices), triangles, rounding.get())
+                .map_err(|error| (format!("mesh{}", error.place), error.detail));
+        }
+        let PlaneGuide { point, normal } = self.plane.ok_or_else(|| ("plane".into(), "is required".into()))?;
+        Ok(Support::Plane { point: place(point), normal: unit(normal, "plane/normal")? })
+    }
+}
