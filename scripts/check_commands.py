@@ -108,7 +108,11 @@ def check_programs(names):
     for command, document in commands.items():
         print(f"{document}: {command}", flush=True)
         before = changed()
-        done = subprocess.run(shlex.split(command), cwd=ROOT, timeout=PATIENCE_WITH_PROGRAMS, capture_output=True, text=True)
+        try:
+            done = subprocess.run(shlex.split(command), cwd=ROOT, timeout=PATIENCE_WITH_PROGRAMS, capture_output=True, text=True)
+        except subprocess.TimeoutExpired:
+            faults.append(f"{document}: {command} does not end in {PATIENCE_WITH_PROGRAMS} s")
+            continue
         if done.returncode:
             faults.append(f"{document}: {command} ends with {done.returncode}: {(done.stdout + done.stderr)[-2000:]}")
         elif changed() != before:

@@ -1,11 +1,13 @@
 // Builds the studio: the bundle and the list of licences into dist/. With `--check` it leaves the
 // committed files alone and fails if one differs from what it would write. The service's TypeScript
-// client is bundled from its sources (`paths` of tsconfig.json), so that it need not be built or
-// installed first.
+// client and plateau-page are bundled from their sources (`paths` of tsconfig.json), so that they
+// need not be built or installed first.
+//
+// `--static FOLDER` then makes a studio in a folder that works without the service, from any file server.
 
 import { build } from 'esbuild';
-import { readFile, readdir, writeFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { copyFile, mkdir, readFile, readdir, writeFile } from 'node:fs/promises';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -21,12 +23,15 @@ async function put(path, content) {
   else await writeFile(join(here, path), bytes);
 }
 
-const bundled = await build({
-  absWorkingDir: here, tsconfig: 'tsconfig.json', entryPoints: { studio: 'src/main.ts' }, outdir: 'dist', write: false, metafile: true,
-  bundle: true, minify: true, format: 'esm', target: 'es2022', charset: 'utf8', legalComments: 'none',
-  external: ['*.woff2', '*.webp'],
-});
-for (const { path, contents } of bundled.outputFiles) await put(path.slice(here.length + 1), contents);
+const common = {
+  absWorkingDir: here, tsconfig: 'tsconfig.json', outdir: 'dist', write: false, metafile: true, bundle: true, minify: true,
+  format: 'esm', target: 'es2022', charset: 'utf8', legalComments: 'none', external: ['*.woff2', '*.webp'],
+};
+// The names have no hash, because the service embeds each file by its name. `chunk.js` has what both `studio.js` and
+// `later.js` need.
+const bundled = await build({ ...common, entryPoints: { studio: 'src/main.ts' }, splitting: true, chunkNames: '[name]' });
+const worker = await build({ ...common, entryPoints: { worker: '../crates/page/js/worker.mjs' } });
+for (const { path, contents } of [...bundled.outputFiles, ...worker.outputFiles]) await put(path.slice(here.length + 1), contents);
 
 for (const file of await readdir(join(here, 'static'))) await put(`dist/${file}`, await readFile(join(here, "static", file)));
 // The page that other sites embed lies beside the files that it names, and says that it is embedded.
@@ -52,4 +57,25 @@ await put('dist/licences.txt', licences);
 if (stale.length > 0) {
   console.error(`The committed bundle is not what its sources make. Run npm ci && npm run build in web/. Stale: ${stale.join(', ')}`);
   process.exit(1);
+}
+
+// ---- A studio without a service ----
+
+const at = process.argv.indexOf('--static');
+if (at >= 0) {
+  const folder = resolve(process.argv[at + 1]);
+  const data = join(folder, 'studio/data');
+  await mkdir(join(data, 'examples'), { recursive: true });
+  for (const file of await readdir(join(here, 'dist'))) if (!file.endsWith('.html')) await copyFile(join(here, 'dist', file), join(folder, 'studio', file));
+  const modules = join(here, '../crates/page/js');
+  for (const name of await readdir(modules)) if (name.endsWith('.wasm')) await copyFile(join(modules, name), join(folder, 'studio', name));
+  for (const [name, content] of [['index.html', page], ['studio/embed.html', await readFile(join(here, 'dist/embed.html'), 'utf8')]]) {
+    await writeFile(join(folder, name), content.replace('<html lang="en"', '<html lang="en" data-static'));
+  }
+  const api = join(here, '../api');
+  for (const name of ['openapi.json', 'objectives.json', 'examples.json']) await copyFile(join(api, name), join(data, name));
+  for (const { name, kind, title } of JSON.parse(await readFile(join(api, 'examples.json'), 'utf8')).examples) {
+    const request = JSON.parse(await readFile(join(api, 'examples', `${name}.json`), 'utf8'));
+    await writeFile(join(data, 'examples', `${name}.json`), JSON.stringify({ kind, title, request }));
+  }
 }

@@ -5,7 +5,7 @@
 //    for as soon as the result of the last move is there and a frame has passed. The same drag then runs over HTTP with 50 moves,
 //    each answer delayed by 0 and by 80 ms. After the release the page's vertices are compared with those of the service's job.
 //
-// CHROMIUM=… PLATEAU_BIN=… PLATEAU_WASM=… node scripts/page/bench.mjs >> benches/results.jsonl, on a quiet machine.
+// CHROMIUM=… PLATEAU_BIN=… node scripts/page/bench.mjs >> benches/results.jsonl, on a quiet machine.
 
 import assert from 'node:assert/strict';
 import { execSync } from 'node:child_process';
@@ -48,7 +48,7 @@ function moved({ request, point, reach }, move) {
   return copy;
 }
 
-const engine = await load(readFileSync(process.env.PLATEAU_WASM));
+const engine = await load(readFileSync(`${root}crates/page/js/shapes.wasm`));
 for (const triangles of [2000, 20000]) {
   const scene = { ...SCENES.film, request: { ...SCENES.film.request, resolution: { triangles } } };
   const cold = [0, 1, 2, 3, 4, 5].map(() => {
@@ -80,7 +80,7 @@ const server = await startServer();
 /** Serves the package and an empty page below /page/, and passes everything else to the service after the delay. */
 let delay = 0;
 const front = createServer((incoming, outgoing) => {
-  const file = incoming.url === '/page/plateau.wasm' ? process.env.PLATEAU_WASM : `${root}crates/page/js/${incoming.url.slice('/page/'.length)}`;
+  const file = `${root}crates/page/js/${incoming.url.slice('/page/'.length)}`;
   if (incoming.url === '/page/empty.html') return outgoing.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>');
   if (incoming.url.startsWith('/page/')) return outgoing.writeHead(200, { 'content-type': TYPES[extname(file)] }).end(readFileSync(file));
   const { hostname, port } = new URL(server.url);

@@ -1,10 +1,10 @@
 // Tests the package plateau-page in Chromium: results, errors, progress and cancel. The last test drags a film in the
 // example page without a server.
 //
-// CHROMIUM names the browser, PLATEAU_WASM the module (scripts/build-page).
+// CHROMIUM names the browser. The modules are those of crates/page/js.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -17,11 +17,10 @@ const ISOLATED = { 'cross-origin-opener-policy': 'same-origin', 'cross-origin-em
 /** Serves the package as a plain file server does. Addresses below /isolated/ make their pages isolated. */
 function serve({ url }, response) {
   const path = url.replace(/^\/isolated/, '');
-  const file = path === '/page/plateau.wasm'
-    ? process.env.PLATEAU_WASM
-    : path.startsWith('/page/example/three.')
-      ? `${root}web/node_modules/three/build/${path.slice('/page/example/'.length)}`
-      : `${root}crates/page/js/${path.slice('/page/'.length)}`;
+  seen.push(path);
+  const file = path.startsWith('/page/example/three.')
+    ? `${root}web/node_modules/three/build/${path.slice('/page/example/'.length)}`
+    : `${root}crates/page/js/${path.slice('/page/'.length)}`;
   try {
     const body = path === '/page/empty.html' ? '<!doctype html>' : readFileSync(file);
     response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'text/plain', ...(url.startsWith('/isolated') ? ISOLATED : {}) });
@@ -31,6 +30,8 @@ function serve({ url }, response) {
   }
 }
 
+/** Every path that was asked for. */
+let seen = [];
 let browser;
 let address;
 const server = createServer(serve);
@@ -153,6 +154,50 @@ test('a film follows a drag without a network, and the released film has the bit
     previews: 20, sameTriangles: true, height: 0.6, equal: true, cold: [null, true], wrong: ['refused', '/boundaries/0/1/2'],
   });
   assert.deepEqual(faults, []);
+  await page.close();
+});
+
+const lacksSecond = !existsSync(`${root}crates/page/js/structures.wasm`) && 'structures.wasm is not there: scripts/build-page';
+test('the second module is loaded by the first request that needs it', { skip: lacksSecond }, async () => {
+  const { page, faults } = await open('/page/empty.html');
+  seen = [];
+  const modules = () => seen.filter((path) => path.endsWith('.wasm')).map((path) => path.split('/').at(-1));
+  await page.evaluate(async (SADDLE) => {
+    const { createSolvers } = await import('/page/index.mjs');
+    window.solvers = createSolvers();
+    window.film = await window.solvers.solve(SADDLE);
+  }, SADDLE);
+  assert.deepEqual(modules(), ['shapes.wasm']);
+  const net = { kind: 'cable_net', vertices: [[0, 0, 0], [1, 0, 0], [2, 0, 1]], edges: [[0, 1], [1, 2]], supports: [0, 2], cables: [{ force_density: 1 }] };
+  const found = await page.evaluate(async (net) => {
+    const { mesh } = await window.solvers.solve(net);
+    // The first module still has its result, but a later request has replaced it for the page.
+    const late = await window.film.glb().catch((error) => error.message);
+    return { middle: [...mesh.vertices.slice(3, 6)], late };
+  }, net);
+  assert.deepEqual(modules(), ['shapes.wasm', 'structures.wasm']);
+  assert.deepEqual(found.middle, [1, 0, 0.5]);
+  assert.match(found.late, /a later request has replaced/);
+  // Each module is loaded once, and `load` loads what is not there yet.
+  await page.evaluate(async (SADDLE) => {
+    await window.solvers.solve(SADDLE);
+    await window.solvers.load('tensile_structure');
+  }, SADDLE);
+  assert.equal(modules().length, 2);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('a module that cannot be loaded fails its requests, and only those', async () => {
+  const { page } = await open('/page/empty.html');
+  const found = await page.evaluate(async (SADDLE) => {
+    const { createSolvers } = await import('/page/index.mjs');
+    const solvers = createSolvers({ structures: '/page/missing.wasm' });
+    const missing = await solvers.solve({ kind: 'cable_net' }).catch((error) => `${error.name}: ${error.message}`);
+    return { missing, converged: (await solvers.solve(SADDLE)).statistics.converged };
+  }, SADDLE);
+  assert.match(found.missing, /^Error: the module at .*missing\.wasm was answered with 404/);
+  assert.equal(found.converged, true);
   await page.close();
 });
 

@@ -1,24 +1,22 @@
-// The WebAssembly module gives the results of `plateau solve` on every example.
+// The WebAssembly modules give the results of `plateau solve` on every example.
 //
-// PLATEAU_WASM names the module (scripts/build-page), PLATEAU_BIN the program.
+// PLATEAU_MODULES names the folder of the modules (default: crates/page/js), PLATEAU_BIN the program.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { load } from '../../crates/page/js/plateau.mjs';
+import { after, test } from 'node:test';
+import { load, moduleOf } from '../../crates/page/js/plateau.mjs';
 
 const examples = new URL('../../api/examples/', import.meta.url).pathname;
-const { PLATEAU_BIN, PLATEAU_WASM } = process.env;
+const { PLATEAU_BIN, PLATEAU_MODULES = new URL('../../crates/page/js/', import.meta.url).pathname } = process.env;
 const folder = mkdtempSync(join(tmpdir(), 'plateau-page-'));
 after(() => rmSync(folder, { recursive: true }));
 
-let engine;
-before(async () => {
-  engine = await load(readFileSync(PLATEAU_WASM));
-});
+const engines = {};
+const engine = (name) => (engines[name] ??= load(readFileSync(join(PLATEAU_MODULES, `${name}.wasm`))));
 
 /**
  * Examples whose systems are so large that faer factorises them by supernodes. Its kernels use fused multiply-adds where the
@@ -48,38 +46,41 @@ function assertNear(found, expected, what) {
 }
 
 for (const name of readdirSync(examples).sort()) {
-  test(name, () => {
+  test(name, async () => {
     const request = readFileSync(join(examples, name), 'utf8');
     const glb = join(folder, 'native.glb');
     const printed = execFileSync(PLATEAU_BIN, ['solve', join(examples, name), '--output', glb], { stdio: ['ignore', 'pipe', 'ignore'] });
     const native = JSON.parse(printed);
-    const page = engine.solve(request);
+    const solver = await engine(moduleOf(JSON.parse(request)));
+    const page = solver.solve(request);
     assert.equal(page.ending, 'solved', page.detail);
     if (BY_SUPERNODES.includes(name)) {
       for (const member of Object.keys(native)) assertNear(page.statistics[member], native[member], member);
       const file = join(folder, 'native.json');
       execFileSync(PLATEAU_BIN, ['solve', join(examples, name), '--output', file], { stdio: 'ignore' });
       const { vertices, triangles } = JSON.parse(readFileSync(file));
-      assertNear([...engine.mesh().vertices], vertices.flat(), 'vertices');
-      assert.deepEqual([...engine.mesh().triangles], triangles.flat());
+      assertNear([...solver.mesh().vertices], vertices.flat(), 'vertices');
+      assert.deepEqual([...solver.mesh().triangles], triangles.flat());
       return;
     }
     assert.deepEqual(page.statistics, native);
-    assert.ok(Buffer.from(engine.file('glb')).equals(readFileSync(glb)), 'the GLB has other bytes');
+    assert.ok(Buffer.from(solver.file('glb')).equals(readFileSync(glb)), 'the GLB has other bytes');
   });
 }
 
-test('a refused request has the pointer of its wrong value', () => {
-  const { ending, errors } = engine.solve({ kind: 'cable_net', vertices: [[0, 0, 0], [1, 0, 'x']], edges: [[0, 1]], supports: [0] });
+test('a refused request has the pointer of its wrong value', async () => {
+  const solver = await engine('structures');
+  const { ending, errors } = solver.solve({ kind: 'cable_net', vertices: [[0, 0, 0], [1, 0, 'x']], edges: [[0, 1]], supports: [0] });
   assert.deepEqual([ending, errors[0].pointer], ['refused', '/vertices/1/2']);
-  assert.equal(engine.file('glb'), null);
+  assert.equal(solver.file('glb'), null);
 });
 
-test('progress is reported, and the signal ends a request', () => {
+test('progress is reported, and the signal ends a request', async () => {
+  const solver = await engine('shapes');
   const request = readFileSync(join(examples, 'helicoid.json'), 'utf8');
   const reports = [];
-  const solved = engine.solve(request, { onProgress: (progress) => reports.push(progress) });
+  const solved = solver.solve(request, { onProgress: (progress) => reports.push(progress) });
   assert.equal(solved.ending, 'solved');
   assert.ok(reports.length > 0 && reports.every(({ fraction, phase }) => fraction >= 0 && fraction <= 1 && phase !== ''));
-  assert.equal(engine.solve(request, { signal: () => 1 }).ending, 'cancelled');
+  assert.equal(solver.solve(request, { signal: () => 1 }).ending, 'cancelled');
 });

@@ -1,8 +1,15 @@
-// Figures of the studio, as lines for benches/results.jsonl on standard output: how soon a first visit sees a solved film, how
-// often a live drag is answered, and what an orbit costs in script. CHROMIUM=… PLATEAU_BIN=… node scripts/studio/bench.mjs
-// >> benches/results.jsonl, on a quiet machine. Each line says what it is measured against.
+// Prints figures of the studio as lines for benches/results.jsonl:
+//
+// - arrival: how soon a first visit sees a solved film,
+// - live: how often a live drag is answered,
+// - orbit: what an orbit costs in script,
+// - memory: what memory a page has after 10,000 drags.
+//
+// CHROMIUM=… PLATEAU_BIN=… node scripts/studio/bench.mjs [NAME …] >> benches/results.jsonl, on a quiet machine. Without a
+// name all of them are measured. Each line says what it is measured against.
 
 import { execSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { apply, launch, onStage, points, request, solved, startServer } from './harness.mjs';
 
@@ -104,8 +111,80 @@ async function orbit() {
   say({ bench: 'studio_orbit', triangles: 100_000, points: 500, script_ms_median: round(median(costs), 2), script_ms_max: round(Math.max(...costs), 2), old_studio: { script_ms_for_the_handles: 17 } });
 }
 
-await arrival();
-await live();
-await orbit();
+/**
+ * Drags of a film of 2,000 triangles. Each is a press, a move that is followed, and a release whose film is solved and
+ * shown.
+ */
+const DRAGS = 10_000;
+/** The first drags compile the script and fill the history of 500 steps. Growth is counted from here. */
+const WARM_UP_DRAGS = 1000;
+
+/** Memory of the page, its worker and its graphics in megabytes, after the garbage was collected. */
+async function memoryOf(context, fresh) {
+  const session = await context.newCDPSession(fresh);
+  await session.send('Performance.enable');
+  await session.send('HeapProfiler.collectGarbage');
+  const { metrics } = await session.send('Performance.getMetrics');
+  const metric = (name) => metrics.find((each) => each.name === name).value;
+  const { bytes, breakdown } = await fresh.evaluate(() => performance.measureUserAgentSpecificMemory());
+  const ofWorkers = breakdown.filter(({ attribution }) => attribution.some(({ scope }) => scope.includes('Worker')));
+  const system = await browser.newBrowserCDPSession();
+  const { processInfo } = await system.send('SystemInfo.getProcessInfo');
+  // The renderer of this page has used the most processor time.
+  const { id } = processInfo.filter(({ type }) => type === 'renderer').sort((a, b) => b.cpuTime - a.cpuTime)[0];
+  const resident = /VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))[1];
+  await session.detach();
+  await system.detach();
+  return {
+    script_mb: round(metric('JSHeapUsedSize') / 1e6, 1), page_and_workers_mb: round(bytes / 1e6, 1), workers_mb: round(ofWorkers.reduce((sum, each) => sum + each.bytes, 0) / 1e6, 1),
+    renderer_resident_mb: round(Number(resident) / 1000), nodes: metric('Nodes'), listeners: metric('JSEventListeners'),
+  };
+}
+
+/** Drags the second point to and fro within the page, which waits for no frame of the software renderer. */
+const dragWithin = (fresh, count) => fresh.evaluate(async (count) => {
+  const canvas = document.querySelector('#view');
+  const box = canvas.getBoundingClientRect();
+  const event = (type, x, y, buttons) => new PointerEvent(type, { clientX: box.left + x, clientY: box.top + y, buttons, button: type === 'pointermove' ? -1 : 0, pointerId: 1, pointerType: 'mouse', isPrimary: true, bubbles: true, cancelable: true });
+  const until = async (condition) => { while (!condition()) await new Promise((resolve) => { setTimeout(resolve, 1); }); };
+  const atRest = () => document.body.getAttribute('aria-busy') === 'false';
+  for (let drag = 0; drag < count; drag += 1) {
+    const { x, y } = window.studio.points()[1];
+    const step = drag % 2 === 0 ? 12 : -12;
+    const before = window.studio.shown().job;
+    canvas.dispatchEvent(event('pointerdown', x, y, 1));
+    canvas.dispatchEvent(event('pointermove', x + step, y + step / 2, 1));
+    await until(() => atRest() && window.studio.shown().job !== before);
+    canvas.dispatchEvent(event('pointerup', x + step, y + step / 2, 0));
+    await until(() => atRest() && !window.studio.shown().stale);
+  }
+}, count);
+
+async function memory() {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 }, reducedMotion: 'reduce' });
+  const fresh = await context.newPage();
+  fresh.setDefaultTimeout(300_000);
+  await fresh.goto(`${server.url}/?example=tent`);
+  await solved(fresh);
+  await apply(fresh, { ...await request(fresh), resolution: { triangles: 2000 } });
+  await solved(fresh);
+  await fresh.waitForFunction(() => window.studio.solvesHere());
+  const seen = {};
+  const started = performance.now();
+  for (const many of [WARM_UP_DRAGS, DRAGS / 2, DRAGS]) {
+    const done = Number(Object.keys(seen).at(-1)?.slice('after_'.length) ?? 0);
+    await dragWithin(fresh, many - done);
+    await solved(fresh);
+    seen[`after_${many}`] = await memoryOf(context, fresh);
+  }
+  const [first, last] = [seen[`after_${WARM_UP_DRAGS}`], seen[`after_${DRAGS}`]];
+  const growth = (1000 * (last.page_and_workers_mb - first.page_and_workers_mb)) / (DRAGS - WARM_UP_DRAGS);
+  say({ bench: 'studio_memory', triangles: 2000, drags: DRAGS, minutes: round((performance.now() - started) / 60_000, 1), ...seen, growth_kb_a_drag: round(growth, 3) });
+  await context.close();
+}
+
+const figures = { arrival, live, orbit, memory };
+const wanted = process.argv.slice(2);
+for (const [name, measure] of Object.entries(figures)) if (wanted.length === 0 || wanted.includes(name)) await measure();
 await browser.close();
 await server.stop();

@@ -1,13 +1,20 @@
 // Drives the studio in Chromium as a person would, against the real service: CHROMIUM names the browser, PLATEAU_BIN the
 // server, which is started on a free port with a folder of its own; or PLATEAU_URL a server that runs already.
+//
+// PLATEAU_DIST names a folder, such as web/dist, whose files are served in front of the server, so that a change of the studio is
+// tested without building the service.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { mkdtemp, rm } from 'node:fs/promises';
+import { once } from 'node:events';
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { createServer, request as ask } from 'node:http';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { extname, join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { pipeline } from 'node:stream';
 import { after, afterEach, before, beforeEach } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { Hold } from '../../clients/typescript/test/hold.mjs';
 
@@ -19,23 +26,84 @@ const FLAGS = [
 /** Nothing here is measured; a machine that is busy with other tests is given time. */
 const PATIENCE_MS = 120_000;
 
-/** A server of its own on a free port: { url, hold, stop }. */
+/** A server of its own on a free port: { url, hold, stop, restart }. `restart` ends it and starts another on the same data. */
 export async function startServer(environment = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'plateau-studio-'));
   const hold = new Hold(join(folder, 'hold'));
   const options = { stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, ...hold.environment, ...environment } };
-  const server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], options);
-  const stop = async () => {
-    server.kill();
-    await rm(folder, { recursive: true, force: true, maxRetries: 5 });
+  let server, address, front = null;
+  const start = async () => {
+    server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], options);
+    for await (const line of createInterface({ input: server.stdout })) {
+      [, address] = /^listening on (\S+)/.exec(line) ?? [];
+      assert.ok(address, 'the server said where it listens');
+      return;
+    }
+    throw new Error('the server did not start');
   };
-  for await (const line of createInterface({ input: server.stdout })) {
-    const [, address] = /^listening on (\S+)/.exec(line) ?? [];
-    assert.ok(address, 'the server said where it listens');
-    return { url: address, hold, stop };
+  const started = {
+    url: '', hold,
+    restart: async () => {
+      server.kill('SIGKILL');
+      await once(server, 'exit');
+      await start();
+      started.url = front?.url ?? address;
+    },
+    stop: async () => {
+      await front?.stop();
+      server.kill();
+      await rm(folder, { recursive: true, force: true, maxRetries: 5 });
+    },
+  };
+  try {
+    await start();
+  } catch (error) {
+    await started.stop();
+    throw error;
   }
-  await stop();
-  throw new Error('the server did not start');
+  if (process.env.PLATEAU_DIST) front = await startFront(() => address);
+  started.url = front?.url ?? address;
+  return started;
+}
+
+const MODULES = fileURLToPath(new URL('../../crates/page/js/', import.meta.url));
+const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
+/** The headers with which the service sends its pages (src/http/routes/studio.rs). */
+const HEADERS = {
+  'cache-control': 'no-cache', 'x-content-type-options': 'nosniff', 'cross-origin-opener-policy': 'same-origin', 'cross-origin-embedder-policy': 'require-corp',
+};
+const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
+
+/** Serves the studio's files, and passes everything else on to the server whose address `target` returns. */
+async function startFront(target) {
+  const front = createServer(async (incoming, outgoing) => {
+    const [, name] = /^\/(?:studio\/([\w.-]+))?(?:\?.*)?$/.exec(incoming.url) ?? [null, null];
+    if (name !== null) {
+      const file = name ?? 'index.html';
+      const bytes = await readFile(join(file.endsWith('.wasm') ? MODULES : process.env.PLATEAU_DIST, file)).catch(() => null);
+      const policy = `${POLICY}${file === 'embed.html' ? '*' : "'none'"}`;
+      outgoing.writeHead(bytes ? 200 : 404, { ...HEADERS, 'content-security-policy': policy, 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });
+      outgoing.end(bytes ?? '');
+      return;
+    }
+    const { hostname, port } = new URL(target());
+    const onward = ask({ hostname, port, method: incoming.method, path: incoming.url, headers: incoming.headers }, (answer) => {
+      outgoing.writeHead(answer.statusCode, answer.headers);
+      outgoing.flushHeaders();
+      pipeline(answer, outgoing, () => answer.destroy());
+    });
+    onward.on('error', () => outgoing.destroy());
+    outgoing.on('close', () => onward.destroy());
+    incoming.pipe(onward);
+  });
+  await new Promise((resolve) => { front.listen(0, '127.0.0.1', resolve); });
+  return {
+    url: `http://127.0.0.1:${front.address().port}`,
+    stop: () => new Promise((resolve) => {
+      front.close(resolve);
+      front.closeAllConnections();
+    }),
+  };
 }
 
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS });

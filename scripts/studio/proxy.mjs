@@ -11,6 +11,7 @@ import { pipeline, Transform } from 'node:stream';
  *   'break'               the connection is broken without an answer
  *   'silence'             there never is an answer, and the service does not see the request
  *   { cut: expression }   the answer is passed on up to the end of the expression's first match, and then broken
+ *   { cutAfter: ms }      the answer is passed on for so long, and then broken
  *   a promise             any of these, once it is settled
  */
 export async function startProxy(target) {
@@ -27,7 +28,8 @@ export async function startProxy(target) {
     const onward = ask({ hostname, port, method: incoming.method, path: incoming.url, headers: incoming.headers }, (answer) => {
       outgoing.writeHead(answer.statusCode, answer.headers);
       outgoing.flushHeaders();
-      const steps = rule ? [cutting(rule.cut, () => outgoing.destroy())] : [];
+      const steps = rule?.cut ? [cutting(rule.cut, () => outgoing.destroy())] : [];
+      if (rule?.cutAfter) setTimeout(() => outgoing.destroy(), rule.cutAfter);
       pipeline(answer, ...steps, outgoing, () => answer.destroy());
     });
     onward.on('error', () => outgoing.destroy());

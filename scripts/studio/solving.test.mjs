@@ -239,6 +239,7 @@ test('a server with keys is used with a key', { skip: process.env.PLATEAU_URL &&
     await solved(page);
     await page.click('#open-share');
     await page.click('#share-forms button:text-is("Python")');
+    await page.locator('#share-forms [aria-pressed="true"]:text-is("Python")').waitFor();
     const text = await page.inputValue('#share-text');
     assert.ok(text.includes('PLATEAU_KEY') && !text.includes(key), 'a copied program names the key and does not hold it');
   } finally {

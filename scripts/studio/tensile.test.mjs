@@ -14,6 +14,12 @@ const SAIL = {
 const middle = (a, b) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
 const click = async (page, place) => page.mouse.click(...await onStage(page, place));
 
+/** The job of the service with what is shown, which takes over a result of the page after a moment. */
+async function job(page) {
+  await page.waitForFunction(() => /^[0-9A-Z]{26}$/i.test(document.querySelector('#job-id').textContent));
+  return (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json();
+}
+
 async function openSail(page, extra = {}) {
   await studio.open('plane-sail');
   await apply(page, { ...SAIL, ...extra });
@@ -39,7 +45,7 @@ test('a click on a boundary hangs that edge on a cable, and its dock changes it'
   assert.equal((await request(page)).cables[0].value, 20);
   await solved(page);
   // Another mode keeps the shape: its value is that of the result.
-  const { length } = (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics.cables[0];
+  const { length } = (await job(page)).statistics.cables[0];
   await page.selectOption('#cable-mode', 'length');
   const [cable] = (await request(page)).cables;
   assert.equal(cable.mode, 'length');
@@ -182,9 +188,9 @@ test('cables are coloured by their forces with a legend, and reactions are arrow
 test('a click on a cable reads its force', async () => {
   const { page } = studio;
   await studio.open('four-cables');
-  const { cables } = (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics;
+  const { cables } = (await job(page)).statistics;
   assert.ok(Math.abs(cables[0].force - 5) < 1e-6 && Math.abs(cables[1].force - 6) < 1e-6, JSON.stringify(cables));
-  const mesh = await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}/mesh?format=json`)).json();
+  const mesh = await (await fetch(`${studio.url}/v1/jobs/${(await job(page)).id}/mesh?format=json`)).json();
   const at = mesh.vertices[0].map((value, axis) => 0.6 * value + 0.4 * mesh.vertices[4][axis]);
   await click(page, await page.evaluate((point) => window.studio.project(point), at));
   assert.match(await page.textContent('#label'), /^Force 5 kN$/);
@@ -223,10 +229,10 @@ test('the panel begins with tension, pressure, weight and a table of the cables,
   await page.keyboard.press('Tab');
   assert.equal((await request(page)).cables[0].value, 24);
   await solved(page);
-  const job = async () => (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics;
-  assert.ok(Math.abs((await job()).cables[0].force - 24) < 0.5);
+  const statistics = async () => (await job(page)).statistics;
+  assert.ok(Math.abs((await statistics()).cables[0].force - 24) < 0.5);
   // Another mode keeps the shape, as in the dock.
-  const { sag } = (await job()).cables[0];
+  const { sag } = (await statistics()).cables[0];
   await rows.nth(0).locator('select').selectOption('sag');
   assert.ok(Math.abs((await request(page)).cables[0].value / sag - 1) < 1e-5);
   assert.match(await rows.nth(0).textContent(), /m$/);
@@ -250,7 +256,7 @@ test('the panel begins with tension, pressure, weight and a table of the cables,
 test('the headlines are the largest cable force, the largest reaction and the lengths of the cables', async () => {
   const { page } = studio;
   await openSail(page, { cables: [{ along: { from: 0, to: 1 }, value: 14 }, { along: { from: 1, to: 2 }, value: 17 }] });
-  const { statistics } = await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json();
+  const { statistics } = await job(page);
   const figures = await page.locator('#figures .figure').evaluateAll((all) => all.map((figure) => [figure.querySelector('.name').textContent, figure.querySelector('.value').textContent]));
   const reaction = Math.max(...statistics.reactions.map(({ force }) => Math.hypot(...force)));
   const lengths = statistics.cables.map(({ length }) => Number(length.toPrecision(3))).sort((a, b) => a - b);

@@ -13,9 +13,9 @@ const openapi = JSON.parse(await readFile(new URL('../../api/openapi.json', impo
 const CODES = Object.fromEntries([...openapi.components.schemas.JobWarning.properties.code.description.matchAll(/^- `(\w+)`: (.*)$/gm)]
   .map(([, code, text]) => [code, [...(/: ([^:]*)$/.exec(text)?.[1] ?? '').matchAll(/`(\w+)`/g)].map(([, name]) => name)]));
 
-async function words() {
+async function words(name = 'words') {
   const { build } = createRequire(new URL('../../web/package.json', import.meta.url))('esbuild');
-  const entry = fileURLToPath(new URL('../../web/src/words.ts', import.meta.url));
+  const entry = fileURLToPath(new URL(`../../web/src/${name}.ts`, import.meta.url));
   const { outputFiles: [{ text }] } = await build({ entryPoints: [entry], bundle: true, format: 'esm', write: false });
   return import(`data:text/javascript;base64,${Buffer.from(text).toString('base64')}`);
 }
@@ -42,7 +42,7 @@ test('each warning of the service has a sentence of the page, made of its values
 });
 
 test('each objective that the service offers, and each failure that the page knows, has its sentence', async () => {
-  const { OBJECTIVES, FAILURES } = await words();
+  const { OBJECTIVES, FAILURES } = { ...await words(), ...await words('objectives') };
   const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
   // A program that is built for tests has a kind more.
   const offered = objectives.filter(({ kind }) => kind !== 'enlargement');

@@ -7,7 +7,7 @@ import { arrive } from './app/arrival';
 import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
-import { compare } from './app/modes';
+import { comparison } from './app/modes';
 import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
@@ -16,9 +16,10 @@ import { preferredTheme, setTheme } from './app/theme';
 import { showPanel, wire } from './app/wiring';
 import { $ } from './dom';
 import type { Vec3 } from './model/request';
+import { isLoaded } from './solvers';
 
-Object.assign(host, { changed: (dragging: boolean) => changed({ dragging }), selectionChanged: showDock, label, read: readSurface, readLine, announce });
-compare.use = useObjective;
+Object.assign(host, { changed: (dragging: boolean) => changed({ dragging, edited: true }), selectionChanged: showDock, label, read: readSurface, readLine, announce });
+comparison.use = useObjective;
 repair.by = applyRemedy;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
 stage.content = () => [...sketch.places, ...surface.outline()];
@@ -47,6 +48,6 @@ Object.assign(window, {
     shown: () => (session.shown ? { job: session.shown.job.id, solved: session.shown.solved, stale: isStale() } : null),
     faulty: () => [...host.faulty], selection: () => tools.selection, points: () => sketch.places.map((place) => stage.project(place)),
     project: (point: Vec3) => stage.project(host.frame.toScene(point)), covers: (x: number, y: number) => surface.pick(stage, x, y) !== null,
-    fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample,
+    fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
   },
 });

@@ -1,4 +1,4 @@
-// The page's own sentences: one for each warning, each failure and each objective of the service. They count from 1, as people
+// The page's own sentences: one for each warning and each failure of the service (objectives.ts has those of the objectives). They count from 1, as people
 // do, while the service counts from 0. Anything else is shown in the service's words.
 
 import { count, number } from './text';
@@ -50,6 +50,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   self_intersections: (v) => `${many(v, 'pairs', 'pair')} of triangles ${verb(v, 'pairs', 'crosses or touches', 'cross or touch')}, for example at ${spot(v)}.`,
   shared_points: (v) => `Point ${nth(v, 'point')} of boundary ${nth(v, 'boundary')} is also a point of another boundary. The films only touch there, because each has a vertex of its own.`,
   slack_cable: (v) => (v.cable === undefined ? `${many(v, 'count', 'edge')} ${verb(v, 'count', 'carries', 'carry')} no force by the targets alone. The least force density keeps a force there.` : `Cable ${nth(v, 'cable')} carries no force, because it is longer than the shape needs.`),
+  stability_undecided: () => 'Whether the shape is stable cannot be told, because at least one motion changes its energy by less than rounding errors.',
   stress_deviates: (v) => `The stresses along warp and weft differ from those required, by ${number(100 * (v.deviation_rms ?? 0), 3)} % in the root mean square.`,
   strongly_bent: (v) => `${v.strip === undefined ? 'The strip' : `Strip ${nth(v, 'strip')}`} has ${figure(v, 'factor', 3)} times the bending energy of the strip that bends least.`,
   targets_missed: (v) => `${many(v, 'count', 'edge')} ${verb(v, 'count', 'misses its target', 'miss their targets')} by more than half.`,
@@ -91,29 +92,6 @@ export const FAILURES: Record<string, string> = {
   'slack-cable': 'A cable would carry no force. Make it shorter, or give it a larger force.',
   'targets-not-reached': 'No net meets the targets. Leave out some of them, or make them less strict.',
   'too-large': 'The mesh is too large for this service. Ask for fewer triangles or for longer edges.',
-};
-
-/** Sentences of the objectives, by kind and name. */
-export const OBJECTIVES: Record<string, Record<string, string>> = {
-  minimal_surface: {
-    minimal_area: 'The film with the least area on its fixed boundary, as a soap film has.',
-    minimal_dirichlet_energy: 'The film that stretches the initial mesh the least. It is the step that the method of Pinkall and Polthier repeats.',
-    minimal_mean_curvature: 'The film whose squared mean curvatures have the least sum.',
-  },
-  ruled_surface: {
-    minimal_area: 'The strip with the least area.',
-    minimal_twist: 'The strip whose normals differ the least between the two ends of each bridge.',
-    maximal_convexity: 'The strip with the most bridges that are locally convex.',
-    minimal_bending_energy: 'The strip that takes the least energy to bend from a flat sheet.',
-    minimal_mean_curvature_variation: 'The strip whose mean curvature changes the least from bridge to bridge.',
-    minimal_normal_variation: 'The strip whose normals differ the least from the given ones.',
-  },
-  uniform_mesh: {
-    fewest_nodes: 'The lattice with the fewest nodes, of members between one and two edge lengths.',
-    most_equal_edges: 'The lattice with the most members of exactly the edge length; all others are at most twice as long.',
-  },
-  tensile_structure: { equilibrium: 'The shape in which all forces balance.' },
-  cable_net: { nearest_to_targets: 'The net in equilibrium whose forces and lengths are nearest to their targets.' },
 };
 
 /** Names of figures that say too little or too much when they are spelled out. */

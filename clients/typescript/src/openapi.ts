@@ -1046,10 +1046,10 @@ export interface components {
              * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
              */
             lowest_eigenvalue: number;
-            /** @description Number of negative eigenvalues of the second variation. */
-            morse_index: number;
-            /** @description Whether the Morse index is 0: a true local minimum of the energy. */
-            stable: boolean;
+            /** @description Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one. */
+            morse_index: number | null;
+            /** @description Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is. */
+            stable: boolean | null;
         };
         /** @description An example request. */
         Example: {
@@ -1301,13 +1301,14 @@ export interface components {
              *     - `self_intersections`: Triangles cross or touch each other: `pairs`, and the place `x`, `y`, `z` of a crossing.
              *     - `shared_points`: Two boundaries have a point in common: `boundary`, `point`.
              *     - `slack_cable`: A cable carries no force: `cable` of a structure, `count` of a net.
+             *     - `stability_undecided`: Rounding does not decide the sign of an eigenvalue, so that the index is null.
              *     - `stress_deviates`: Warp and weft of a woven film have other stresses than required: `deviation_rms`.
              *     - `strongly_bent`: A strip has much more bending energy than the strip that bends least: `strip`, `factor`.
              *     - `targets_missed`: Edges of a net miss a target by more than half: `count`.
              *     - `topology_changed`: The film came apart, and its topology is not that of the initial mesh: `pinches`.
              *     - `triangles_missed`: The mesh has far fewer or more triangles than were asked for: `triangles`, `asked`.
              *     - `unclosed_directrices`: Open directrices end where they begin: `count`.
-             *     - `unstable`: The shape is stationary but no minimum: `morse_index`.
+             *     - `unstable`: The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided.
              */
             code: string;
             detail: string;
@@ -1351,7 +1352,10 @@ export interface components {
              * @description Mean departure of `sheet_angles_deg` from 120° over all these vertices.
              */
             mean_deviation_deg: number;
-            /** @description Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed. */
+            /**
+             * @description Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed, or if
+             *     rounding does not decide the sign of one.
+             */
             morse_index: number | null;
             /** @description Number of vertices inside the film where such curves meet. */
             points: number;
@@ -2567,15 +2571,18 @@ export interface components {
             lowest_eigenvalue: number;
             /** @description Method that gave the index. */
             method: components["schemas"]["StabilityMethod"];
-            /** @description Number of negative eigenvalues. */
-            morse_index: number;
-            /** @description Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. */
-            stable: boolean;
+            /** @description Number of negative eigenvalues. Null if rounding does not decide the sign of one. */
+            morse_index: number | null;
+            /**
+             * @description Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. Null where
+             *     `morse_index` is.
+             */
+            stable: boolean | null;
         };
         /**
          * @description Method that gave a Morse index.
          *
-         *     - `inertia`: From the signs of the pivots of a factorisation, which is exact.
+         *     - `inertia`: From the signs of the pivots of a factorisation. It is exact, because errors of rounding are bounded.
          *     - `eigenvalue`: From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
          *     large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0.
          * @enum {string}

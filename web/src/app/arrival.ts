@@ -1,11 +1,11 @@
 // What the page begins with: a link's content, what was being worked on, an example that the address names, or a canopy.
 
-import { type ExampleSummary, type Kind, NotFound, Unauthorized } from 'plateau-client';
-import { plateau } from '../api';
+import { type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
+import { published } from '../api';
 import { $, el } from '../dom';
 import { isWhole, KINDS } from '../model/request';
-import { type OpenApi, schemaOf } from '../panels/form';
-import { gallery } from '../panels/gallery';
+import type { OpenApi } from '../panels/form';
+import { useTrees } from '../stage/surface';
 import { ask, opening, whileBusy } from './busy';
 import { load, showForm, startBlank } from './document';
 import { showDock } from './drawing';
@@ -13,7 +13,7 @@ import { keep, type Kept, kept, placeWorld } from './keeping';
 import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
 import { hideProblem, showProblem } from './problems';
-import { doc, embedded, history, server, session } from './session';
+import { doc, embedded, history, later, server, session } from './session';
 import { resumeJob, solve } from './solving';
 
 /** What a first visit sees: a canopy on a ring that rises and falls. */
@@ -35,7 +35,8 @@ export const arrive = (): Promise<void> => whileBusy(async () => {
   const turn = ask();
   hideProblem(turn);
   try {
-    await Promise.all([begin(), learn()]);
+    const begun = begin();
+    await Promise.all([begun, learn(begun)]);
   } catch (error) {
     showProblem(error, turn);
     say('Not ready.');
@@ -57,7 +58,7 @@ function begin(): Promise<void> {
     load();
     $('intro').hidden = example !== null;
     showDock();
-    void solve();
+    film = solve();
   }, (error) => { throw error; });
 }
 
@@ -71,15 +72,30 @@ async function first(): Promise<{ found: Kept | null; example: Example | null }>
   return { found, example };
 }
 
+/** The first film, if there is one to be solved. */
+let film: Promise<unknown> = Promise.resolve();
+/** The rest of the page waits so long for the first film at most. */
+const FILM_MS = 1500;
+
+/** The parts of the page that can wait until the first film is there. */
+async function loadLater(begun: Promise<void>): Promise<typeof import('../later')> {
+  await begun.catch(() => {});
+  await Promise.race([film, new Promise((resolve) => { setTimeout(resolve, FILM_MS); })]);
+  return import('../later');
+}
+
 /** What the server offers: kinds, options, objectives and examples. */
-async function learn(): Promise<void> {
-  const [openapi, { objectives }, { examples }] = await Promise.all([
-    plateau.getJson<OpenApi>('openapi.json'), plateau.objectives(), plateau.getJson<{ examples: ExampleSummary[] }>('v1/examples'),
+async function learn(begun: Promise<void>): Promise<void> {
+  const [parts, openapi, { objectives }, { examples }] = await Promise.all([
+    loadLater(begun),
+    published<OpenApi>('openapi.json'), published<ObjectiveList>('v1/objectives'), published<{ examples: ExampleSummary[] }>('v1/examples'),
   ]);
   Object.assign(server, { openapi, objectives, examples });
-  showKinds();
+  later.parts = parts;
+  useTrees(parts.trees);
+  showKinds(parts.schemaOf);
   showForm();
-  $('gallery-list').replaceChildren(...gallery(examples, ({ name }) => {
+  $('gallery-list').replaceChildren(...parts.gallery(examples, ({ name }) => {
     $<HTMLDialogElement>('gallery').close();
     void openExample(name);
   }));
@@ -96,11 +112,11 @@ function resume({ kind, request, draft, title, camera, colour, phase, job }: Kep
   if (phase === 'cancelled') {
     session.requests.wasCancelled(kind, JSON.stringify(request));
     say('Cancelled.');
-  } else if (job) void resumeJob(job);
-  else if (isWhole(kind, request) && doc().draft === null) void solve();
+  } else if (job) film = resumeJob(job);
+  else if (isWhole(kind, request) && doc().draft === null) film = solve();
 }
 
-function showKinds(): void {
+function showKinds(schemaOf: typeof import('../panels/form').schemaOf): void {
   const kinds = (Object.keys(KINDS) as Kind[]).filter((kind) => schemaOf(server.openapi, KINDS[kind].path));
   const legend = $('kinds').querySelector('legend')!;
   $('kinds').replaceChildren(legend, ...kinds.map((kind) => {

@@ -7,18 +7,17 @@ import { bareEdges, cablesOf, hangAll } from '../model/cables';
 import { Frame, originFor } from '../model/frame';
 import type { Remedy } from '../model/remedies';
 import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
-import { cableTable, forceUnit } from '../panels/cable';
-import { build, disable, type FormHost, schemaOf } from '../panels/form';
+import { forceUnit } from '../panels/cable';
+import type { FormHost } from '../panels/form';
 import { Gizmo } from '../stage/gizmo';
-import { OBJECTIVES } from '../words';
 import { cableModes, foundCable, redraw, showDock } from './drawing';
 import { keep } from './keeping';
 import { setMode } from './modes';
 import { say } from './notes';
 import { hideProblem } from './problems';
 import { forget, showStale } from './result';
-import { doc, FIRST_VIEW, history, host, server, session, stage, surface, tools } from './session';
-import { abandon, solve } from './solving';
+import { doc, FIRST_VIEW, history, host, later, server, session, stage, surface, tools } from './session';
+import { abandon, follows, solve } from './solving';
 
 /** A drawing that takes longer than this to solve is solved when a drag ends, not while it goes on. */
 const DRAG_PATIENCE_S = 1.2;
@@ -47,8 +46,9 @@ export function showForm(): void {
   const radio = document.querySelector<HTMLInputElement>(`#kinds input[value="${kind}"]`);
   if (radio) radio.checked = true;
   $('purpose').textContent = KINDS[kind].purpose;
-  const schema = schemaOf(server.openapi, KINDS[kind].path);
-  if (!schema) return;
+  const schema = later.parts?.schemaOf(server.openapi, KINDS[kind].path);
+  if (!later.parts || !schema) return;
+  const { build, disable, OBJECTIVES } = later.parts;
   const form = $<HTMLFormElement>('options');
   const formHost: FormHost = {
     openapi: server.openapi,
@@ -84,7 +84,7 @@ export function showForm(): void {
 
 /** The table of the cables, whose edits leave the rest of the form as it is. */
 function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
-  return cableTable(doc().request, cablesOf(doc().request), {
+  return later.parts!.cableTable(doc().request, cablesOf(doc().request), {
     modes: cableModes(),
     found: foundCable,
     edit: (index, change) => {
@@ -94,18 +94,18 @@ function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
       });
       if (!done) return;
       changed({ option: true });
-      disable(form, formHost);
+      later.parts!.disable(form, formHost);
     },
     choose: (index) => tools.chooseCable(index),
-    hangAll: mayNotHang(doc().request) ? null : () => { if (history.edit(({ request }) => hangAll(request))) changed(); },
+    hangAll: mayNotHang(doc().request) ? null : () => { if (history.edit(({ request }) => hangAll(request))) changed({ edited: true }); },
   });
 }
 
 /** Whether no edge is left for a cable, or a pressure excludes cables along the edges. */
 const mayNotHang = (request: Request): boolean => bareEdges(request).length === 0 || Boolean(request.pressure) || Boolean(request.volume);
 
-/** After every change of the document, also while a point is being dragged. */
-export function changed({ dragging = false, option = false } = {}): void {
+/** After every change of the document, also while a point is being dragged. `edited`: by somebody at work on it, who waits for the shape. */
+export function changed({ dragging = false, option = false, edited = false } = {}): void {
   $('intro').hidden = true;
   session.viewing = false;
   session.serverFaulty = new Set();
@@ -119,7 +119,7 @@ export function changed({ dragging = false, option = false } = {}): void {
   }
   showDocument(dragging);
   if (isLive() && isWhole(doc().kind, doc().request) && doc().draft === null) {
-    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve(dragging);
+    if (!dragging || session.lastDuration < DRAG_PATIENCE_S || follows()) void solve({ dragging, live: edited || option });
   }
 }
 
@@ -151,7 +151,7 @@ const restore = (step: () => boolean): void => {
   if (session.shown && session.shown.job.kind !== doc().kind) forget();
   load({ refit: false });
   stage.rememberWhetherAllIsSeen();
-  changed();
+  changed({ edited: true });
 };
 export const undo = (): void => restore(() => history.undo());
 export const redo = (): void => restore(() => history.redo());

@@ -3,6 +3,7 @@
 import type { JobInfo, Kind } from 'plateau-client';
 import { Frame } from '../model/frame';
 import { KINDS, type Request, type Vec3 } from '../model/request';
+import { isOfPage } from '../solvers';
 import type { Pose } from '../stage/stage';
 import type { Asked, Life } from './life';
 import { toast } from './notes';
@@ -39,7 +40,9 @@ export function keepNow(): void {
   // A request that was asked for before an edit says nothing of the document as it is now.
   const isOwn = life.phase !== 'idle' && life.asked.kind === kind && life.asked.request === JSON.stringify(request);
   const phase = isOwn ? life.phase : 'idle';
-  const job = (isOwn ? own : isStale() ? null : shown?.job)?.id ?? null;
+  // The service knows no job of this page, and may have taken its result over meanwhile.
+  const known = isOwn && own && !isOfPage(own) ? own : isStale() ? null : shown?.job;
+  const job = known && !isOfPage(known) ? known.id : null;
   const kept: Kept = { kind, request, draft, title, camera: worldPose(), colour: session.colour, phase, job };
   const text = JSON.stringify(kept);
   try {

@@ -1,15 +1,27 @@
 // Changing what fills the stage: the model, the objectives of a strip side by side, or its flat pattern.
 
 import { $ } from '../dom';
-import { Compare } from '../panels/compare';
-import { Flat } from '../panels/flat';
+import type { Compare } from '../panels/compare';
+import type { Flat } from '../panels/flat';
 import { ask } from './busy';
 import { showDock } from './drawing';
 import { showProblem } from './problems';
-import { doc, host, look, type Mode, server, session, stage } from './session';
+import { doc, host, later, look, type Mode, server, session, stage } from './session';
 
-const flat = new Flat();
-export const compare = new Compare(stage, look);
+let flat: Flat | null = null;
+let compare: Compare | null = null;
+
+/** Called with the objective that was chosen in the comparison. main.ts names the function, because it stands above this module. */
+export const comparison = { use: (_: string): void => {} };
+export const restyleComparison = (): void => compare?.restyle();
+
+/** The two other modes, which need parts of the page that come after the first film. */
+function parts(): { flat: Flat; compare: Compare } | null {
+  if (!later.parts) return null;
+  flat ??= new later.parts.Flat();
+  compare ??= new later.parts.Compare(stage, look, (name) => comparison.use(name));
+  return { flat, compare };
+}
 
 /** Shows what goes wrong with something that is asked for now. */
 function failing(): (error: unknown) => void {
@@ -18,25 +30,25 @@ function failing(): (error: unknown) => void {
 }
 
 export function setMode(next: Mode): void {
-  if (next === session.mode && next !== 'compare') return;
+  if ((next === session.mode && next !== 'compare') || (next !== 'model' && !parts())) return;
   session.mode = next;
   $('stage').dataset.shows = next;
   for (const button of document.querySelectorAll<HTMLElement>('[data-mode]')) button.setAttribute('aria-pressed', String(button.dataset.mode === next));
   $('corner').hidden = next !== 'model';
-  if (next !== 'compare') compare.close();
-  if (next !== 'flat') flat.hide();
+  if (next !== 'compare') compare?.close();
+  if (next !== 'flat') flat?.hide();
   if (next === 'compare') {
     const names = server.objectives.filter((each) => each.kind === 'ruled_surface').map((each) => each.name);
-    void compare.open(doc().request, host.frame, names, failing());
+    void compare!.open(doc().request, host.frame, names, failing());
   }
-  if (next === 'flat' && session.shown) flat.show(session.shown.job).catch(failing());
+  if (next === 'flat' && session.shown) flat!.show(session.shown.job).catch(failing());
   showDock();
   stage.invalidate();
 }
 
 /** Shows all of what fills the stage. */
 export function fitAll(): void {
-  if (session.mode === 'flat') flat.fit();
+  if (session.mode === 'flat') flat!.fit();
   else stage.fit(true);
 }
 
@@ -45,6 +57,6 @@ export function offerModes(strip: boolean, pattern: boolean): void {
   $('modes').hidden = !strip;
   document.querySelector<HTMLButtonElement>('[data-mode="flat"]')!.hidden = !pattern;
   if (session.mode !== 'flat' || !session.shown) return;
-  if (pattern) flat.show(session.shown.job).catch(failing());
+  if (pattern) flat!.show(session.shown.job).catch(failing());
   else setMode('model');
 }

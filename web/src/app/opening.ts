@@ -2,10 +2,11 @@
 // busy from the press on.
 
 import type { JobInfo, Kind } from 'plateau-client';
-import { plateau } from '../api';
+import { plateau, published } from '../api';
 import { $, el } from '../dom';
 import { FileFault, type Polyline } from '../files/lines';
-import { type Opened, parseJson } from '../files/open';
+import { parseJson } from '../files/json';
+import type { Opened } from '../files/open';
 import { Frame } from '../model/frame';
 import { kindOf, KINDS, isWhole, metresOf, type Request, type Vec3 } from '../model/request';
 import { unpack } from '../panels/share';
@@ -25,7 +26,7 @@ import { abandon, adopt } from './solving';
 
 export interface Example { kind: Kind; title: string; request: Request }
 
-export const fetchExample = (name: string): Promise<Example> => plateau.getJson<Example>(`v1/examples/${encodeURIComponent(name)}`);
+export const fetchExample = (name: string): Promise<Example> => published<Example>(`v1/examples/${encodeURIComponent(name)}`);
 
 export const openExample = (name: string): Promise<void> => opening(() => fetchExample(name), (example) => {
   const { kind: _, ...request } = example.request;

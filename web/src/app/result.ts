@@ -1,12 +1,12 @@
 // A finished job: its surface on the stage, its figures, warnings and downloads beside it, and whether it is still true.
 
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
-import { plateau } from '../api';
 import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
 import { charts } from '../panels/chart';
 import { showLegend } from '../panels/legend';
 import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import { fileOf, isOfPage } from '../solvers';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
@@ -52,7 +52,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
 
   $('nothing').hidden = true;
   $('result').hidden = false;
-  $('job-id').textContent = job.id;
+  nameJob(job);
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
   $('details').replaceChildren(...details(job, unitOf(request)));
@@ -67,6 +67,12 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   offerModes(job.kind === 'ruled_surface', pattern);
   sayHowItWent(job, mesh);
   showStale();
+}
+
+/** Names the job of the service that a result belongs to. */
+export function nameJob(job: JobInfo): void {
+  $('job-id').parentElement!.hidden = isOfPage(job);
+  $('job-id').textContent = job.id;
 }
 
 /** The residual that a request is solved to, where its kind has one. */
@@ -88,7 +94,7 @@ function offer(box: HTMLElement, formats: (MeshFormat | PatternFormat)[], job: J
     onclick: async () => {
       const turn = ask();
       try {
-        save(new Blob([await plateau.download(job.id, format)]), `${job.kind.replaceAll('_', '-')}-${job.id}.${format}`);
+        save(new Blob([await fileOf(job, format)]), `${job.kind.replaceAll('_', '-')}${isOfPage(job) ? '' : `-${job.id}`}.${format}`);
       } catch (error) {
         showProblem(error, turn);
       }
@@ -128,7 +134,14 @@ function choose(): void {
   const { mesh, job, request } = shown;
   const list = offered(mesh, job.kind);
   const select = $<HTMLSelectElement>('quantity');
-  if (!list.some(({ id }) => id === session.colour)) session.colour = 'plain';
+  const has = list.some(({ id }) => id === session.colour);
+  // A moment within a drag may have no values. The colours come back with the result at its end.
+  if (!has && shown.dragging) {
+    session.quantity = null;
+    showLegend(null);
+    return;
+  }
+  if (!has) session.colour = 'plain';
   select.replaceChildren(...list.map(({ id, label: name }) => el('option', { value: id }, name)));
   select.value = session.colour;
   session.quantity = quantity(mesh, session.colour, unitOf(request), metresOf(request));

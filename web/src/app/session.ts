@@ -34,6 +34,9 @@ export const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [str
 /** A result on the stage, and the request that it belongs to, also as the text that was solved. */
 export interface Shown { job: JobInfo; mesh: ResultMesh; solved: string; request: Request; dragging: boolean }
 
+/** The parts of the page that the first film does not need, once they are there. */
+export const later: { parts: typeof import('../later') | null } = { parts: null };
+
 /** What the server offers. */
 export const server = { openapi: {} as OpenApi, objectives: [] as Objective[], examples: [] as ExampleSummary[] };
 

@@ -1,11 +1,13 @@
 // The dialog that hands the request on: as a link, as a frame for another page, as a program, as a picture.
 
+import { isStatic } from '../api';
 import { $, el, save } from '../dom';
 import * as share from '../panels/share';
 import { worldPose } from './keeping';
 import { doc, session, stage } from './session';
 
-const FORMS = ['Link', 'Embed', 'curl', 'Python', 'TypeScript'] as const;
+/** A page without a service has nothing that a program could call. */
+const FORMS = (['Link', 'Embed', 'curl', 'Python', 'TypeScript'] as const).slice(0, isStatic ? 2 : 5);
 let texts = 0;
 
 export async function openShare(): Promise<void> {
@@ -19,9 +21,10 @@ async function showText(form: (typeof FORMS)[number]): Promise<void> {
   const own = texts;
   const { kind, request, title } = doc();
   const shared = { kind, request, title, camera: worldPose(), colour: session.colour };
+  const { curl, python, typescript } = await import('../later');
   const text = form === 'Link' ? await share.linkOf(shared)
     : form === 'Embed' ? await share.embedOf(shared)
-      : form === 'curl' ? share.curl(kind, request) : form === 'Python' ? share.python(kind, request) : share.typescript(kind, request);
+      : form === 'curl' ? curl(kind, request) : form === 'Python' ? python(kind, request) : typescript(kind, request);
   if (own !== texts) return;
   $('share-forms').replaceChildren(...FORMS.map((each) => el('button', { type: 'button', 'aria-pressed': String(each === form), onclick: () => void showText(each) }, each)));
   $<HTMLTextAreaElement>('share-text').value = text;

@@ -1,17 +1,19 @@
 // From the document to a result: one request at a time, live, with its progress, and cancelled on demand.
 
-import { hasEnded, type JobInfo, JobFailed, NotFound, type Progress, type Request as ApiRequest } from 'plateau-client';
-import { plateau } from '../api';
+import { ConnectionFailed, hasEnded, type JobInfo, JobFailed, type Kind, NotFound, type Progress, type Request as ApiRequest } from 'plateau-client';
+import { isStatic, plateau } from '../api';
 import { $ } from '../dom';
+import type { Request } from '../model/request';
 import { charts, phaseName, type Sample } from '../panels/chart';
-import { parseMesh, type ResultMesh } from '../stage/mesh';
+import { isLoaded, isOfPage, isRefused, isUnusable, meshOfJob, MOST_TRIANGLES, moveHere, prepare, solveHere, solvesHere } from '../solvers';
+import type { ResultMesh } from '../stage/mesh';
 import { duration, number } from '../text';
 import { ask, whileBusy } from './busy';
 import { keep, keepNow, rememberJob } from './keeping';
 import type { Asked, Source } from './life';
 import { say } from './notes';
 import { hideProblem, showProblem } from './problems';
-import { show, showStale, toleranceOf } from './result';
+import { nameJob, show, showStale, toleranceOf } from './result';
 import { doc, session } from './session';
 
 /** In live mode, a job that takes longer than this is cancelled when its input has changed. */
@@ -21,20 +23,83 @@ const BAR_AFTER_MS = 300;
 /** Seconds that the answer to a submission waits for the end, so that a quick job comes back finished. */
 const SHORT_WAIT_S = 1;
 
+/** A result of this page is handed on to the service once it has been shown for so long, and again after a failure. */
+const HAND_AFTER_MS = 800, HAND_AGAIN_MS = 5000;
+
 const { requests } = session;
 let barTimer = 0;
+let keepTimer = 0;
 let patienceTimer = 0;
 
-/** The service behind this page. */
+const submit = async (kind: Kind, request: string): Promise<JobInfo> =>
+  (await plateau.submit({ ...JSON.parse(request) as object, kind } as ApiRequest, { waitS: SHORT_WAIT_S })).info;
+
+/** The service behind this page. Without a connection the page solves what it can. */
 const service: Source = {
-  submit: async ({ kind, request }) => (await plateau.submit({ ...JSON.parse(request) as object, kind } as ApiRequest, { waitS: SHORT_WAIT_S })).info,
+  submit: async (asked) => {
+    const { kind, request } = asked;
+    if (isStatic) return inPage(asked);
+    try {
+      const job = await submit(kind, request);
+      showKept('kept');
+      return job;
+    } catch (error) {
+      if (!(error instanceof ConnectionFailed) || !isLoaded(kind)) throw error;
+      showKept('lost');
+      return inPage(asked);
+    }
+  },
   follow: (job, asked) => follow(job, asked),
-  mesh: async (job, { stop }) => parseMesh(await plateau.download(job.id, 'glb', stop.signal)),
+  mesh: (job, { stop }) => meshOfJob(job, stop.signal),
   cancel: (job) => plateau.cancel(job.id),
 };
 
-/** Solves the document; in live mode what changed meanwhile is solved next. */
-export const solve = (dragging = false): Promise<void> => request(service, dragging);
+/**
+ * The solvers within this page. The service takes their place where they cannot be loaded, and says of a refused request
+ * all that is wrong. A refused move of a drag has the page's own words, because the next move follows at once.
+ */
+const here: Source = {
+  ...service,
+  submit: async (asked) => {
+    try {
+      return await inPage(asked);
+    } catch (error) {
+      if (isStatic || !(isUnusable(error) || (isRefused(error) && !asked.dragging))) throw error;
+      return service.submit(asked);
+    }
+  },
+};
+
+/** Solves a request in this page, with its progress. */
+async function inPage(asked: Asked): Promise<JobInfo> {
+  const { kind, dragging, stop: { signal } } = asked;
+  const request = JSON.parse(asked.request) as Request;
+  if (dragging) return moveHere(kind, request, { signal });
+  const progress = reporter(asked);
+  try {
+    return await solveHere(kind, request, { signal, onProgress: progress.add });
+  } finally {
+    progress.end();
+  }
+}
+
+/**
+ * Solves the document. In live mode what changed meanwhile is solved next. Where `live` is true, somebody is at work on the
+ * document, and the page solves it itself if it can; all other requests go to the service.
+ */
+export function solve({ dragging = false, live = false } = {}): Promise<void> {
+  return request(live && isForHere() ? here : service, dragging);
+}
+
+/** Whether the page solves the document while somebody works on it. Where its last result was large, the next one will be, too. */
+function isForHere(): boolean {
+  const { kind, request: document } = doc();
+  const { shown } = session;
+  return solvesHere(kind, document) && !(shown?.job.kind === kind && shown.mesh.geometry.index!.count > 3 * MOST_TRIANGLES);
+}
+
+/** Whether moves of this document are followed however long a solve takes. */
+export const follows = (): boolean => doc().kind === 'minimal_surface' && isForHere();
 
 /** Follows a job that belongs to the document as it is, such as one from the list of recent jobs. */
 export const adopt = (job: JobInfo): Promise<void> => request({ ...service, submit: () => Promise.resolve(job) });
@@ -64,7 +129,7 @@ async function request(source: Source, dragging = false): Promise<void> {
 const begin = (asked: Asked): Promise<void> => whileBusy(async () => {
   clearTimeout(patienceTimer);
   asked.since = performance.now();
-  showRunning(true);
+  showRunning(true, asked.dragging);
   if (!asked.dragging) say('Solving…');
   try {
     await carryOut(asked);
@@ -131,11 +196,42 @@ async function carryOut(asked: Asked): Promise<void> {
 
 function present(asked: Asked, job: JobInfo, mesh: ResultMesh): void {
   const before = session.shown;
+  clearTimeout(keepTimer);
   session.lastDuration = (performance.now() - asked.since) / 1000;
   show(job, mesh, asked.request, asked.dragging);
   // A film of a moment within a drag is of no use once it was superseded.
-  if (before?.dragging && before.job.id !== job.id) plateau.delete(before.job.id).catch(() => {});
-  if (!asked.dragging) rememberJob(job, asked);
+  if (before?.dragging && before.job.id !== job.id && !isOfPage(before.job)) plateau.delete(before.job.id).catch(() => {});
+  if (!isOfPage(job)) {
+    if (!asked.dragging) rememberJob(job, asked);
+    void prepare(job.kind);
+  } else if (!asked.dragging && !isStatic) keepTimer = window.setTimeout(() => void hand(asked), HAND_AFTER_MS);
+}
+
+/** Hands a result of this page on to the service, whose job then belongs to it, with a place among the recent jobs. */
+async function hand(asked: Asked): Promise<void> {
+  const { shown } = session;
+  const isShown = (): boolean => session.shown === shown && shown !== null && shown.solved === asked.request;
+  if (!isShown()) return;
+  try {
+    const first = await submit(asked.kind, asked.request);
+    const job = hasEnded(first.status) ? first : await plateau.waitFor(first);
+    showKept('kept');
+    if (job.status !== 'succeeded') return;
+    rememberJob(job, asked);
+    if (!isShown()) return;
+    shown!.job = job;
+    nameJob(job);
+    keep();
+  } catch (error) {
+    // A service that refuses now or is busy keeps nothing either. The result stays, and the next one is handed on again.
+    showKept('lost');
+    if (error instanceof ConnectionFailed && isShown()) keepTimer = window.setTimeout(() => void hand(asked), HAND_AGAIN_MS);
+  }
+}
+
+/** A quiet sign for as long as the service cannot be reached. */
+function showKept(state: 'kept' | 'lost'): void {
+  $('unkept').hidden = state === 'kept';
 }
 
 const endJob = (asked: Asked, job: JobInfo | null): Promise<unknown> => (job && !hasEnded(job.status) ? asked.source.cancel(job) : Promise.resolve());
@@ -187,9 +283,8 @@ export function giveUp(): void {
   });
 }
 
-/** Shows how a job gets on until it has ended. */
-async function follow(job: JobInfo, asked: Asked): Promise<JobInfo> {
-  const { signal } = asked.stop;
+/** Shows how a request gets on until `end` is called. */
+function reporter(asked: Asked, text = 'Solving'): { add: (progress: Progress) => void; connect: (now: boolean) => void; end: () => void } {
   const samples: Sample[] = [];
   const since = Date.now();
   let connected = true;
@@ -199,35 +294,42 @@ async function follow(job: JobInfo, asked: Asked): Promise<JobInfo> {
     else say(`Connection interrupted, the job goes on, reconnecting · ${duration((Date.now() - since) / 1000)}`);
   };
   const ticking = window.setInterval(() => report(null), 500);
-  report(null, job.status === 'queued' ? 'Waiting in the queue' : 'Running');
+  report(null, text);
+  return {
+    connect: (now) => {
+      connected = now;
+      report(null);
+    },
+    add: (progress) => {
+      const last = samples.at(-1);
+      if (!last || last.iteration !== progress.iteration || last.phase !== progress.phase) {
+        samples.push({ iteration: progress.iteration, phase: progress.phase, value: progress.objective_value ?? null, residual: progress.residual ?? null });
+      }
+      report(progress);
+    },
+    end: () => clearInterval(ticking),
+  };
+}
+
+/** Shows how a job gets on until it has ended. */
+async function follow(job: JobInfo, asked: Asked): Promise<JobInfo> {
+  const progress = reporter(asked, job.status === 'queued' ? 'Waiting in the queue' : 'Running');
   try {
-    return await plateau.waitFor(job, {
-      signal,
-      onConnection: (now) => {
-        connected = now;
-        report(null);
-      },
-      onProgress: (progress) => {
-        const last = samples.at(-1);
-        if (!last || last.iteration !== progress.iteration || last.phase !== progress.phase) {
-          samples.push({ iteration: progress.iteration, phase: progress.phase, value: progress.objective_value ?? null, residual: progress.residual ?? null });
-        }
-        report(progress);
-      },
-    });
+    return await plateau.waitFor(job, { signal: asked.stop.signal, onConnection: progress.connect, onProgress: progress.add });
   } finally {
-    clearInterval(ticking);
+    progress.end();
   }
 }
 
-function showRunning(is: boolean): void {
-  $('cancel').hidden = !is;
+/** During a drag, Cancel appears only where a move takes long. */
+function showRunning(is: boolean, dragging = false): void {
+  if (!is || !dragging) $('cancel').hidden = !is;
   $('running-charts').replaceChildren();
   const bar = $<HTMLProgressElement>('progress');
   clearTimeout(barTimer);
   if (is) {
     bar.removeAttribute('value');
-    barTimer = window.setTimeout(() => { bar.hidden = false; }, BAR_AFTER_MS);
+    barTimer = window.setTimeout(() => { bar.hidden = $('cancel').hidden = false; }, BAR_AFTER_MS);
   } else bar.hidden = true;
 }
 

@@ -2,7 +2,7 @@
 
 import { $ } from '../dom';
 import { redraw } from './drawing';
-import { compare } from './modes';
+import { restyleComparison } from './modes';
 import { look, sketch, stage, surface, THEMES } from './session';
 
 const KEY = 'theme';
@@ -20,7 +20,7 @@ export function setTheme(theme: string): void {
   stage.grid.style(...style.grid);
   stage.shadow.style(style.shadow);
   surface.restyle();
-  compare.restyle();
+  restyleComparison();
   redraw();
   stage.invalidate();
 }

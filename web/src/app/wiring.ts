@@ -2,7 +2,6 @@
 
 import { setKey } from '../api';
 import { $, save } from '../dom';
-import { ACCEPT, openFile, openText } from '../files/open';
 import { type Cable, cablesOf } from '../model/cables';
 import { isWhole, print, type Request, type Vec3 } from '../model/request';
 import { changeMode } from '../panels/cable';
@@ -21,6 +20,8 @@ import { giveUp, solve } from './solving';
 import { switchTheme } from './theme';
 
 const KEY = 'api-key';
+/** Names of the files that can be opened. */
+const ACCEPT = '.csv,.txt,.obj,.dxf,.geojson,.json,.gltf,.glb';
 const on = (id: string, event: string, act: (event: Event) => unknown): void => $(id).addEventListener(event, (each) => { void act(each); });
 const all = (selector: string): NodeListOf<HTMLElement> => document.querySelectorAll<HTMLElement>(selector);
 
@@ -49,7 +50,7 @@ function wireSetup(): void {
     return isWhole(doc().kind, doc().request) ? solve() : say(hint());
   });
   on('cancel', 'click', giveUp);
-  on('live', 'change', () => isLive() && isStale() && solve());
+  on('live', 'change', () => isLive() && isStale() && solve({ live: true }));
   // A click or a key on the summary fills the box before it opens, since the toggle event comes only later. Find-in-page
   // opens the box without a click.
   $('request-box').querySelector('summary')!.addEventListener('click', showRequest);
@@ -115,7 +116,7 @@ function wireCable(): void {
       const cable = cablesOf(request)[tools.cable];
       if (cable) change(cable, request);
     });
-    if (done) changed();
+    if (done) changed({ edited: true });
   };
   on('cable-mode', 'change', () => {
     const { value } = $<HTMLSelectElement>('cable-mode');
@@ -166,7 +167,7 @@ function wireFiles(): void {
   on('open-file', 'click', () => input.click());
   on('file', 'change', async () => {
     const [chosen] = input.files ?? [];
-    if (chosen) await take(() => openFile(chosen), chosen.name);
+    if (chosen) await take(async () => (await import('../later')).openFile(chosen), chosen.name);
     input.value = '';
   });
   document.addEventListener('dragover', (event) => {
@@ -188,8 +189,8 @@ function wireFiles(): void {
 function takeFrom(data: DataTransfer | null): boolean {
   const [file] = data?.files ?? [];
   const text = data?.getData('text/plain') ?? '';
-  if (file) void take(() => openFile(file), file.name);
-  else if (text.trim() !== '') void take(() => openText(text), '');
+  if (file) void take(async () => (await import('../later')).openFile(file), file.name);
+  else if (text.trim() !== '') void take(async () => (await import('../later')).openText(text), '');
   else return false;
   return true;
 }

@@ -1,64 +1,46 @@
 // glTF: its line primitives, in metres with y up, turned to the request's axes by whoever opens the file.
 
-import { type Line, Vector3 } from 'three';
-import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Vec3 } from '../model/request';
+import { type Gltf, LINE_LOOP, LINE_STRIP, LINES, type Node, readGlb, readGltfText } from '../stage/glb';
 import { segmentsOf } from '../stage/mesh';
 import { chains, FileFault, type Polyline } from './lines';
 
-interface Document { buffers?: { uri?: string; byteLength: number }[]; bufferViews?: { buffer: number; byteOffset?: number }[] }
+/** Deepest nesting of nodes. A file whose nodes contain themselves ends here. */
+const DEEPEST = 64;
 
-/**
- * glTF as JSON, its embedded buffers in one binary chunk: the loader would fetch their data URIs, which the page's policy
- * does not allow.
- */
-function binary(text: string): ArrayBuffer {
-  const document = JSON.parse(text) as Document;
-  const starts: number[] = [];
-  const parts: Uint8Array[] = [];
-  let length = 0;
-  for (const { uri = '' } of document.buffers ?? []) {
-    const [, data] = /^data:[^,]*;base64,(.*)$/s.exec(uri) ?? [];
-    if (data === undefined) throw new Error('its data lies in another file; save it as GLB or with embedded buffers.');
-    const part = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
-    starts.push(length);
-    parts.push(part);
-    length += (part.length + 3) & ~3;
-  }
-  for (const view of document.bufferViews ?? []) {
-    view.byteOffset = (view.byteOffset ?? 0) + (starts[view.buffer] ?? 0);
-    view.buffer = 0;
-  }
-  document.buffers = [{ byteLength: length }];
-  const json = new TextEncoder().encode(JSON.stringify(document));
-  const jsonLength = (json.length + 3) & ~3;
-  const bytes = new Uint8Array(12 + 8 + jsonLength + 8 + length).fill(0x20, 20, 20 + jsonLength);
-  const header = new DataView(bytes.buffer);
-  [0x46546c67, 2, bytes.length, jsonLength, 0x4e4f534a].forEach((word, i) => header.setUint32(4 * i, word, true));
-  bytes.set(json, 20);
-  header.setUint32(20 + jsonLength, length, true);
-  header.setUint32(24 + jsonLength, 0x004e4942, true);
-  parts.forEach((part, i) => bytes.set(part, 28 + jsonLength + starts[i]!));
-  return bytes.buffer;
-}
-
-export async function readGltf(content: ArrayBuffer | string): Promise<Polyline[]> {
+export function readGltf(content: ArrayBuffer | string): Polyline[] {
   const found: Polyline[] = [];
   try {
-    const gltf = await new GLTFLoader().parseAsync(typeof content === 'string' ? binary(content) : content, '');
-    gltf.scene.updateMatrixWorld(true);
-    gltf.scene.traverse((object) => {
-      const line = object as Line;
-      if (!line.isLine) return;
-      const array = segmentsOf(line);
-      const at = (i: number): Vec3 => new Vector3().fromArray(array, i).applyMatrix4(line.matrixWorld).toArray();
-      const segments: [Vec3, Vec3][] = [];
-      for (let i = 0; i < array.length; i += 6) segments.push([at(i), at(i + 3)]);
-      if (segments.length > 0) found.push(...chains(segments, 1e-6));
-    });
+    const gltf = typeof content === 'string' ? readGltfText(content) : readGlb(content);
+    const { nodes = [], scenes = [], scene = 0, extensionsRequired = [] } = gltf.document;
+    if (extensionsRequired.length > 0) throw new Error(`it needs ${extensionsRequired.join(', ')}.`);
+    const children = new Set(nodes.flatMap((node) => node.children ?? []));
+    const roots = scenes[scene]?.nodes ?? nodes.map((_, i) => i).filter((i) => !children.has(i));
+    for (const root of roots) visit(gltf, root, new Matrix4(), 0, found);
   } catch (error) {
     throw new FileFault(`This is not glTF that can be read: ${error instanceof Error ? error.message : String(error)}`);
   }
   if (found.length === 0) throw new FileFault('This glTF file has no lines.');
   return found;
+}
+
+function visit(gltf: Gltf, index: number, outer: Matrix4, depth: number, found: Polyline[]): void {
+  const node = gltf.document.nodes?.[index];
+  if (!node || depth > DEEPEST) return;
+  const place = outer.clone().multiply(matrixOf(node));
+  for (const { attributes, indices, mode } of node.mesh === undefined ? [] : gltf.document.meshes![node.mesh]!.primitives) {
+    if (mode === undefined || ![LINES, LINE_LOOP, LINE_STRIP].includes(mode) || attributes.POSITION === undefined) continue;
+    const array = segmentsOf(gltf.read(attributes.POSITION).array as Float32Array, indices === undefined ? null : gltf.read(indices).array, mode);
+    const at = (i: number): Vec3 => new Vector3().fromArray(array, i).applyMatrix4(place).toArray();
+    const segments: [Vec3, Vec3][] = [];
+    for (let i = 0; i < array.length; i += 6) segments.push([at(i), at(i + 3)]);
+    if (segments.length > 0) found.push(...chains(segments, 1e-6));
+  }
+  for (const child of node.children ?? []) visit(gltf, child, place, depth + 1, found);
+}
+
+function matrixOf({ matrix, translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }: Node): Matrix4 {
+  if (matrix) return new Matrix4().fromArray(matrix);
+  return new Matrix4().compose(new Vector3().fromArray(translation), new Quaternion().fromArray(rotation), new Vector3().fromArray(scale));
 }

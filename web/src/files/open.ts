@@ -5,16 +5,15 @@ import { readCsv } from './csv';
 import { readDxf } from './dxf';
 import { isGeoJson, readGeoJson } from './geojson';
 import { readGltf } from './gltf';
+import { parseJson } from './json';
 import { FileFault, type Polyline } from './lines';
 import { readObj } from './obj';
 
 export type Opened = { request: Request } | { lines: Polyline[]; format: string; metres: boolean };
 
-export const ACCEPT = '.csv,.txt,.obj,.dxf,.geojson,.json,.gltf,.glb';
-
 export async function openFile(file: File): Promise<Opened> {
   const head = new Uint8Array(await file.slice(0, 4).arrayBuffer());
-  if (String.fromCharCode(...head) === 'glTF') return { lines: await readGltf(await file.arrayBuffer()), format: 'glTF', metres: true };
+  if (String.fromCharCode(...head) === 'glTF') return { lines: readGltf(await file.arrayBuffer()), format: 'glTF', metres: true };
   return openText(await file.text(), /\.(\w+)$/.exec(file.name)?.[1]?.toLowerCase() ?? '');
 }
 
@@ -33,21 +32,9 @@ export async function openText(text: string, extension = ''): Promise<Opened> {
 async function openJson(text: string): Promise<Opened> {
   const value = parseJson(text);
   if (isGeoJson(value)) return { lines: readGeoJson(value, text), format: 'GeoJSON', metres: false };
-  if (value !== null && typeof value === 'object' && 'asset' in value) return { lines: await readGltf(text), format: 'glTF', metres: true };
+  if (value !== null && typeof value === 'object' && 'asset' in value) return { lines: readGltf(text), format: 'glTF', metres: true };
   if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new FileFault('This JSON is neither a request nor GeoJSON nor glTF.');
   const request = value as Request;
   if (!kindOf(request)) throw new FileFault('This JSON is neither a request (with boundaries, directrices or a domain) nor GeoJSON nor glTF.');
   return { request };
-}
-
-/** JSON, or one sentence that names the line of the first fault. */
-export function parseJson(text: string): unknown {
-  try {
-    return JSON.parse(text);
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    const [, position] = /position (\d+)/.exec(message) ?? [];
-    const line = position === undefined ? text.split('\n').length : text.slice(0, Number(position)).split('\n').length;
-    throw new FileFault(`this is not JSON: ${message.replace(/ (in JSON )?at position.*$/, '')}.`, line);
-  }
 }

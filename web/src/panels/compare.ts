@@ -1,12 +1,12 @@
 // Every objective of a strip as a tile with its own picture; all pictures share the camera.
 
-import { JobFailed, type Request as ApiRequest } from 'plateau-client';
-import { plateau } from '../api';
+import { JobFailed, type JobInfo, type Request as ApiRequest } from 'plateau-client';
+import { isStatic, plateau } from '../api';
 import { $, el } from '../dom';
 import { dropRefused, whyNot } from '../model/applies';
 import type { Frame } from '../model/frame';
 import { type Request, unitOf } from '../model/request';
-import { parseMesh } from '../stage/mesh';
+import { meshOfJob, solveHere } from '../solvers';
 import type { Stage } from '../stage/stage';
 import { type Look, Surface } from '../stage/surface';
 import { humanise, number } from '../text';
@@ -24,6 +24,12 @@ const FACTS: { name: string; label: string; unit: string; better: 'less' | 'more
 /** Objectives that are solved at a time. Browsers open six connections to a server, and each running job has one. */
 const AT_ONCE = 4;
 
+async function solveStrip(request: Request, signal: AbortSignal): Promise<JobInfo> {
+  if (isStatic) return solveHere('ruled_surface', request, { signal }, 'other');
+  const { info } = await plateau.submit({ ...request, kind: 'ruled_surface' } as unknown as ApiRequest, { waitS: 1 });
+  return plateau.waitFor(info, { signal });
+}
+
 interface Tile { name: string; box: HTMLElement; facts: HTMLElement; picture: HTMLElement; surface: Surface; statistics: Record<string, unknown> | null }
 
 export class Compare {
@@ -31,10 +37,8 @@ export class Compare {
   /** Ends what is under way for the tiles that are shown. */
   private stop = new AbortController();
 
-  /** Called with the objective that was chosen. */
-  use: (objective: string) => void = () => {};
-
-  constructor(private readonly stage: Stage, private readonly look: Look) {}
+  /** `use` is called with the objective that was chosen. */
+  constructor(private readonly stage: Stage, private readonly look: Look, private readonly use: (objective: string) => void) {}
 
   async open(request: Request, frame: Frame, objectives: string[], fail: (error: unknown) => void): Promise<void> {
     this.close();
@@ -73,10 +77,9 @@ export class Compare {
   private async solve(tile: Tile, request: Request, frame: Frame, signal: AbortSignal): Promise<void> {
     const asked: Request = { ...request, objective: tile.name, all_objectives: false };
     dropRefused('ruled_surface', asked);
-    const { info } = await plateau.submit({ ...asked, kind: 'ruled_surface' } as unknown as ApiRequest, { waitS: 1 });
-    const job = await plateau.waitFor(info, { signal });
+    const job = await solveStrip(asked, signal);
     if (job.status !== 'succeeded') throw new JobFailed(job);
-    const mesh = await parseMesh(await plateau.download(job.id, 'glb', signal));
+    const mesh = await meshOfJob(job, signal);
     if (signal.aborted) return;
     tile.surface.show(mesh, 'ruled_surface', frame);
     tile.statistics = job.statistics as Record<string, unknown>;

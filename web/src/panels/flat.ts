@@ -1,8 +1,8 @@
 // The flat pattern over the whole stage: drag to move, wheel to zoom about the pointer.
 
 import type { JobInfo } from 'plateau-client';
-import { plateau } from '../api';
 import { $ } from '../dom';
+import { fileOf } from '../solvers';
 
 export class Flat {
   private url = '';
@@ -59,7 +59,7 @@ export class Flat {
   async show(job: JobInfo): Promise<void> {
     this.asked += 1;
     const own = this.asked;
-    const bytes = await plateau.download(job.id, 'svg');
+    const bytes = await fileOf(job, 'svg');
     if (own !== this.asked) return;
     URL.revokeObjectURL(this.url);
     this.url = URL.createObjectURL(new Blob([bytes], { type: 'image/svg+xml' }));

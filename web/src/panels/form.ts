@@ -275,7 +275,7 @@ function group(host: FormHost, name: string, field: Schema, given: unknown, set:
   };
   if (!optional) {
     fill();
-    return el('fieldset', { className: 'field group', title: field.description ?? '' }, el('legend', {}, titleOf(name)), inner);
+    return el('fieldset', { className: 'field nested', title: field.description ?? '' }, el('legend', {}, titleOf(name)), inner);
   }
   const box = el('input', { type: 'checkbox', name: path.join('.'), id: `option-${path.join('-')}`, checked: held !== null });
   const show = (): void => {
@@ -289,7 +289,7 @@ function group(host: FormHost, name: string, field: Schema, given: unknown, set:
     show();
   });
   show();
-  return el('div', { className: 'field group' }, el('label', { className: 'check', title: field.description ?? '' }, box, titleOf(name)), inner);
+  return el('div', { className: 'field nested' }, el('label', { className: 'check', title: field.description ?? '' }, box, titleOf(name)), inner);
 }
 
 function numberInput(name: string, id: string, field: Schema, whole: boolean, value: unknown): HTMLInputElement {
@@ -302,9 +302,9 @@ function numberInput(name: string, id: string, field: Schema, whole: boolean, va
 
 /** An object of which exactly one number is given, such as the resolution. */
 function oneOf(host: FormHost, name: string, field: Schema, value: unknown, set: Set, path: string[]): HTMLElement {
-  const held = (value ?? {}) as Record<string, number | null>;
+  let held = (value ?? {}) as Record<string, number | null>;
   const choices = Object.keys(field.properties ?? {});
-  const chosen = choices.find((each) => held[each] !== undefined && held[each] !== null) ?? choices[0]!;
+  let chosen = choices.find((each) => held[each] !== undefined && held[each] !== null) ?? choices[0]!;
   const select = el('select', { 'aria-label': titleOf(name), name: path.join('.') }, ...choices.map((each) => el('option', { value: each }, humanise(each))));
   select.value = chosen;
   const schema = (each: string): Schema => resolve(host.openapi, field.properties![each]!);
@@ -316,6 +316,20 @@ function oneOf(host: FormHost, name: string, field: Schema, value: unknown, set:
     input.step = whole(select.value) ? '1' : 'any';
     input.focus();
   });
-  input.addEventListener('change', () => { if (input.checkValidity()) set(input.value === '' ? undefined : { [select.value]: input.valueAsNumber }); else input.reportValidity(); });
-  return el('div', { className: 'field', title: field.description ?? '' }, el('span', {}, titleOf(name)), el('span', { className: 'pair' }, select, input));
+  const pair = el('span', { className: 'pair' }, select, input);
+  // A choice that is left without a number is given up, because the form shows what the request holds. While another window has
+  // the focus the pair keeps it.
+  pair.addEventListener('focusout', (event) => {
+    if (input.value !== '' || pair.contains(event.relatedTarget as Node | null) || pair.contains(document.activeElement)) return;
+    select.value = chosen;
+    input.step = whole(chosen) ? '1' : 'any';
+    input.value = String(held[chosen] ?? '');
+  });
+  input.addEventListener('change', () => {
+    if (!input.reportValidity()) return;
+    chosen = select.value;
+    held = input.value === '' ? {} : { [chosen]: input.valueAsNumber };
+    set(input.value === '' ? undefined : held);
+  });
+  return el('div', { className: 'field', title: field.description ?? '' }, el('span', {}, titleOf(name)), pair);
 }

@@ -6,7 +6,7 @@ import {
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
-import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
+import type { MeshBVH } from 'three-mesh-bvh';
 import type { Frame } from '../model/frame';
 import type { Vec3 } from '../model/request';
 import { colour } from './colours';
@@ -23,6 +23,10 @@ const HEAD = { length: 0.16, width: 0.06 };
 const MOST_WIDE = 20_000;
 
 export interface Look { membrane: string; ink: string; accent: string; reaction: string; rim: string }
+
+/** The search trees, which come after the first film. Until then every triangle is looked at. */
+let trees: typeof import('./trees') | null = null;
+export const useTrees = (library: NonNullable<typeof trees>): void => { trees = library; };
 
 type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 
@@ -142,7 +146,6 @@ export class Surface {
       ? new MeshLambertMaterial({ ...common, vertexColors: true })
       : new MeshStandardMaterial({ ...common, color: this.look.membrane, roughness: 0.62, metalness: 0 });
     this.mesh = new Mesh(geometry, material);
-    this.mesh.raycast = acceleratedRaycast;
     this.mesh.userData.castsShadow = true;
     this.mesh.visible = this.layers.surface;
     this.group.add(this.mesh);
@@ -184,22 +187,21 @@ export class Surface {
     }
   }
 
-  private tree(): WithTree | null {
-    const geometry = this.mesh?.geometry as WithTree | undefined;
-    if (!geometry) return null;
-    geometry.boundsTree ??= new MeshBVH(geometry, { indirect: true });
-    return geometry;
-  }
-
   /** The nearest point of the surface under a pixel. */
   pick(stage: Stage, x: number, y: number): { point: Vector3; distance: number; face: number } | null {
-    if (!this.mesh || !this.layers.surface || !this.result || !hasSurface(this.result) || !this.tree()) return null;
+    if (!this.mesh || !this.layers.surface || !this.result || !hasSurface(this.result)) return null;
     const raycaster = new Raycaster();
     raycaster.setFromCamera(new Vector2((x / stage.width) * 2 - 1, 1 - (y / stage.height) * 2), stage.camera);
-    raycaster.firstHitOnly = true;
     this.group.updateMatrixWorld();
-    const [hit] = raycaster.intersectObject(this.mesh, false);
-    return hit ? { point: hit.point, distance: hit.distance, face: hit.faceIndex ?? 0 } : null;
+    const { geometry, matrixWorld } = this.mesh as Mesh<WithTree>;
+    if (!trees) {
+      const [hit] = raycaster.intersectObject(this.mesh, false);
+      return hit ? { point: hit.point, distance: hit.distance, face: hit.faceIndex ?? 0 } : null;
+    }
+    geometry.boundsTree ??= new trees.MeshBVH(geometry, { indirect: true });
+    const hit = geometry.boundsTree.raycastFirst(raycaster.ray.clone().applyMatrix4(matrixWorld.clone().invert()), DoubleSide);
+    const point = hit?.point.applyMatrix4(matrixWorld);
+    return point ? { point, distance: point.distanceTo(raycaster.ray.origin), face: hit!.faceIndex ?? 0 } : null;
   }
 
   /** The point of a coloured line or of a reaction's arrow that is nearest to a pixel, within a few pixels of it. */

@@ -127,7 +127,7 @@ Solver = Literal['auto', 'vertex_relaxation', 'pinkall_polthier', 'newton']
 StabilityMethod = Literal['inertia', 'eigenvalue']
 """Method that gave a Morse index.
 
-- `inertia`: From the signs of the pivots of a factorisation, which is exact.
+- `inertia`: From the signs of the pivots of a factorisation. It is exact, because errors of rounding are bounded.
 - `eigenvalue`: From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
 large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0."""
 Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
@@ -565,10 +565,10 @@ class EquilibriumStability(TypedDict):
     """Second variation of the energy."""
     lowest_eigenvalue: float
     """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
-    morse_index: int
-    """Number of negative eigenvalues of the second variation."""
-    stable: bool
-    """Whether the Morse index is 0: a true local minimum of the energy."""
+    morse_index: Optional[int]
+    """Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one."""
+    stable: Optional[bool]
+    """Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is."""
 
 
 class Example(TypedDict):
@@ -774,13 +774,14 @@ class JobWarning(TypedDict):
     - `self_intersections`: Triangles cross or touch each other: `pairs`, and the place `x`, `y`, `z` of a crossing.
     - `shared_points`: Two boundaries have a point in common: `boundary`, `point`.
     - `slack_cable`: A cable carries no force: `cable` of a structure, `count` of a net.
+    - `stability_undecided`: Rounding does not decide the sign of an eigenvalue, so that the index is null.
     - `stress_deviates`: Warp and weft of a woven film have other stresses than required: `deviation_rms`.
     - `strongly_bent`: A strip has much more bending energy than the strip that bends least: `strip`, `factor`.
     - `targets_missed`: Edges of a net miss a target by more than half: `count`.
     - `topology_changed`: The film came apart, and its topology is not that of the initial mesh: `pinches`.
     - `triangles_missed`: The mesh has far fewer or more triangles than were asked for: `triangles`, `asked`.
     - `unclosed_directrices`: Open directrices end where they begin: `count`.
-    - `unstable`: The shape is stationary but no minimum: `morse_index`."""
+    - `unstable`: The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided."""
     detail: str
     values: Dict[str, float]
     """Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
@@ -806,7 +807,8 @@ class Junctions(TypedDict):
     mean_deviation_deg: float
     """Mean departure of `sheet_angles_deg` from 120° over all these vertices."""
     morse_index: Optional[int]
-    """Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed."""
+    """Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed, or if
+    rounding does not decide the sign of one."""
     points: int
     """Number of vertices inside the film where such curves meet."""
     residual: float
@@ -1654,10 +1656,11 @@ class Stability(TypedDict):
     """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
     method: StabilityMethod
     """Method that gave the index."""
-    morse_index: int
-    """Number of negative eigenvalues."""
-    stable: bool
-    """Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film."""
+    morse_index: Optional[int]
+    """Number of negative eigenvalues. Null if rounding does not decide the sign of one."""
+    stable: Optional[bool]
+    """Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. Null where
+    `morse_index` is."""
 
 
 class Stage(TypedDict):
