@@ -1,5 +1,5 @@
-//! Two axum handlers with which the load benchmark compares the service. `/bare` parses the same body and answers bytes of
-//! the same length. `/solve` also solves the request. Both neither queue nor store anything.
+//! Two axum handlers with which the load benchmark compares the service. `/bare` parses the same body and answers bytes
+//! of the same length. `/solve` also solves the request. Both neither queue nor store anything.
 //!
 //! Usage: bare_handler ADDRESS:PORT ANSWER-FILE
 

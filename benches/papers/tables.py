@@ -223,7 +223,7 @@ def bento_cavalcanti():
                 area = topology["area"]
                 yield [name, " ".join(str(loops) for loops in topology["films"]),
                        "does not hold" if area is None else f"{area:.4f}",
-                       "" if not topology["stability"] else "yes" if topology["stability"]["stable"] else "no",
+                       "" if not topology["stability"] else {True: "yes", False: "no", None: "undecided"}[topology["stability"]["stable"]],
                        "yes" if topology["films_cross"] else ""]
 
     table(["example", "films over", "area", "stable", "cross"], best())
