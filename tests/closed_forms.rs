@@ -292,8 +292,8 @@ fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
         "# Closed forms\n\nFigures of tensile structures at three meshes, beside their closed forms. \
          `tests/closed_forms.rs` has the structures, and fails if an\nerror falls with less than the power 1.8 of the \
          edge length, or 1.6 where the table has a reason. It writes this file anew with `PLATEAU_WRITE=1 \
-         cargo test --test closed_forms`.\nCircles have 32, 64 and 128 points, so that the polygons come nearer to them with the \
-         mesh.\n\n| structure | figure | \
+         cargo test --test closed_forms`.\nCircles have 32, 64 and 128 points, so that the polygons come nearer to \
+         them with the mesh.\n\n| structure | figure | \
          closed form | value | error | | | order |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     let (mut rows, mut faults, mut reasons) = (0, Vec::new(), Vec::new());
