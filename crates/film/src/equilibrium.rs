@@ -27,12 +27,12 @@ mod constraint;
 mod contact;
 mod dense;
 mod freedom;
-mod mesh_surface;
 pub(crate) mod newton;
 mod normal_motion;
 pub(crate) mod residual;
 pub(crate) mod settling;
 pub(crate) mod stability;
+pub mod support;
 #[cfg(test)]
 mod tests;
 pub(crate) mod v_cycle;
@@ -40,9 +40,9 @@ pub(crate) mod v_cycle;
 pub use body::{Body, BodyDefect, Report, Stability};
 pub use constraint::{Constraint, Determined};
 pub use contact::Contact;
-pub use freedom::{Freedom, Support};
-pub use mesh_surface::MeshSurface;
+pub use freedom::Freedom;
 pub use newton::{Aim, Outcome, Settings};
+pub use support::Support;
 
 pub(crate) use body::{Frame, Motion};
 pub(crate) use normal_motion::{FilmState, NormalMotion, film_state};

@@ -65,7 +65,6 @@ pub use shape::{
     StressRange, TensileStructure, TriangleStress, WeaveStress,
 };
 
-use crate::equilibrium::Support;
 use crate::minimal_surface::{self, Resolution};
 use catenary::{Catenary, TooSmall};
 use form_finding::{Coarse, Found};
@@ -229,10 +228,7 @@ const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
 pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));
     let triangles = start.triangles * structure.layers.len() as f64;
-    let size = |sliding: &Sliding| match &sliding.on {
-        Support::Mesh { surface, .. } => BYTES_PER_SUPPORT_TRIANGLE * surface.size(),
-        _ => 0,
-    };
+    let size = |sliding: &Sliding| BYTES_PER_SUPPORT_TRIANGLE * sliding.on.extent().map_or(0, |extent| extent.size());
     let supports: usize = structure.sliding.iter().map(size).sum();
     Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64 + supports as u64, ..start }
 }

@@ -5,6 +5,7 @@
 
 use glam::DQuat;
 use plateau_film::equilibrium::Support;
+use plateau_film::equilibrium::support::{Circle, Cylinder, Line, Plane, Sphere};
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
     BoundaryPoint, Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
@@ -13,6 +14,7 @@ use plateau_film::tensile_structure::{
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use std::time::Instant;
 
 type Random = SplitMix64;
@@ -126,12 +128,12 @@ fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
                 let level = DVec3::new(outward.x, outward.y, 0.0).normalize();
                 let along = level.cross(DVec3::Z);
                 let radius = random.between(3.0, 8.0);
-                let on = match random.below(5) {
-                    0 => Support::Line { point: here, direction: (along + 0.3 * direction(random)).normalize() },
-                    1 => Support::Circle { centre: here + radius * level, axis: DVec3::Z, radius },
-                    2 => Support::Plane { point: here, normal: (outward + 0.2 * direction(random)).normalize() },
-                    3 => Support::Sphere { centre: here + radius * outward, radius },
-                    _ => Support::Cylinder { point: here + radius * level, axis: DVec3::Z, radius },
+                let on: Arc<dyn Support> = match random.below(5) {
+                    0 => Arc::new(Line { point: here, direction: (along + 0.3 * direction(random)).normalize() }),
+                    1 => Arc::new(Circle { centre: here + radius * level, axis: DVec3::Z, radius }),
+                    2 => Arc::new(Plane { point: here, normal: (outward + 0.2 * direction(random)).normalize() }),
+                    3 => Arc::new(Sphere { centre: here + radius * outward, radius }),
+                    _ => Arc::new(Cylinder { point: here + radius * level, axis: DVec3::Z, radius }),
                 };
                 corners[k] = on.nearest(on.nearest(here) + push);
                 structure.sliding.push(Sliding { part: SlidingPart::Point(point), on, contact_angle: None });
@@ -164,10 +166,10 @@ fn skirt(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
         .enumerate()
         .map(|(k, p)| p + random.between(0.0, 0.12) * DVec3::Z * f64::from(u8::from(k % 3 == 0)))
         .collect();
-    let on = match random.below(3) {
-        0 => Support::Plane { point: DVec3::ZERO, normal: DVec3::new(0.15, 0.0, 1.0).normalize() },
-        1 => Support::Sphere { centre: DVec3::new(0.0, 0.0, -8.0), radius: 8.0 },
-        _ => Support::Cylinder { point: DVec3::new(0.0, 0.0, -6.0), axis: DVec3::X, radius: 6.0 },
+    let on: Arc<dyn Support> = match random.below(3) {
+        0 => Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::new(0.15, 0.0, 1.0).normalize() }),
+        1 => Arc::new(Sphere { centre: DVec3::new(0.0, 0.0, -8.0), radius: 8.0 }),
+        _ => Arc::new(Cylinder { point: DVec3::new(0.0, 0.0, -6.0), axis: DVec3::X, radius: 6.0 }),
     };
     let scale = 1.1 * (1.0 + displaced * random.between(-0.8, 2.0));
     let level = direction(random) * DVec3::new(1.0, 1.0, 0.0);
@@ -184,9 +186,9 @@ fn curtain(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let upper = [DVec3::new(0.0, 0.0, height), DVec3::new(width, random.between(-1.0, 1.0), height)];
     let lower = [DVec3::new(width, y + random.between(0.0, 1.0), 0.0), DVec3::new(0.0, y, 0.0)];
     let boundary = vec![upper[0], upper[1], lower[0], lower[1]];
-    let floor = || Support::Plane { point: DVec3::ZERO, normal: DVec3::Z };
-    let rail = |x: f64| Support::Line { point: DVec3::new(x, 0.0, 0.0), direction: DVec3::Y };
-    let slide = |part: SlidingPart, on: Support| Sliding { part, on, contact_angle: None };
+    let floor = || Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
+    let rail = |x: f64| Arc::new(Line { point: DVec3::new(x, 0.0, 0.0), direction: DVec3::Y });
+    let slide = |part: SlidingPart, on: Arc<dyn Support>| Sliding { part, on, contact_angle: None };
     let point = |point: usize| SlidingPart::Point(BoundaryPoint { boundary: 0, point });
     let sliding = vec![
         slide(SlidingPart::Edge { boundary: 0, from: 2, to: 3 }, floor()),

@@ -1,6 +1,6 @@
 //! Tensile structures against closed forms, and what is refused.
 
-use plateau_film::equilibrium::Support;
+use plateau_film::equilibrium::support::Plane;
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
     BoundaryPoint, Cable, CableMode, CableResult, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring,
@@ -8,6 +8,7 @@ use plateau_film::tensile_structure::{
 };
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 fn square(side: f64) -> Vec<DVec3> {
     [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(side * x, side * y, 0.0)).to_vec()
@@ -450,7 +451,7 @@ fn the_same_structure_gives_the_same_bits_and_looks_at_the_caller() {
 /// A ring of radius 1 at a height above a plane, and a boundary that slides on the plane.
 fn half_catenoid(count: usize, height: f64) -> Structure {
     let mut structure = film(vec![circle(count, 1.0, height), circle(count, 0.9, 0.0)]);
-    let on = Support::Plane { point: DVec3::ZERO, normal: DVec3::Z };
+    let on = Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
     structure.sliding.push(Sliding { part: SlidingPart::Boundary(1), on, contact_angle: None });
     structure
 }

@@ -1,6 +1,6 @@
 //! Structures whose corners and edges travel far from where they start.
 
-use plateau_film::equilibrium::Support;
+use plateau_film::equilibrium::support::{Line, Plane};
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
     BoundaryPoint, Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Sliding,
@@ -10,6 +10,7 @@ use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution, Progress, Signal};
 use std::cell::Cell;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
     Structure::new(boundaries, vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }])
@@ -64,7 +65,7 @@ fn stayed(corner: (f64, f64)) -> Structure {
 
 /// A film on a line along which its third corner slides.
 fn corner_on_a_line(x: f64) -> Structure {
-    let on = Support::Line { point: DVec3::new(0.0, 6.0, 0.0), direction: DVec3::X };
+    let on = Arc::new(Line { point: DVec3::new(0.0, 6.0, 0.0), direction: DVec3::X });
     let part = SlidingPart::Point(BoundaryPoint { boundary: 0, point: 2 });
     Structure {
         cables: vec![edge(1, 2, 14.0), edge(2, 0, 11.0)],
@@ -75,7 +76,7 @@ fn corner_on_a_line(x: f64) -> Structure {
 
 /// A ring above a plane on which the film's other edge slides.
 fn ring_above_a_plane(count: usize, height: f64, start: f64) -> Structure {
-    let on = Support::Plane { point: DVec3::ZERO, normal: DVec3::Z };
+    let on = Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
     Structure {
         sliding: vec![Sliding { part: SlidingPart::Boundary(1), on, contact_angle: None }],
         ..film(vec![circle(count, 1.0, height), circle(count, start, 0.0)])
@@ -171,7 +172,7 @@ fn loops_that_turn_the_other_way_are_told_so() {
 
 #[test]
 fn the_edge_of_the_film_on_a_plane_is_found_at_every_mesh() {
-    let on = Support::Plane { point: DVec3::ZERO, normal: DVec3::Z };
+    let on = Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
     let areas = [800, 3200, 12800].map(|triangles| {
         let structure = Structure {
             sliding: vec![Sliding { part: SlidingPart::Boundary(1), on: on.clone(), contact_angle: None }],

@@ -1,10 +1,11 @@
 //! Bodies of sheets and lines, and their equations of equilibrium.
 
 use super::constraint::{Constraint, ConstraintState, Determined, least_squares_multipliers};
-use super::freedom::{Freedom, Support};
+use super::freedom::Freedom;
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
 use super::residual::residual;
 use super::stability::{self, Unknown, WithMargin};
+use super::support::Support;
 use crate::energy::{Area, Term};
 use glam::DMat3;
 use plateau_mesh::complex::{Complex, VertexKind};
@@ -14,6 +15,7 @@ use plateau_mesh::sparse::{LinearError, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution, polyline};
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Largest distance of a vertex from its support, as a fraction of the radius of the body. Rounding of coordinates
 /// needs about 1e-15.
@@ -27,7 +29,7 @@ pub struct Body {
     /// The freedom of each vertex.
     pub freedoms: Vec<Freedom>,
     /// The lines and surfaces of [`Freedom::On`] and [`Freedom::AcrossOn`].
-    pub supports: Vec<Support>,
+    pub supports: Vec<Arc<dyn Support>>,
     /// For each group of [`Freedom::Together`] the unit vector along which it moves.
     pub groups: Vec<DVec3>,
     /// The energies; [`Body::new`] begins with the sheets' areas.

@@ -1,6 +1,7 @@
 //! Bodies against closed forms and finite differences.
 
 use super::constraint::add_rank_one_products;
+use super::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
 use super::*;
 use crate::energy::area::first_variation;
 use crate::energy::cable::{Cable, Law};
@@ -15,6 +16,7 @@ use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::structured::{catenoid, cylinder, patch};
 use plateau_mesh::{DVec3, Execution};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 fn relaxed(body: &mut Body) -> Report {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
@@ -71,13 +73,15 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     let mut body = Body::new(vertices, &complex, &[1.3]);
     let axis = DVec3::new(0.6, 0.0, 0.8);
     body.supports = vec![
-        Support::Line { point: DVec3::ZERO, direction: axis },
-        Support::Circle { centre: DVec3::new(-1.0, 0.5, 0.0), axis, radius: 2.0 },
-        Support::Plane { point: DVec3::ZERO, normal: axis },
-        Support::Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 },
-        Support::Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 },
+        Arc::new(Line { point: DVec3::ZERO, direction: axis }),
+        Arc::new(Circle { centre: DVec3::new(-1.0, 0.5, 0.0), axis, radius: 2.0 }),
+        Arc::new(Plane { point: DVec3::ZERO, normal: axis }),
+        Arc::new(Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 }),
+        Arc::new(Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 }),
+        Arc::new(Torus { centre: DVec3::new(1.0, 0.5, 0.2), axis, radius: 1.9, tube_radius: 0.7 }),
     ];
     let freedoms = [
+        (5, Freedom::On(5)),
         (0, Freedom::On(0)),
         (1, Freedom::On(1)),
         (2, Freedom::On(2)),
@@ -106,7 +110,7 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     body.constraints.push(Constraint::value(Box::new(Length { segments: edge, tension: 1.0 }), 2.0));
     assert_eq!(body.check(), Ok(()));
     let state = Motion::new(&body).state(&body.vertices);
-    assert_eq!(state.gradient.len(), 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 1 + 4);
+    assert_eq!(state.gradient.len(), 2 + 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 1 + 3);
     assert!(state.constraints[0].multiplier.abs() > 0.01);
     assert!(state.constraints.len() == 2 && state.constraints[1].compliance > 0.0);
     assert_agrees_with_finite_differences(&body, 2e-6);
@@ -156,13 +160,15 @@ fn edges_at_given_angles_and_edges_on_meshes_agree_with_finite_differences() {
     let wall: Vec<DVec3> = (0..30).map(at).collect();
     let cells = (0..24).filter(|k| k % 5 < 4).flat_map(|k| [[k, k + 1, k + 6], [k, k + 6, k + 5]]);
     let axis = DVec3::new(0.6, 0.0, 0.8);
-    for on in [
-        Support::Plane { point: DVec3::ZERO, normal: axis },
-        Support::Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 },
-        Support::Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 },
-    ] {
+    let supports: [Arc<dyn Support>; 3] = [
+        Arc::new(Plane { point: DVec3::ZERO, normal: axis }),
+        Arc::new(Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 }),
+        Arc::new(Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 }),
+    ];
+    for on in supports {
         let mut body = Body::new(vertices.clone(), &complex, &[1.3]);
-        body.supports = vec![on, Support::mesh(&wall, &cells.clone().collect::<Vec<_>>(), 1.1).unwrap()];
+        let mesh = Mesh::new(&wall, &cells.clone().collect::<Vec<_>>(), 1.1).unwrap();
+        body.supports = vec![on, Arc::new(mesh)];
         for (v, freedom) in [
             (4, Freedom::AcrossOn { support: 0, beside: [0, 8] }),
             (8, Freedom::AcrossOn { support: 0, beside: [4, 12] }),
@@ -173,7 +179,7 @@ fn edges_at_given_angles_and_edges_on_meshes_agree_with_finite_differences() {
             let support = &body.supports[freedom.support().unwrap() as usize];
             body.vertices[v] = support.nearest(body.vertices[v]);
         }
-        let contact = Contact::new(&[0, 4, 8, 12], false, &body.supports[0], 1.3, 0.8, &vertices).unwrap();
+        let contact = Contact::new(&[0, 4, 8, 12], false, &*body.supports[0], 1.3, 0.8, &vertices).unwrap();
         body.terms.push(Box::new(contact));
         // The second derivatives along a mesh may jump within a step.
         assert_agrees_with_finite_differences(&body, 1e-4);
@@ -526,7 +532,7 @@ fn a_half_catenoid_slides_on_a_plane() {
         film.vertices.iter_mut().take(n).for_each(|p| p.z = 0.0);
         let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
         let mut body = Body::new(film.vertices, &complex, &[1.0]);
-        body.supports = vec![Support::Plane { point: DVec3::ZERO, normal: DVec3::Z }];
+        body.supports = vec![Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z })];
         for k in 0..n {
             let beside = [((k + n - 1) % n) as u32, ((k + 1) % n) as u32];
             body.freedoms[k] = Freedom::AcrossOn { support: 0, beside };
@@ -562,7 +568,7 @@ fn a_disc_inside_a_sphere_is_unstable_through_the_spheres_curvature() {
     for rings in [8, 16, 32] {
         let (mut body, edge) =
             disc_body(rings, |radius, angle| DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0));
-        body.supports = vec![Support::Sphere { centre: DVec3::ZERO, radius: 1.0 }];
+        body.supports = vec![Arc::new(Sphere { centre: DVec3::ZERO, radius: 1.0 })];
         for [before, v, after] in edge {
             body.freedoms[v as usize] = Freedom::AcrossOn { support: 0, beside: [before, after] };
         }
@@ -592,7 +598,7 @@ fn three_cables_meet_at_120_degrees_and_a_point_on_a_circle_finds_the_nearest_pl
         assert!((towards(k).dot(towards((k + 1) % 3)) + 0.5).abs() < 1e-9);
     }
     // A cable from a point in the circle's plane: the nearest point of the circle is on the line through the centre.
-    let circle = Support::Circle { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0 };
+    let circle = Arc::new(Circle { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0 });
     let mut body = Body::new(vec![DVec3::new(3.0, 4.0, 0.0), DVec3::new(0.0, 1.0, 0.0)], &nothing, &[]);
     body.supports = vec![circle];
     body.freedoms = vec![Freedom::Fixed, Freedom::On(0)];
@@ -622,16 +628,19 @@ fn bodies_whose_parts_do_not_fit_are_named() {
     let line = || Length { segments: vec![[0, 99]], tension: 1.0 };
     assert_eq!(refused(&|body| body.terms.push(Box::new(line()))), BodyDefect::NoSuchVertex(99));
     assert_eq!(refused(&|body| body.freedoms[5] = Freedom::Across([0, 77])), BodyDefect::NoSuchVertex(77));
-    let plane = Support::Plane { point: DVec3::Z, normal: DVec3::Z };
+    let plane = Arc::new(Plane { point: DVec3::Z, normal: DVec3::Z });
     let off = |body: &mut Body| {
         body.supports.push(plane.clone());
         body.freedoms[2] = Freedom::On(0);
     };
     assert_eq!(refused(&off), BodyDefect::OffSupport(2));
-    let long = Support::Plane { point: DVec3::ZERO, normal: 2.0 * DVec3::Z };
+    let long = Arc::new(Plane { point: DVec3::ZERO, normal: 2.0 * DVec3::Z });
     assert_eq!(refused(&|body| body.supports.push(long.clone())), BodyDefect::Support(0));
-    let flat = Support::Sphere { centre: DVec3::ZERO, radius: 0.0 };
+    let flat = Arc::new(Sphere { centre: DVec3::ZERO, radius: 0.0 });
     assert_eq!(refused(&|body| body.supports.push(flat.clone())), BodyDefect::Support(0));
+    // A tube that runs through the axis crosses itself.
+    let spindle = Arc::new(Torus { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0, tube_radius: 1.0 });
+    assert_eq!(refused(&|body| body.supports.push(spindle.clone())), BodyDefect::Support(0));
     assert_eq!(refused(&|body| body.groups.push(DVec3::ZERO)), BodyDefect::Group(0));
     // With a vector of length 2 the film would weigh twice as much.
     let heavy = |body: &mut Body| {

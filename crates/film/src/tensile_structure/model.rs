@@ -20,6 +20,7 @@ use plateau_mesh::measure;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Mesh, Place, polyline};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Fewest segments of a heavy cable in the air.
 const LEAST_AIR_SEGMENTS: f64 = 16.0;
@@ -52,7 +53,7 @@ pub(super) struct Model {
     /// The volume between fans from each boundary to its mean and the origin, which closes that of the last layer.
     pub cap_volume: f64,
     /// The surfaces on which vertices slide, and the freedom of each vertex that does.
-    pub supports: Vec<Support>,
+    pub supports: Vec<Arc<dyn Support>>,
     pub sliding: Vec<(u32, Freedom)>,
     /// The energies of the edges that meet their surface at a given angle, and the vertices of these edges.
     pub contacts: Vec<Contact>,
@@ -530,7 +531,7 @@ impl Model {
         }
         if let Some(angle) = sliding.contact_angle {
             let at = &self.layers[0].film.vertices;
-            self.contacts.extend(Contact::new(&vertices, closed, &on, tension, angle, at));
+            self.contacts.extend(Contact::new(&vertices, closed, &*on, tension, angle, at));
             self.at_contacts.extend(&vertices);
         }
     }

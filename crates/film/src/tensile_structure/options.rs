@@ -3,12 +3,13 @@
 use crate::equilibrium::Support;
 use crate::minimal_surface::Resolution;
 use plateau_mesh::{DVec3, Place};
+use std::sync::Arc;
 
 /// A film with its cables, loads and supports.
 ///
 /// Every point of the boundaries is a support unless it lies strictly inside the stretch of a cable or is one of
 /// [`free_points`](Self::free_points). The segments between supports without a cable are supports, too.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Structure {
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
     pub boundaries: Vec<Vec<DVec3>>,
@@ -140,12 +141,12 @@ pub struct BoundaryPoint {
 
 /// A support without friction: it bears forces at right angles to a surface, or across a line. Along a surface it bears
 /// only what holds a given contact angle.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Sliding {
     /// The part of a boundary that slides.
     pub part: SlidingPart,
     /// The line or surface on which it slides. Directions and axes are unit vectors.
-    pub on: Support,
+    pub on: Arc<dyn Support>,
     /// The angle in radians between the film and the surface on the left of the edge's direction, as seen from the side
     /// to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None` stands for a right
     /// angle.

@@ -175,7 +175,7 @@ pub(super) fn finish(
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
         // Backwards, so that of merged points the first gives the place.
         for (&point, &v) in points.iter().zip(numbers).rev() {
-            if holds[v as usize] == Hold::Fixed {
+            if matches!(holds[v as usize], Hold::Fixed) {
                 vertices[v as usize] = point;
             }
         }

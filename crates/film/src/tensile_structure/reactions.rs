@@ -9,11 +9,11 @@ use plateau_mesh::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The support of a vertex.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Hold<'a> {
     Nothing,
     Fixed,
-    Slides(&'a Support),
+    Slides(&'a dyn Support),
     /// Moves with the ring of this number, along its axis alone.
     Guided(usize),
 }
@@ -29,7 +29,7 @@ pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
     model.free.iter().for_each(|&v| holds[v as usize] = Hold::Nothing);
     for &(v, freedom) in &model.sliding {
         if let Some(support) = freedom.support() {
-            holds[v as usize] = Hold::Slides(&model.supports[support as usize]);
+            holds[v as usize] = Hold::Slides(&*model.supports[support as usize]);
         }
     }
     for (number, ring) in model.rings.iter().enumerate() {
@@ -48,7 +48,7 @@ fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
 }
 
 /// The part of a force along a line or surface.
-fn along(support: &Support, at: DVec3, force: DVec3) -> DVec3 {
+fn along(support: &dyn Support, at: DVec3, force: DVec3) -> DVec3 {
     let tangents = support.tangents(at);
     tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
 }
@@ -106,7 +106,7 @@ pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], a
 
 pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Vec<EdgeReaction>) {
     let Some(balance) = &found.balance else { return (Vec::new(), Vec::new()) };
-    let held = |v: u32| holds[v as usize] != Hold::Nothing;
+    let held = |v: u32| !matches!(holds[v as usize], Hold::Nothing);
     let mut single = vec![false; holds.len()];
     let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
     let points = model.sliding.iter().filter(|(_, freedom)| matches!(freedom, Freedom::On(_))).map(|(v, _)| *v);
@@ -156,7 +156,7 @@ fn clamped_ends(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) 
     for rim in model.boundaries() {
         for (k, &v) in rim.iter().enumerate() {
             let w = rim[(k + 1) % rim.len()];
-            let both = holds[v as usize] == Hold::Fixed && holds[w as usize] == Hold::Fixed;
+            let both = [v, w].iter().all(|&v| matches!(holds[v as usize], Hold::Fixed));
             if both && !along.contains(&[v.min(w), v.max(w)]) {
                 (clamped[v as usize], clamped[w as usize]) = (true, true);
             }

@@ -19,7 +19,7 @@ use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding,
 use super::remeshing::Fineness;
 use super::taut_start::{Held, taut};
 use crate::equilibrium::settling::{Pace, Settler, energy};
-use crate::equilibrium::{Body, Determined, Support};
+use crate::equilibrium::{Body, Determined};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::remesh::moving::Neck;
@@ -211,7 +211,7 @@ impl Run<'_> {
     /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is near.
     fn judged(&self, ending: Ending) -> Ending {
         let structure = self.structure;
-        let flat = |sliding: &Sliding| matches!(sliding.on, Support::Line { .. } | Support::Plane { .. });
+        let flat = |sliding: &Sliding| sliding.on.is_flat();
         let by_force = |cable: &Cable| match cable.mode {
             CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_) => !cable.course.is_mast(),
             CableMode::UnstressedLength(_) => true,

@@ -10,6 +10,7 @@ use plateau_mesh::codes::WarningCode;
 use plateau_mesh::crossing::passage;
 use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Execution, Interruption};
+use std::sync::Arc;
 
 /// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
 /// between cables is about 1 to 10.
@@ -132,11 +133,11 @@ pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -
 /// A warning for each mesh beyond whose border an edge has slid.
 fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
     let at = model.vertices();
-    let beyond = |(number, support): (usize, &Support)| {
-        let Support::Mesh { surface, origin } = support else { return None };
+    let beyond = |(number, support): (usize, &Arc<dyn Support>)| {
+        let extent = support.extent()?;
         let own = model.sliding.iter().filter(|(_, freedom)| freedom.support() == Some(number as u32));
-        let farthest = own.map(|(v, _)| surface.distance(at[*v as usize] - *origin)).fold(0.0, f64::max);
-        (farthest > BEYOND * surface.rounding()).then(|| {
+        let farthest = own.map(|(v, _)| extent.distance(at[*v as usize])).fold(0.0, f64::max);
+        (farthest > BEYOND * extent.rounding()).then(|| {
             let detail = format!(
                 "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on \
                  flat there; make the mesh larger"

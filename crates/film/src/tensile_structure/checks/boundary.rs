@@ -1,7 +1,6 @@
 //! Checks of what takes parts of the boundaries: cables, supports on which edges slide, and rings.
 
 use super::requirement::{COORDINATE, UNIT_VECTOR, is_usable, require};
-use crate::equilibrium::Support;
 use crate::tensile_structure::options::{
     BoundaryPoint, Cable, CableMode, Course, FilmPrestress, FilmStress, Ring, Sliding, SlidingPart, Structure,
     cable_place, chord, stretch,
@@ -262,17 +261,17 @@ fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[
     let allowed = ON_SUPPORT * polyline::radius(&all);
     for &point in sliders {
         let place = || Place::field("boundaries").at(boundary).at(point);
-        if let Support::Mesh { surface, origin } = &sliding.on {
+        if let Some(extent) = sliding.on.extent() {
             // The distance of a point with coordinates that are no numbers is none either.
-            let distance = surface.distance(points[point] - origin);
-            if distance.is_nan() || distance > surface.rounding() {
+            let distance = extent.distance(points[point]);
+            if distance.is_nan() || distance > extent.rounding() {
                 let detail = format!(
                     "lies {distance:.6} away from the mesh of support {k}, on which it slides, more than the mesh's \
                      rounding ({:.6})",
-                    surface.rounding()
+                    extent.rounding()
                 );
                 errors.push(InputError::new(place(), detail));
-            } else if surface.triangles_near(points[point] - origin) > MOST_NEAR {
+            } else if extent.pieces_near(points[point]) > MOST_NEAR {
                 let detail = format!(
                     "reaches more than {MOST_NEAR} triangles from point {point} of boundary {boundary}; make it \
                      smaller, or the mesh coarser"
@@ -301,7 +300,7 @@ fn check_contact_angle(
     place: &Place,
     errors: &mut Vec<InputError>,
 ) {
-    let closed_form = matches!(sliding.on, Support::Plane { .. } | Support::Sphere { .. } | Support::Cylinder { .. });
+    let closed_form = sliding.on.area_beside(&[]).is_some();
     let one_tension =
         matches!(structure.layers[..], [FilmStress { prestress: FilmPrestress::Isotropic(_), weight: 0.0 }]);
     let is_edge = !matches!(sliding.part, SlidingPart::Point(_));

@@ -3,9 +3,11 @@
 use crate::bounds::{List, OneOf, Positive, given};
 use crate::common::{self, Point};
 use plateau_film::equilibrium::Support;
+use plateau_film::equilibrium::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
 /// unit length.
@@ -28,6 +30,9 @@ pub struct Guide {
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "CylinderGuide")]
     pub cylinder: Option<CylinderGuide>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "TorusGuide")]
+    pub torus: Option<TorusGuide>,
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "MeshGuide")]
     pub mesh: Option<MeshGuide>,
@@ -72,6 +77,18 @@ pub struct CylinderGuide {
     pub radius: Positive,
 }
 
+/// A torus, such as a ring beam of round tube.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusGuide {
+    pub centre: Point,
+    pub axis: Point,
+    /// Radius of the circle inside the tube.
+    pub radius: Positive,
+    /// Radius of the tube, below `radius`.
+    pub tube_radius: Positive,
+}
+
 /// A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -100,6 +117,7 @@ impl OneOf for Guide {
             self.plane.is_some(),
             self.sphere.is_some(),
             self.cylinder.is_some(),
+            self.torus.is_some(),
             self.mesh.is_some(),
         ];
         given.into_iter().filter(|given| *given).count()
@@ -108,7 +126,7 @@ impl OneOf for Guide {
 
 impl Guide {
     /// Converts the guide, which has one member, or returns the place of an error and the error.
-    pub(super) fn to_geometry(&self) -> Result<Support, (String, String)> {
+    pub(super) fn to_geometry(&self) -> Result<Arc<dyn Support>, (String, String)> {
         let unit = |vector: Point, field: &str| {
             let error = || (field.to_owned(), "must be a vector with a length".to_owned());
             DVec3::from_array(vector).try_normalize().ok_or_else(error)
@@ -116,30 +134,43 @@ impl Guide {
         let place = DVec3::from_array;
         if let Some(LineGuide { point, direction }) = self.line {
             let direction = unit(direction, "line/direction")?;
-            return Ok(Support::Line { point: place(point), direction });
+            return Ok(Arc::new(Line { point: place(point), direction }));
         }
         if let Some(CircleGuide { centre, axis, radius }) = self.circle {
-            return Ok(Support::Circle {
+            return Ok(Arc::new(Circle {
                 centre: place(centre),
                 axis: unit(axis, "circle/axis")?,
                 radius: radius.get(),
-            });
+            }));
         }
         if let Some(SphereGuide { centre, radius }) = self.sphere {
-            return Ok(Support::Sphere { centre: place(centre), radius: radius.get() });
+            return Ok(Arc::new(Sphere { centre: place(centre), radius: radius.get() }));
         }
         if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
-            return Ok(Support::Cylinder {
+            return Ok(Arc::new(Cylinder {
                 point: place(point),
                 axis: unit(axis, "cylinder/axis")?,
                 radius: radius.get(),
-            });
+            }));
+        }
+        if let Some(TorusGuide { centre, axis, radius, tube_radius }) = self.torus {
+            if tube_radius.get() >= radius.get() {
+                let detail = "must be below `radius`, because the tube would run into itself";
+                return Err(("torus/tube_radius".into(), detail.into()));
+            }
+            return Ok(Arc::new(Torus {
+                centre: place(centre),
+                axis: unit(axis, "torus/axis")?,
+                radius: radius.get(),
+                tube_radius: tube_radius.get(),
+            }));
         }
         if let Some(MeshGuide { vertices, triangles, rounding }) = &self.mesh {
-            return Support::mesh(&common::points(vertices), triangles, rounding.get())
-                .map_err(|error| (format!("mesh{}", error.place), error.detail));
+            let mesh = Mesh::new(&common::points(vertices), triangles, rounding.get())
+                .map_err(|error| (format!("mesh{}", error.place), error.detail))?;
+            return Ok(Arc::new(mesh));
         }
         let PlaneGuide { point, normal } = self.plane.ok_or_else(|| ("plane".into(), "is required".into()))?;
-        Ok(Support::Plane { point: place(point), normal: unit(normal, "plane/normal")? })
+        Ok(Arc::new(Plane { point: place(point), normal: unit(normal, "plane/normal")? }))
     }
 }

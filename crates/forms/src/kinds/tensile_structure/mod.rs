@@ -9,7 +9,7 @@ mod statistics;
 
 pub use cable::{Along, Cable, Mast, MastMode, Mode};
 pub use film::{Chamber, Film, RadialDirection, WarpDirection};
-pub use guide::{CircleGuide, CylinderGuide, Guide, LineGuide, MeshGuide, PlaneGuide, SphereGuide};
+pub use guide::{CircleGuide, CylinderGuide, Guide, LineGuide, MeshGuide, PlaneGuide, SphereGuide, TorusGuide};
 pub use statistics::{
     CableForce, ChamberState, EdgeReaction, LayerFigures, MastForce, Ponding, RingPosition, SupportReaction,
     TensileStatistics,

@@ -13,12 +13,14 @@
 //! the mesh's edges. Edges and corners are rounded within ρ of them. Source of such means: Shen, O'Brien, Shewchuk,
 //! *Interpolating and approximating implicit surfaces from polygon soup* (2004), with another weight.
 
+use super::{Extent, Support};
 use crate::energy::outer;
 use glam::DMat3;
 use plateau_mesh::axis_box::AxisBox;
 use plateau_mesh::error::{InputError, Place};
 use plateau_mesh::{DVec3, polyline};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 16 takes about the same time.
 const LEAF: usize = 4;
@@ -27,9 +29,85 @@ const DEGENERATE: f64 = 1e-12;
 /// Largest number of steps to the surface. From within the rounding of a mesh it takes two to six.
 const MOST_STEPS: u32 = 40;
 
-/// A smooth surface along a mesh of triangles. All its coordinates are relative to the mean of the mesh's vertices.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshSurface {
+/// A smooth surface along a mesh of triangles, whose normal points to the side from which the triangles run
+/// counter-clockwise. II(u, v) = -(u · ∇²f v) ∇f / |∇f|².
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// The surface, which all copies of the support share.
+    surface: Arc<Surface>,
+    /// The place to which the surface's own coordinates are relative.
+    origin: DVec3,
+}
+
+impl Mesh {
+    /// The surface along a mesh whose triangles are oriented alike. It rounds the mesh's edges within the length
+    /// `rounding` of them.
+    ///
+    /// # Errors
+    /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is
+    /// not finite, a number of no vertex, a triangle without area, an edge that two triangles run along in the same
+    /// direction, and a rounding that is not above 0.
+    pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<Self, InputError> {
+        let (surface, origin) = Surface::new(vertices, triangles, rounding)?;
+        Ok(Self { surface: Arc::new(surface), origin })
+    }
+}
+
+impl Support for Mesh {
+    fn is_sound(&self) -> bool {
+        true
+    }
+
+    fn dimension(&self) -> u8 {
+        2
+    }
+
+    fn nearest(&self, x: DVec3) -> DVec3 {
+        self.origin + self.surface.nearest(x - self.origin)
+    }
+
+    fn tangents(&self, x: DVec3) -> [DVec3; 2] {
+        self.normal(x).any_orthonormal_pair().into()
+    }
+
+    fn normal(&self, x: DVec3) -> DVec3 {
+        self.surface.normal(x - self.origin)
+    }
+
+    fn second_fundamental_form(&self, x: DVec3, u: DVec3, v: DVec3) -> DVec3 {
+        self.surface.second_fundamental_form(x - self.origin, u, v)
+    }
+
+    fn moved(&self, by: DVec3) -> Arc<dyn Support> {
+        Arc::new(Self { surface: self.surface.clone(), origin: self.origin + by })
+    }
+
+    fn extent(&self) -> Option<&dyn Extent> {
+        Some(self)
+    }
+}
+
+impl Extent for Mesh {
+    fn rounding(&self) -> f64 {
+        self.surface.rounding
+    }
+
+    fn distance(&self, x: DVec3) -> f64 {
+        self.surface.distance(x - self.origin)
+    }
+
+    fn pieces_near(&self, x: DVec3) -> usize {
+        self.surface.triangles_near(x - self.origin)
+    }
+
+    fn size(&self) -> usize {
+        self.surface.triangles.len()
+    }
+}
+
+/// The function f of a mesh. All its coordinates are relative to the mean of the mesh's vertices.
+#[derive(Clone, Debug)]
+struct Surface {
     rounding: f64,
     extent: f64,
     triangles: Vec<Triangle>,
@@ -37,7 +115,7 @@ pub struct MeshSurface {
     nodes: Vec<Node>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Triangle {
     corners: [DVec3; 3],
     normal: DVec3,
@@ -45,7 +123,7 @@ struct Triangle {
     weight: f64,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Node {
     extent: AxisBox,
     /// The triangles of a leaf.
@@ -90,14 +168,9 @@ impl Triangle {
     }
 }
 
-impl MeshSurface {
-    /// The surface along a mesh whose triangles are oriented alike, and the mean of the mesh's vertices.
-    ///
-    /// # Errors
-    /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is
-    /// not finite, a number of no vertex, a triangle without area, an edge that two triangles run along in the same
-    /// direction, and a rounding that is not above 0.
-    pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<(Self, DVec3), InputError> {
+impl Surface {
+    /// The surface, and the mean of the mesh's vertices. Errors are those of [`Mesh::new`].
+    fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<(Self, DVec3), InputError> {
         let error = |place: Place, detail: String| Err(InputError::new(place, detail));
         if !(rounding.is_finite() && rounding > 0.0) {
             return error(Place::field("rounding"), "must be a finite number above 0".into());
@@ -146,27 +219,13 @@ impl MeshSurface {
         Ok((Self { rounding, extent, triangles, nodes }, origin))
     }
 
-    /// ρ.
-    #[must_use]
-    pub fn rounding(&self) -> f64 {
-        self.rounding
-    }
-
-    /// Number of triangles.
-    #[must_use]
-    pub fn size(&self) -> usize {
-        self.triangles.len()
-    }
-
     /// The distance of a point from the mesh itself.
-    #[must_use]
-    pub fn distance(&self, x: DVec3) -> f64 {
+    fn distance(&self, x: DVec3) -> f64 {
         self.nearest_of_mesh(x).distance(x)
     }
 
     /// Number of triangles within the rounding of a point.
-    #[must_use]
-    pub fn triangles_near(&self, x: DVec3) -> usize {
+    fn triangles_near(&self, x: DVec3) -> usize {
         let mut count = 0;
         self.visit_near(x, &mut |_, _, _| count += 1);
         count
@@ -174,7 +233,7 @@ impl MeshSurface {
 
     /// The point of the surface below or above `x`, along the gradient of f. It differs from the nearest one by terms
     /// of third order in the distance. Beyond the rounding the nearest point of the mesh takes the place of `x`.
-    pub(super) fn nearest(&self, x: DVec3) -> DVec3 {
+    fn nearest(&self, x: DVec3) -> DVec3 {
         let mut p = x;
         for _ in 0..MOST_STEPS {
             let Some(level) = self.level(p) else {
@@ -191,13 +250,13 @@ impl MeshSurface {
     }
 
     /// The unit normal at a point of the surface.
-    pub(super) fn normal(&self, x: DVec3) -> DVec3 {
+    fn normal(&self, x: DVec3) -> DVec3 {
         let level = self.level(x);
         level.map_or(DVec3::Z, |level| level.gradient.normalize_or(DVec3::Z))
     }
 
     /// The second fundamental form II(u, v) = -(u · ∇²f v) ∇f / |∇f|².
-    pub(super) fn second_fundamental_form(&self, x: DVec3, u: DVec3, v: DVec3) -> DVec3 {
+    fn second_fundamental_form(&self, x: DVec3, u: DVec3, v: DVec3) -> DVec3 {
         let Some(level) = self.level(x) else { return DVec3::ZERO };
         let squared = level.gradient.length_squared().max(f64::MIN_POSITIVE);
         level.gradient * (-u.dot(level.hessian * v) / squared)
@@ -348,7 +407,7 @@ mod tests {
     #[test]
     fn the_derivatives_of_the_level_agree_with_finite_differences() {
         let (vertices, triangles) = grid(6, |x, y| 0.3 * x * x - 0.2 * x * y + 0.1 * libm::sin(3.0 * y));
-        let (surface, origin) = MeshSurface::new(&vertices, &triangles, 0.7).unwrap();
+        let (surface, origin) = Surface::new(&vertices, &triangles, 0.7).unwrap();
         let h = 1e-5;
         for k in 0..20 {
             let at = |k: f64| 0.8 * libm::sin(1.7 * k + 0.3);
@@ -371,7 +430,7 @@ mod tests {
         let (vertices, triangles) = grid(3, |x, y| 0.5 * x - 0.25 * y + 2.0);
         let normal = DVec3::new(-0.5, 0.25, 1.0).normalize();
         for rounding in [0.05, 0.8, 5.0] {
-            let (surface, origin) = MeshSurface::new(&vertices, &triangles, rounding).unwrap();
+            let (surface, origin) = Surface::new(&vertices, &triangles, rounding).unwrap();
             for x in [DVec3::new(0.1, 0.2, 2.0), DVec3::new(-0.7, 0.4, 1.5), DVec3::new(0.3, -0.2, 2.6)] {
                 let x = x - origin;
                 let own = surface.nearest(x);
@@ -387,7 +446,7 @@ mod tests {
     #[test]
     fn the_tree_finds_the_nearest_point_and_all_triangles_near_it() {
         let (vertices, triangles) = grid(9, |x, y| 0.4 * libm::cos(2.0 * x) * y);
-        let (surface, _) = MeshSurface::new(&vertices, &triangles, 0.4).unwrap();
+        let (surface, _) = Surface::new(&vertices, &triangles, 0.4).unwrap();
         for k in 0..40 {
             let at = |k: f64| 1.4 * libm::sin(2.3 * k + 0.1);
             let x = DVec3::new(at(f64::from(k)), at(f64::from(k) + 50.0), at(f64::from(k) + 90.0));
@@ -405,7 +464,7 @@ mod tests {
         let mut errors = Vec::new();
         for n in [8, 16, 32] {
             let (vertices, triangles) = grid(n, height);
-            let (surface, origin) = MeshSurface::new(&vertices, &triangles, 5.0 / f64::from(n)).unwrap();
+            let (surface, origin) = Surface::new(&vertices, &triangles, 5.0 / f64::from(n)).unwrap();
             let mut worst: [f64; 2] = [0.0, 0.0];
             for k in 0..50 {
                 let at = |k: f64| 0.4 * libm::sin(2.3 * k + 0.1);
@@ -425,9 +484,9 @@ mod tests {
     fn faults_of_a_mesh_are_named() {
         let (vertices, triangles) = grid(2, |_, _| 0.0);
         let place = |vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64| {
-            MeshSurface::new(vertices, triangles, rounding).unwrap_err().place.to_string()
+            Surface::new(vertices, triangles, rounding).unwrap_err().place.to_string()
         };
-        assert!(MeshSurface::new(&vertices, &triangles, 0.5).is_ok());
+        assert!(Surface::new(&vertices, &triangles, 0.5).is_ok());
         assert_eq!(place(&vertices, &[], 0.5), "/triangles");
         assert_eq!(place(&vertices, &triangles, 0.0), "/rounding");
         assert_eq!(place(&vertices, &triangles, f64::NAN), "/rounding");
