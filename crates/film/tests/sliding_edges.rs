@@ -133,8 +133,8 @@ fn a_film_in_a_tube_climbs_the_wall_to_the_given_angle() {
 
 #[test]
 fn a_catenoid_meets_a_ring_beam_of_round_tube_at_a_right_angle() {
-    // The catenoid r = cosh z from z = 0.6 down to z = -0.3, where its tangent passes through the centre of the tube.
-    let (from, to, tube_radius) = (-0.3f64, 0.6f64, 0.25);
+    // The catenoid r = cosh z from z = 0.8 down to z = 0.2, where its tangent passes through the centre of the tube.
+    let (from, to, tube_radius) = (0.2f64, 0.8f64, 0.4);
     let radius = from.cosh() - tube_radius * from.tanh();
     let centre = DVec3::Z * (from - tube_radius / from.cosh());
     let share = |z: f64| PI * (z + 0.5 * (2.0 * z).sinh());
@@ -150,7 +150,7 @@ fn a_catenoid_meets_a_ring_beam_of_round_tube_at_a_right_angle() {
     let errors = results.map(|(result, off)| [result.statistics.area - (share(to) - share(from)), off]);
     println!("{errors:?}");
     for k in 0..2 {
-        assert!((errors[0][k] / errors[2][k]).abs().log2() > 3.4, "{k}: {errors:?}");
+        assert!((errors[0][k] / errors[2][k]).abs().log2() > 3.8, "{k}: {errors:?}");
     }
 }
 

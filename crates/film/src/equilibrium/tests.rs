@@ -78,7 +78,7 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
         Arc::new(Plane { point: DVec3::ZERO, normal: axis }),
         Arc::new(Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 }),
         Arc::new(Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 }),
-        Arc::new(Torus { centre: DVec3::new(1.0, 0.5, 0.2), axis, radius: 1.9, tube_radius: 0.7 }),
+        Arc::new(Torus { centre: DVec3::new(1.0, 0.5, 0.2), axis, radius: 2.5, tube_radius: 1.2 }),
     ];
     let freedoms = [
         (5, Freedom::On(5)),
