@@ -2,7 +2,8 @@
 
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
-    Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, TensileStructure, solve,
+    Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Ring, Structure, TensileStructure, WarpDirection,
+    Weave, WeaveHold, solve,
 };
 use plateau_mesh::{DVec3, Error, Execution};
 
@@ -60,6 +61,62 @@ fn the_end_of_a_cable_at_a_clamped_edge_bears_the_cable_alone() {
         let [edge] = &result.edge_reactions[..] else { panic!("{:?}", result.edge_reactions) };
         assert!(edge.force.length() < 1e-9, "{}", edge.force);
     }
+}
+
+#[test]
+fn the_force_per_length_along_held_edges_is_the_films_pull() {
+    // A plane film: the warp pulls at the sides across x, the weft at those across y.
+    let weave =
+        Weave { warp: 3.0, weft: 1.0, direction: WarpDirection::Parallel(DVec3::X), hold: WeaveHold::Magnitudes };
+    let layers = vec![FilmStress { prestress: FilmPrestress::Woven(weave), weight: 0.0 }];
+    let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let result = found(&Structure::new(vec![corners.to_vec()], layers), 200);
+    assert_eq!(result.edge_forces.len(), result.boundaries[0].len());
+    let mut sum = DVec3::ZERO;
+    for force in &result.edge_forces {
+        let [a, b] = force.segment.map(|v| result.mesh.vertices[v as usize]);
+        let middle = 0.5 * (a + b) - DVec3::new(2.0, 1.0, 0.0);
+        let expected = if a.x == b.x { 3.0 * middle.x.signum() * DVec3::X } else { middle.y.signum() * DVec3::Y };
+        assert!(force.per_length.distance(expected) < 1e-9, "{force:?} {expected}");
+        sum += force.per_length.abs() * a.distance(b);
+    }
+    assert!(sum.distance(DVec3::new(12.0, 8.0, 0.0)) < 1e-9, "{sum}");
+    let (least, most) = result.edge_reactions[0].per_length.unwrap();
+    assert!((least - 1.0).abs() < 1e-9 && (most - 3.0).abs() < 1e-9);
+    // Two layers of tension 1 over a square without pressure pull with 2, and a cable takes its side from the edge.
+    let mut two = film(&[(0.0, 0.0, 0.0), (8.0, 0.0, 0.0), (8.0, 8.0, 0.0), (0.0, 8.0, 0.0)], 0.0);
+    two.cables = vec![cable(Course::Boundary { boundary: 0, from: 0, to: 1 }, CableMode::Force(9.0), 0.0)];
+    let one = found(&two, 200);
+    assert!(one.edge_reactions[0].per_length.is_some_and(|(least, most)| least > 0.99 && most < 1.01));
+    let on_cable = |v: u32| one.cables[0].vertices.contains(&v);
+    assert!(one.edge_forces.iter().all(|force| !force.segment.iter().all(|&v| on_cable(v))));
+}
+
+#[test]
+fn all_reactions_balance_in_their_sum_and_in_their_moments() {
+    // A mast lifts a ring beside the middle of a skew frame, one side of which is a cable.
+    let circle = |k: u32| DVec3::new(1.0 + libm::cos(f64::from(k) * 0.5), 0.5 - libm::sin(f64::from(k) * 0.5), 1.0);
+    let hub = DVec3::new(1.0, 0.5, 1.0);
+    let mut structure = film(&[(-5.0, -5.0, 0.0), (5.0, -4.0, 1.0), (6.0, 5.0, 0.0), (-5.0, 6.0, -1.0)], 0.0);
+    structure.boundaries.push((0..12).map(circle).collect());
+    structure.rings = vec![Ring { boundary: 1, axis: DVec3::Z, force: 0.0, hub: Some(hub) }];
+    let mast = Course::Mast([DVec3::new(1.0, 0.5, -3.0), hub]);
+    structure.cables = vec![
+        cable(Course::Boundary { boundary: 0, from: 1, to: 2 }, CableMode::Force(15.0), 0.0),
+        cable(mast, CableMode::Length(4.5), 0.0),
+    ];
+    let result = found(&structure, 1000);
+    let at = |v: u32| result.mesh.vertices[v as usize];
+    let single = result.reactions.iter().map(|reaction| (reaction.vertex, reaction.force));
+    let all: Vec<(u32, DVec3)> = single.chain(result.edge_supports.iter().copied()).collect();
+    let sum = all.iter().map(|(_, force)| *force).sum::<DVec3>();
+    let moment = all.iter().map(|(v, force)| at(*v).cross(*force)).sum::<DVec3>();
+    let magnitudes: f64 = all.iter().map(|(_, force)| force.length()).sum();
+    println!("{sum} {moment} {magnitudes}");
+    assert!(sum.length() < 1e-9 * magnitudes && moment.length() < 1e-8 * magnitudes, "{sum} {moment}");
+    // The guide bears a moment and a force across the axis.
+    let guide = result.edge_reactions.iter().find(|edge| edge.boundary == 1).unwrap();
+    assert!(guide.force.truncate().length() > 1e-3 && guide.force.z.abs() < 1e-6, "{guide:?}");
 }
 
 #[test]

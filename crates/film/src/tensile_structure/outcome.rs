@@ -6,7 +6,7 @@ use super::options::{
     CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord, layer_place,
 };
 use super::ponding::{self, Ponding, Roof};
-use super::reactions::{Hold, contact_angles, holds, reactions, sums};
+use super::reactions::{Hold, contact_angles, edge_forces, holds, reactions, sums};
 use super::shape::{CableResult, ChamberResult, LayerResult, Stability, Statistics, TensileStructure};
 use super::stress::{of_all, of_triangles, stress};
 use super::warnings::{piercing, warn};
@@ -132,9 +132,10 @@ pub(super) fn finish(
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
     let holds = holds(&model);
     let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
-    let (reactions, edge_reactions) = reactions(&model, &found, &holds);
     let of_all_triangles = |balance| of_triangles(balance, &triangles, &at);
     let stresses = found.balance.as_ref().map(of_all_triangles).unwrap_or_default();
+    let edge_forces = edge_forces(&model, &holds, &triangles, &stresses, &at);
+    let reactions = reactions(&model, &found, &holds, &edge_forces);
     let statistics = Statistics {
         energy: found.energy,
         vertices: at.len(),
@@ -191,8 +192,10 @@ pub(super) fn finish(
         input_vertices: model.input_vertices,
         stresses,
         cables,
-        reactions,
-        edge_reactions,
+        reactions: reactions.single,
+        edge_reactions: reactions.edges,
+        edge_supports: reactions.edge_supports,
+        edge_forces: edge_forces.into_iter().flatten().collect(),
         ring_travels,
         statistics,
         warnings,

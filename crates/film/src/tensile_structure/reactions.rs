@@ -3,9 +3,10 @@
 use super::form_finding::{Balance, Found};
 use super::model::{Model, MovingRing};
 use super::options::BoundaryPoint;
-use super::shape::{EdgeReaction, ForceBalance, Reaction};
+use super::shape::{EdgeForce, EdgeReaction, ForceBalance, Reaction, TriangleStress};
 use crate::equilibrium::{Freedom, Support};
 use plateau_mesh::DVec3;
+use plateau_mesh::measure::double_area_vector;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The support of a vertex.
@@ -104,8 +105,20 @@ pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], a
     range
 }
 
-pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Vec<EdgeReaction>) {
-    let Some(balance) = &found.balance else { return (Vec::new(), Vec::new()) };
+/// The reactions of a shape.
+#[derive(Default)]
+pub(super) struct Reactions {
+    /// Those of supports at single vertices.
+    pub single: Vec<Reaction>,
+    /// Those along edges, boundary by boundary.
+    pub edges: Vec<EdgeReaction>,
+    /// Those along edges, vertex by vertex.
+    pub edge_supports: Vec<(u32, DVec3)>,
+}
+
+/// The reactions of the shape. `edge_forces` are those of [`edge_forces`].
+pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold], edge_forces: &[Vec<EdgeForce>]) -> Reactions {
+    let Some(balance) = &found.balance else { return Reactions::default() };
     let held = |v: u32| !matches!(holds[v as usize], Hold::Nothing);
     let mut single = vec![false; holds.len()];
     let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
@@ -128,30 +141,74 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Re
         };
         model.input_vertices.iter().enumerate().find_map(of)
     };
-    let reactions = (0..holds.len() as u32)
+    let single_reactions = (0..holds.len() as u32)
         .filter(|&v| single[v as usize])
         .map(|vertex| Reaction { vertex, point: point_of(vertex), force: of_point(vertex) })
         .collect();
-    let edges = model.boundaries().iter().enumerate().filter_map(|(boundary, rim)| {
-        if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
+    let mut result = Reactions { single: single_reactions, ..Reactions::default() };
+    for (boundary, (rim, forces)) in model.boundaries().iter().zip(edge_forces).enumerate() {
+        let own: Vec<(u32, DVec3)> = if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
             // The hub passes its force on to the ring.
-            let force = model.rings[number].vertices.iter().map(|&v| balance.forces[v as usize]).sum();
-            return Some(EdgeReaction { boundary, force });
+            model.rings[number].vertices.iter().map(|&v| (v, balance.forces[v as usize])).collect()
+        } else {
+            let borne = rim.iter().filter(|&&v| held(v) && (!single[v as usize] || ends.contains_key(&v)));
+            borne.map(|&v| (v, of_edge(v))).collect()
+        };
+        if own.is_empty() {
+            continue;
         }
-        let borne = || rim.iter().filter(|&&v| held(v) && (!single[v as usize] || ends.contains_key(&v)));
-        let force = borne().map(|&v| of_edge(v)).sum();
-        borne().next().map(|_| EdgeReaction { boundary, force })
-    });
-    (reactions, edges.collect())
+        let magnitudes = forces.iter().map(|force| force.per_length.length());
+        let per_length = magnitudes.map(|size| (size, size)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        result.edges.push(EdgeReaction { boundary, force: own.iter().map(|(_, force)| *force).sum(), per_length });
+        result.edge_supports.extend(own);
+    }
+    result
+}
+
+/// For each boundary the force of the supports along its held segments, on which no cable runs. `stresses` are those of
+/// `triangles`; without them there are no forces.
+pub(super) fn edge_forces(
+    model: &Model,
+    holds: &[Hold],
+    triangles: &[[u32; 3]],
+    stresses: &[TriangleStress],
+    at: &[DVec3],
+) -> Vec<Vec<EdgeForce>> {
+    let key = |[v, w]: [u32; 2]| [v.min(w), v.max(w)];
+    let mut pulls: BTreeMap<[u32; 2], DVec3> = BTreeMap::new();
+    for (triangle, stress) in triangles.iter().zip(stresses) {
+        let normal = double_area_vector(triangle.map(|v| at[v as usize])).normalize_or_zero();
+        for k in 0..3 {
+            let side = [triangle[k], triangle[(k + 1) % 3]];
+            if side.iter().any(|&v| matches!(holds[v as usize], Hold::Nothing)) {
+                continue;
+            }
+            let [from, to] = side.map(|v| at[v as usize]);
+            let outward = (to - from).cross(normal).normalize_or_zero();
+            let (along, across) = (stress.direction, normal.cross(stress.direction));
+            let pull =
+                stress.principal.1 * along.dot(outward) * along + stress.principal.0 * across.dot(outward) * across;
+            *pulls.entry(key(side)).or_insert(DVec3::ZERO) += pull;
+        }
+    }
+    let on_cables = on_chains(model);
+    let of_rim = |rim: &Vec<u32>| {
+        let segments = (0..rim.len()).map(|k| [rim[k], rim[(k + 1) % rim.len()]]);
+        let own = segments.filter(|segment| !on_cables.contains(&key(*segment)));
+        own.filter_map(|segment| Some(EdgeForce { segment, per_length: *pulls.get(&key(segment))? })).collect()
+    };
+    model.boundaries().iter().map(of_rim).collect()
+}
+
+/// The segments of all cables, with the lower number first.
+fn on_chains(model: &Model) -> BTreeSet<[u32; 2]> {
+    let pairs = model.chains.iter().flat_map(|chain| chain.windows(2));
+    pairs.map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]).collect()
 }
 
 /// For each end of cables on a clamped edge the force of the support on these cables alone.
 fn clamped_ends(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> BTreeMap<u32, DVec3> {
-    let along: BTreeSet<[u32; 2]> = model
-        .chains
-        .iter()
-        .flat_map(|chain| chain.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]))
-        .collect();
+    let along = on_chains(model);
     let mut clamped = vec![false; holds.len()];
     for rim in model.boundaries() {
         for (k, &v) in rim.iter().enumerate() {

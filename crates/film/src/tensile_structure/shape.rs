@@ -27,6 +27,21 @@ pub struct EdgeReaction {
     pub boundary: usize,
     /// The sum of the forces of the supports on the structure.
     pub force: DVec3,
+    /// The least and the largest magnitude of [`EdgeForce::per_length`] along the boundary. `None` if none of its
+    /// segments is held.
+    pub per_length: Option<(f64, f64)>,
+}
+
+/// The force of the supports on the structure along one segment of a held edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct EdgeForce {
+    /// The ends of the segment.
+    pub segment: [u32; 2],
+    /// The force over the segment's length: Σ S ν over the triangles beside the segment, with their stress S and the
+    /// unit vector ν in their plane that points across the segment out of the triangle. It is exact for a film of one
+    /// tension, whose film pulls with σ, and of first order in the edge length elsewhere.
+    pub per_length: DVec3,
 }
 
 /// A cable of the shape.
@@ -238,6 +253,11 @@ pub struct TensileStructure {
     pub reactions: Vec<Reaction>,
     /// Supports along edges.
     pub edge_reactions: Vec<EdgeReaction>,
+    /// The forces on the structure of which [`edge_reactions`](Self::edge_reactions) has the sums, vertex by vertex.
+    /// With [`reactions`](Self::reactions) they balance the loads in their sum and in their moments.
+    pub edge_supports: Vec<(u32, DVec3)>,
+    /// The force per length along each segment of a held edge. Empty if the forces could not be balanced.
+    pub edge_forces: Vec<EdgeForce>,
     /// For each ring that moves how far it has moved along its axis.
     pub ring_travels: Vec<f64>,
     /// Figures.

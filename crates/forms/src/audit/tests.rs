@@ -261,6 +261,28 @@ fn every_fault_in_a_tensile_structure_is_found() {
 }
 
 #[test]
+#[cfg(feature = "tensile-structure")]
+fn every_fault_in_the_forces_along_a_held_edge_is_found() {
+    let request = json!({
+        "kind": "tensile_structure",
+        "boundaries": [[[0, 0, 0], [10, 0, 4], [10, 10, 0], [0, 10, 4]]],
+        "film": { "warp": 2, "weft": 1, "direction": { "parallel": [1, 0, 0] } },
+        "resolution": { "triangles": 200 }
+    });
+    let faults: [Fault; 4] = [
+        ("a force per length of another edge", |contents, _| set(contents, "held edges").attributes[0].values[3] += 1e-6),
+        ("a force per length to another side", |contents, _| set(contents, "held edges").attributes[2].values[0] += 1e-6),
+        ("a least force of another boundary", |_, statistics| {
+            add(statistics, "/edge_reactions/0/force_per_length/min", 1e-6);
+        }),
+        ("a largest force of another boundary", |_, statistics| {
+            add(statistics, "/edge_reactions/0/force_per_length/max", 1e-6);
+        }),
+    ];
+    finds(&request, &faults);
+}
+
+#[test]
 #[cfg(feature = "ruled-surface")]
 fn a_result_with_a_fault_is_withheld_and_the_error_names_the_figure() {
     let request = request(&strips());

@@ -1,6 +1,6 @@
 //! The stated figures of a tensile structure, measured again.
 
-use super::solve::SolverInput;
+use super::solve::{HELD_EDGES, SolverInput};
 use crate::audit::comparison::Audit;
 use crate::audit::edges::Edges;
 use crate::audit::figure::{Largest, Least, Measured, RELATIVE, Spread, Sum};
@@ -10,6 +10,7 @@ use plateau_archive::Lines;
 use plateau_archive::archive::CABLES;
 use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
+use std::collections::BTreeMap;
 
 /// Largest difference between the force of a cable that its mode states and the mean of the forces of its segments,
 /// relative to the largest of them. The segments bear what balances the film's mesh, which differs from the force of
@@ -68,6 +69,7 @@ impl SolverInput {
         self.compare_chambers(audit);
         self.compare_slope(audit);
         compare_balance(audit);
+        compare_held_edges(audit);
     }
 
     /// Requires a vertex for each point of the request, at the point itself unless it may move.
@@ -240,6 +242,68 @@ fn compare_balance(audit: &mut Audit) {
         || format!("the {count} reactions listed add up to balance/reactions"),
         || format!("{off} is missing"),
     );
+}
+
+/// Compares the forces per length along held edges with the stresses of the triangles beside them: each pulls with
+/// S ν = σ₂ ν + (σ₁ - σ₂) (d · ν) d, with its principal stresses σ₁ and σ₂, the direction d of σ₁ and the unit vector ν
+/// from its third corner across the edge.
+fn compare_held_edges(audit: &mut Audit) {
+    let contents = audit.contents;
+    let Some(set) = contents.line_sets.iter().find(|set| set.name == HELD_EDGES) else { return };
+    let Lines::Segments(pairs) = &set.lines else { return };
+    let vertices = &contents.mesh.vertices;
+    let key = |[v, w]: [u32; 2]| [v.min(w), v.max(w)];
+    let mut is_on_edge = vec![false; vertices.len()];
+    pairs.iter().flatten().for_each(|&v| is_on_edge[v as usize] = true);
+    // The force per length and its tolerance.
+    let mut pulls: BTreeMap<[u32; 2], (DVec3, f64)> =
+        pairs.iter().map(|&pair| (key(pair), (DVec3::ZERO, 0.0))).collect();
+    let value = |name: &str, t: usize| {
+        let attribute = contents.triangle_attributes.iter().find(|attribute| attribute.name == name);
+        attribute.and_then(|attribute| attribute.values.get(t).copied()).unwrap_or(f64::NAN)
+    };
+    for (t, triangle) in contents.mesh.triangles.iter().enumerate() {
+        for k in 0..3 {
+            let [from, to, third] = [0, 1, 2].map(|i| triangle[(k + i) % 3]);
+            if !is_on_edge[from as usize] || !is_on_edge[to as usize] {
+                continue;
+            }
+            let Some((pull, tolerance)) = pulls.get_mut(&key([from, to])) else { continue };
+            let [a, b, c] = [from, to, third].map(|v| vertices[v as usize]);
+            let out = (a - c).reject_from(b - a).normalize_or_zero();
+            let [least, most] = ["stress_min", "stress_max"].map(|name| value(name, t));
+            let [x, y, z] = ["stress_max_x", "stress_max_y", "stress_max_z"].map(|name| value(name, t));
+            let direction = DVec3::new(x, y, z);
+            *pull += least * out + (most - least) * direction.dot(out) * direction;
+            *tolerance += most.abs() * (RELATIVE + 4.0 * audit.step / Sides::of([a, b, c]).altitude());
+        }
+    }
+    let attributes = ["force_per_length", "force_per_length_x", "force_per_length_y", "force_per_length_z"];
+    let stated = attributes.map(|name| set.attributes.iter().find(|attribute| attribute.name == name));
+    for (k, &pair) in pairs.iter().enumerate() {
+        let (pull, tolerance) = pulls[&key(pair)];
+        let measured = [pull.length(), pull.x, pull.y, pull.z];
+        for (attribute, value) in stated.iter().zip(measured) {
+            let own = attribute.and_then(|attribute| attribute.values.get(k).copied()).unwrap_or(f64::NAN);
+            audit.attribute(|| format!("{HELD_EDGES}, segment {k}"), own, Measured::within(value, tolerance));
+        }
+    }
+    let Some(Lines::Polylines(rims)) = contents.line_sets.first().map(|set| &set.lines) else { return };
+    for k in 0..audit.entries("/edge_reactions") {
+        let boundary = audit.stated_count(&format!("/edge_reactions/{k}/boundary"));
+        let rim = rims.get(boundary).map_or(&[][..], |rim| &rim.vertices);
+        let own = (0..rim.len()).filter_map(|i| pulls.get(&key([rim[i], rim[(i + 1) % rim.len()]])));
+        let (mut least, mut most) = (Least::NONE, Largest::NONE);
+        for (pull, tolerance) in own {
+            least.add(pull.length(), *tolerance);
+            most.add(pull.length(), *tolerance);
+        }
+        let pointer = format!("/edge_reactions/{k}/force_per_length");
+        if !audit.value(&pointer).is_null() {
+            audit.figure(&format!("{pointer}/min"), least.measured());
+            audit.figure(&format!("{pointer}/max"), most.measured());
+        }
+    }
 }
 
 /// Returns the largest distance of a cable's vertices from the chord between its ends.

@@ -12,7 +12,10 @@ use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_film::minimal_surface::StopReason;
 use plateau_film::tensile_structure;
 use plateau_mesh::self_intersections::Order;
-use plateau_mesh::{Error, Execution};
+use plateau_mesh::{DVec3, Error, Execution};
+
+/// The line set of the held segments of the boundaries.
+pub(super) const HELD_EDGES: &str = "held edges";
 
 #[derive(Debug)]
 pub(super) struct SolverInput {
@@ -39,6 +42,22 @@ fn stresses(of_triangles: &[tensile_structure::TriangleStress], force: ForceUnit
     ]
 }
 
+/// Returns the held segments of the boundaries with the supports' force per length on the structure.
+fn held_edges(of_segments: &[tensile_structure::EdgeForce], force: ForceUnit, length: Unit) -> LineSet {
+    let unit = format!("{}/{}", force.symbol(), length.symbol());
+    let attribute = |name: &str, value: &dyn Fn(DVec3) -> f64| {
+        Attribute::new(name, &unit, of_segments.iter().map(|own| value(own.per_length)).collect())
+    };
+    let attributes = vec![
+        attribute("force_per_length", &DVec3::length),
+        attribute("force_per_length_x", &|force| force.x),
+        attribute("force_per_length_y", &|force| force.y),
+        attribute("force_per_length_z", &|force| force.z),
+    ];
+    let segments = of_segments.iter().map(|own| own.segment).collect();
+    LineSet { attributes, ..line_set(HELD_EDGES, Lines::Segments(segments)) }
+}
+
 impl solved::SolverInput for SolverInput {
     fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
         let Self { structure, options, force } = self;
@@ -56,8 +75,12 @@ impl solved::SolverInput for SolverInput {
             let (group, lines) = (cable.name.clone(), Lines::Segments(pairs));
             line_sets.push(LineSet { name: name.into(), group, lines, attributes });
         }
-        let feet =
-            found.reactions.iter().map(|reaction| (found.mesh.vertices[reaction.vertex as usize], reaction.force));
+        if !found.edge_forces.is_empty() {
+            line_sets.push(held_edges(&found.edge_forces, force, coordinates.unit));
+        }
+        let single = found.reactions.iter().map(|reaction| (reaction.vertex, reaction.force));
+        let feet = single.chain(found.edge_supports.iter().copied());
+        let feet = feet.map(|(vertex, force)| (found.mesh.vertices[vertex as usize], force));
         line_sets.push(reactions(feet.collect(), &found.mesh.vertices, forces));
         let archive = archive(Contents {
             generator: generator(),

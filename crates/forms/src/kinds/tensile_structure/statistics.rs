@@ -64,6 +64,15 @@ pub struct EdgeReaction {
     pub boundary: usize,
     /// Force of the supports on the structure.
     pub force: Point,
+    /// Magnitude of the force per length along the boundary. Null if none of its segments is held.
+    pub force_per_length: Option<ForcePerLength>,
+}
+
+/// Forces per length along an edge, a force over the length unit.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ForcePerLength {
+    pub min: f64,
+    pub max: f64,
 }
 
 /// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
@@ -185,8 +194,11 @@ impl TensileStatistics {
             point: reaction.point.map(|point| point.point),
             force: reaction.force.to_array(),
         };
-        let edge =
-            |edge: &geometry::EdgeReaction| EdgeReaction { boundary: edge.boundary, force: edge.force.to_array() };
+        let edge = |edge: &geometry::EdgeReaction| EdgeReaction {
+            boundary: edge.boundary,
+            force: edge.force.to_array(),
+            force_per_length: edge.per_length.map(|(min, max)| ForcePerLength { min, max }),
+        };
         Self {
             origin,
             objective: "equilibrium",
