@@ -72,6 +72,40 @@ async fn cables_and_reactions_are_lines_with_their_forces() {
 }
 
 #[tokio::test]
+async fn a_film_slides_on_a_ring_beam_and_states_the_force_along_its_edges() {
+    let app = TestApp::start().await;
+    let ring = |count: u32, radius: f64, height: f64| -> Vec<[f64; 3]> {
+        let angle = |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(count);
+        (0..count).map(|k| [radius * angle(k).cos(), radius * angle(k).sin(), height]).collect()
+    };
+    let body = json!({
+        "boundaries": [ring(32, 1.3, 0.8), ring(32, 1.0, 0.0)],
+        "film": { "tension": 2 },
+        "supports": [{
+            "boundary": 1,
+            "on": { "torus": { "centre": [0, 0, -0.3], "axis": [0, 0, 5], "radius": 1, "tube_radius": 0.3 } }
+        }],
+        "resolution": { "triangles": 800 }
+    });
+    let job = app.solve(TENSILE, &body).await;
+    let statistics = &job["statistics"];
+    assert_eq!(statistics["converged"], true, "{job}");
+    let number = |pointer: &str| statistics.pointer(pointer).and_then(Value::as_f64).unwrap();
+    for pointer in ["/edge_reactions/0/force_per_length/min", "/edge_reactions/1/force_per_length/max"] {
+        assert!((number(pointer) - 2.0).abs() < 0.02, "{pointer}: {statistics}");
+    }
+    assert!((number("/contact_angle_deg/max") - 90.0).abs() < 1e-3, "{statistics}");
+    // An arrow for each vertex of both edges, and a force per length for each of their segments.
+    let mesh = app.get_json(&format!("{}?format=json", job["links"]["mesh"].as_str().unwrap())).await;
+    let lines = |name: &str| mesh["lines"].as_array().unwrap().iter().find(|set| set["name"] == name).unwrap().clone();
+    let (held, arrows) = (lines("held edges"), lines("reactions"));
+    let count = held["paths"].as_array().unwrap().len();
+    assert!(count >= 64 && arrows["arrows"].as_array().unwrap().len() == count, "{count} {arrows}");
+    assert_eq!(held["values"]["name"], "force_per_length");
+    assert_eq!(held["values"]["unit"], "kN/m");
+}
+
+#[tokio::test]
 async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let app = TestApp::start().await;
     let cable = |extra: Value| sail(json!({ "cables": [edge(0, extra)] }));
@@ -112,7 +146,14 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     };
     let mut leaning_on_a_mesh = meshed(json!([[0, 1, 2], [0, 2, 3]]));
     leaning_on_a_mesh["supports"][0]["contact_angle_deg"] = json!(60);
+    let beam = |tube_radius: f64, axis: Value| {
+        sliding(json!({ "torus": { "centre": [0, 0, 0], "axis": axis, "radius": 2, "tube_radius": tube_radius } }))
+    };
     let cases = [
+        (beam(2.0, json!([0, 0, 1])), vec!["/supports/0/on/torus/tube_radius"]),
+        (beam(0.0, json!([0, 0, 1])), vec!["/supports/0/on/torus/tube_radius"]),
+        (beam(0.5, json!([0, 0, 0])), vec!["/supports/0/on/torus/axis"]),
+        (beam(0.5, json!([0, 0, 2])), vec!["/boundaries/0/1"]),
         (turning, vec!["/boundaries/0/1", "/boundaries/0/3"]),
         (meshed(json!([])), vec!["/supports/0/on/mesh/triangles"]),
         (meshed(json!([[0, 1, 2], [0, 2, 4]])), vec!["/supports/0/on/mesh/triangles/1/2"]),

@@ -1038,6 +1038,8 @@ export interface components {
             boundary: number;
             /** @description Force of the supports on the structure. */
             force: number[];
+            /** @description Magnitude of the force per length along the boundary. Null if none of its segments is held. */
+            force_per_length: components["schemas"]["ForcePerLength"] | null;
         };
         /** @description Second variation of the energy. */
         EquilibriumStability: {
@@ -1145,6 +1147,13 @@ export interface components {
              */
             residual_force: number;
         };
+        /** @description Forces per length along an edge, a force over the length unit. */
+        ForcePerLength: {
+            /** Format: double */
+            max: number;
+            /** Format: double */
+            min: number;
+        };
         /**
          * @description Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area.
          * @enum {string}
@@ -1194,6 +1203,7 @@ export interface components {
             mesh?: components["schemas"]["MeshGuide"];
             plane?: components["schemas"]["PlaneGuide"];
             sphere?: components["schemas"]["SphereGuide"];
+            torus?: components["schemas"]["TorusGuide"];
         };
         /** @description The record of an iteration of the solver. */
         HistoryRow: {
@@ -3056,6 +3066,21 @@ export interface components {
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";
+        /** @description A torus, such as a ring beam of round tube. */
+        TorusGuide: {
+            axis: components["schemas"]["Point"];
+            centre: components["schemas"]["Point"];
+            /**
+             * Format: double
+             * @description Radius of the circle inside the tube.
+             */
+            radius: number;
+            /**
+             * Format: double
+             * @description Radius of the tube, below `radius`.
+             */
+            tube_radius: number;
+        };
         /** @description A job: an accepted request and its state. */
         UniformMeshJob: {
             /** @description Time of submission (RFC 3339, UTC). */

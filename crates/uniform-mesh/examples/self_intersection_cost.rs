@@ -78,6 +78,20 @@ fn main() {
             row("strip of least twist", 2 * points, Order::AsGiven, || strip(Objective::MinimalTwist));
         }
     }
+    {
+        use ruled_surface::{Options, solve};
+        let strip = |rails: &[Vec<DVec3>; 2], closed: bool| {
+            solve(rails, &Options { closed, ..Options::default() }, &Execution::default()).expect("a strip").mesh
+        };
+        // A helix around its axis, whose fans face no direction.
+        let axis: Vec<DVec3> = (0..3).map(|k| DVec3::X * (5.0 * f64::from(k))).collect();
+        let at = |k: u32| 10.0 * f64::from(k) / 7_499.0;
+        let helix = (0..7_500).map(|k| DVec3::new(at(k), (3.0 * at(k)).cos(), (3.0 * at(k)).sin())).collect();
+        let fans = [axis, helix];
+        row("fans of 3 and 7,500 points", 7_501, Order::AsGiven, || strip(&fans, false));
+        let rings = [0.0, 1.0].map(|z| circle(1_000, |angle| DVec3::new(angle.cos(), angle.sin(), z)));
+        row("closed strip of 1,000 and 1,000 points", 2_000, Order::AsGiven, || strip(&rings, true));
+    }
     for nodes in [1_000, 10_000, 100_000].into_iter().filter(|&count| 2 * count <= most) {
         use uniform_mesh::{Domain, Objective, Options, solve};
         let side = (nodes as f64).sqrt();

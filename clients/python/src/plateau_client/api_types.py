@@ -559,6 +559,8 @@ class EdgeReaction(TypedDict):
     boundary: int
     force: List[float]
     """Force of the supports on the structure."""
+    force_per_length: Optional[ForcePerLength]
+    """Magnitude of the force per length along the boundary. Null if none of its segments is held."""
 
 
 class EquilibriumStability(TypedDict):
@@ -644,6 +646,12 @@ class ForceBalance(TypedDict):
     """Largest force on a vertex that is not balanced."""
 
 
+class ForcePerLength(TypedDict):
+    """Forces per length along an edge, a force over the length unit."""
+    max: float
+    min: float
+
+
 class GivenMesh(TypedDict):
     """The client's own initial mesh. It is either an oriented manifold whose boundary loops are `boundaries`, with or
     without further vertices on their segments, or a film whose sheets meet three by three along edges with three
@@ -678,6 +686,7 @@ class Guide(TypedDict):
     mesh: NotRequired[MeshGuide]
     plane: NotRequired[PlaneGuide]
     sphere: NotRequired[SphereGuide]
+    torus: NotRequired[TorusGuide]
 
 
 class HistoryRow(TypedDict):
@@ -1980,6 +1989,16 @@ class TensileStructureRequestWithKind(TypedDict):
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
     pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
+
+
+class TorusGuide(TypedDict):
+    """A torus, such as a ring beam of round tube."""
+    axis: Point
+    centre: Point
+    radius: float
+    """Radius of the circle inside the tube."""
+    tube_radius: float
+    """Radius of the tube, below `radius`."""
 
 
 class UniformMeshJob(TypedDict):

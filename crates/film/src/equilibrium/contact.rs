@@ -10,8 +10,8 @@
 //! *Equilibrium capillary surfaces* (1986), chapter 1.
 //!
 //! W is a sum over the segments of the edge, each of which the support has in closed form
-//! ([`AreaBeside`](super::support::AreaBeside)). For ends that do not move W is the area up to a constant, which is such
-//! that W = 0 at the positions at which the term was made.
+//! ([`AreaBeside`](super::support::AreaBeside)). For ends that do not move W is the area up to a constant, which is
+//! such that W = 0 at the positions at which the term was made.
 
 use super::support::{AreaBeside, AreaPart, Support};
 use crate::energy::Term;

@@ -270,8 +270,12 @@ fn every_fault_in_the_forces_along_a_held_edge_is_found() {
         "resolution": { "triangles": 200 }
     });
     let faults: [Fault; 4] = [
-        ("a force per length of another edge", |contents, _| set(contents, "held edges").attributes[0].values[3] += 1e-6),
-        ("a force per length to another side", |contents, _| set(contents, "held edges").attributes[2].values[0] += 1e-6),
+        ("a force per length of another edge", |contents, _| {
+            set(contents, "held edges").attributes[0].values[3] += 1e-6;
+        }),
+        ("a force per length to another side", |contents, _| {
+            set(contents, "held edges").attributes[2].values[0] += 1e-6;
+        }),
         ("a least force of another boundary", |_, statistics| {
             add(statistics, "/edge_reactions/0/force_per_length/min", 1e-6);
         }),

@@ -11,9 +11,9 @@ use std::sync::Arc;
 /// II(u, v) = -n ((u·e) (v·e) (n·o) / ϱ + (u·m) (v·m) / r)
 /// ```
 ///
-/// with the unit directions o away from the axis, e = axis × o around it and m = n × e around the tube, and the distance
-/// ϱ = R + r n·o of the point from the axis. Source: do Carmo, *Differential Geometry of Curves and Surfaces* (1976),
-/// section 3-3, example 1.
+/// with the unit directions o away from the axis, e = axis × o around the axis and m = n × e around the tube, and the
+/// distance ϱ = R + r n·o of the point from the axis. Source: do Carmo, *Differential Geometry of Curves and Surfaces*
+/// (1976), section 3-3, example 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {
     /// The centre.
