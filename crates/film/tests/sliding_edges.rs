@@ -258,7 +258,7 @@ fn a_plane_given_as_a_mesh_gives_the_plane_s_answer() {
         let plane = Plane { point: DVec3::ZERO, normal };
         let edge: Vec<DVec3> = circle(48, 0.9, 0.0).iter().map(|&p| plane.nearest(p)).collect();
         let boundaries = || vec![circle(48, 1.0, 0.5), edge.clone()];
-        let exact = found(&sliding(boundaries(), 1, plane.clone(), None), 800);
+        let exact = found(&sliding(boundaries(), 1, plane, None), 800);
         for (cells, rounding) in [(1, 0.3), (7, 0.1), (20, 0.5)] {
             let (vertices, triangles) = floor(cells, slope);
             let mesh = Mesh::new(&vertices, &triangles, rounding).unwrap();
