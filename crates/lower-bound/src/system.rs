@@ -65,6 +65,8 @@ impl From<Stop> for Error {
 }
 
 impl System {
+    /// Numbers the rows, builds the pattern of the matrix, and analyses it.
+    ///
     /// # Errors
     /// The error of the analysis, or an interruption.
     pub fn of(space: &Space, exec: &Execution) -> Result<Self, Stop> {
