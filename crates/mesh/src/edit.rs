@@ -205,7 +205,8 @@ impl Topology {
         self.triangles.len() as u32 - 1
     }
 
-    /// Takes a triangle out. Its neighbours and corners must be told by the caller.
+    /// Takes a triangle out. The caller must update the twins of its neighbours and the outgoing half-edges of its
+    /// corners.
     pub(super) fn take_out(&mut self, triangle: u32) {
         self.triangles[triangle as usize] = [NONE; 3];
         self.twin[3 * triangle as usize..3 * triangle as usize + 3].fill(NONE);

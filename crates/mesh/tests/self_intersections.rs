@@ -32,7 +32,7 @@ fn normal([a, b, c]: [Vector; 3]) -> Vector {
     cross(minus(b, a), minus(c, a))
 }
 
-/// Whether a point of the triangle's plane, or off it, belongs to the closed triangle.
+/// Whether a point anywhere in space belongs to the closed triangle.
 fn contains(triangle: [Vector; 3], at: Fraction) -> bool {
     let n = normal(triangle);
     let from = |corner: Vector| [0, 1, 2].map(|k| at.point[k] - at.over * corner[k]);
@@ -195,7 +195,7 @@ fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
             _ => strip(&mut random),
         };
         let expected = mesh.brute_force();
-        // Where it stands, turned over by a reflection, scaled and moved without rounding, with every vertex stored
+        // The mesh is checked as it is; reflected, scaled and moved without rounding; and with every vertex stored
         // twice.
         let points = mesh.points();
         let moved: Vec<DVec3> = points.iter().map(|p| DVec3::new(-p.z, p.x, p.y) * 0.125 + 1e6).collect();

@@ -22,8 +22,8 @@ use std::collections::BinaryHeap;
 /// A change must raise the smallest angle by at least this much (radians). Without this bound the changes could go on
 /// by ever smaller gains.
 const LEAST_GAIN: f64 = 0.01;
-/// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle
-/// is known.
+/// Relative rounding error of a tangent. A triangle is left out by its tangent alone, before its angle is computed,
+/// only if it misses the useful angle by more than this.
 const ROUNDING: f64 = 1e-12;
 /// Cosine of the largest angle between a changed triangle and the mean of the triangles around it.
 const LEAST_COSINE: f64 = 0.3;
@@ -95,7 +95,8 @@ pub fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<
     Ok(Some(origin))
 }
 
-/// The smallest angle of a triangle, which is never obtuse: the least tangent of its acute angles. 0 if it has no area.
+/// The smallest angle of a triangle in radians; 0 if the triangle has no area. The smallest angle has the least tangent
+/// of the acute angles, because it is never obtuse.
 fn least([a, b, c]: [DVec3; 3]) -> f64 {
     libm::atan(least_tangent([a, b, c]))
 }

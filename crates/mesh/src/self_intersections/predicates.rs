@@ -11,14 +11,15 @@ pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
             return None;
         }
     }
-    // Two triangles meet if an edge of one meets the other; one inside the other, in its plane, is such a case.
+    // Two triangles meet if and only if an edge of one meets the other. This holds for a triangle inside the other one
+    // in the same plane too.
     [(a, b), (b, a)]
         .into_iter()
         .find_map(|(one, other)| (0..3).find_map(|k| segment_meets_triangle(one[k], one[(k + 1) % 3], other)))
 }
 
-/// Whether the two triangles at a common edge, with the third corners `third` and `fourth`, lie in one plane and folded
-/// onto each other.
+/// A point of the common edge of two triangles with the third corners `third` and `fourth`, if they lie in one plane
+/// and are folded onto each other.
 pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: DVec3) -> Option<DVec3> {
     let triangle = [from, to, third];
     if volume(&triangle, fourth) != 0.0 {

@@ -92,8 +92,7 @@ impl Hierarchy {
         x
     }
 
-    /// Solves `matrix` x = `right_hand_side` until `is_small` accepts the residual. `work` is the cost of one
-    /// iteration.
+    /// Solves `matrix` x = `right_hand_side` until `is_small` accepts the residual.
     ///
     /// # Errors
     /// See [`CgFailure`].
