@@ -299,7 +299,8 @@ impl BisectionMesh {
 
     /// Bisects the given leaves, and the further leaves that keep the mesh conforming. The fields stay the same
     /// functions; the multipliers are interpolated. Ends after as many passes as there are levels at most, because each
-    /// pass bisects the leaves that hang, and no leaf lies deeper than the neighbour for which it was bisected.
+    /// pass bisects the leaves that have an edge with a midpoint, and no leaf lies deeper than the neighbour for which
+    /// it was bisected.
     ///
     /// # Errors
     /// The interruptions of `exec`, for which each pass over the leaves looks.

@@ -125,7 +125,7 @@ impl ConeVector {
 /// The scaling of Nesterov and Todd of one cone: a symmetric matrix W with W x = W⁻¹ s.
 #[derive(Clone, Copy, Debug)]
 struct Scaling {
-    /// W is this number times the matrix of a vector of norm 1.
+    /// W is this number times the matrix `[w₀, wᵀ; w, I + w wᵀ / (1 + w₀)]` of `vector` = (w₀, w), whose norm is 1.
     factor: f64,
     vector: ConeVector,
     /// W x.

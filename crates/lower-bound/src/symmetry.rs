@@ -204,7 +204,7 @@ fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Opt
 /// A rectangular coordinate system: a point x has the products of the directions with x - origin as its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
-    /// The point that becomes zero.
+    /// The point whose coordinates become zero.
     pub origin: DVec3,
     /// Three directions, perpendicular to each other and of length 1 up to rounding.
     pub directions: [DVec3; 3],

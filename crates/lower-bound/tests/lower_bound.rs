@@ -216,7 +216,8 @@ fn a_film_whose_border_does_not_run_along_the_loops_has_no_bound() {
     assert_eq!(certify(&film), None);
 }
 
-/// A small boundary far from the origin: its mirror images are rounded by more than a fraction of its size.
+/// A small boundary far from the origin: its mirror images are rounded by more than the usual margin of the
+/// half-spaces, which is a fraction of the boundary's size.
 #[test]
 fn half_spaces_of_small_boundaries_far_from_the_origin_hold() {
     for (size, shift) in [(2e-3, 1e7), (1.0, 1e9), (1e-6, 1e3)] {

@@ -40,7 +40,7 @@ impl Topology {
         &self.triangles
     }
 
-    /// Half-edges, one for each edge whose key is above 1, by falling keys, then by number.
+    /// Returns a half-edge of each edge whose `key` is above 1, sorted by falling keys, then by number.
     pub fn ranked_edges(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
         // A half-edge on the boundary has the largest number as its twin.
         let mut ranked: Vec<(f64, u32)> = (0..self.twin.len() as u32)

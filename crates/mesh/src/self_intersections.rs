@@ -39,8 +39,8 @@ use std::ops::ControlFlow;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 8 takes about the same time; a larger one needs less memory.
 const LEAF: usize = 4;
-/// Number of triangles of a patch, which are suspects all together or not at all. Two divisions of a triangle make as
-/// many.
+/// Number of triangles of a patch, which are suspects all together or not at all. Two regular subdivisions of a
+/// triangle make 16.
 const PATCH: usize = 16;
 
 /// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without. At 4,000
@@ -389,8 +389,8 @@ mod tests {
     }
 
     /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself
-    /// in two vertices that both have. The end is tilted about the line between them, so that it passes through the
-    /// start.
+    /// at two vertices that start and end share. The end is tilted about the line between them, so that it passes
+    /// through the start.
     #[test]
     fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
         let over = 8;

@@ -43,7 +43,7 @@ fn contains(triangle: [Vector; 3], at: Fraction) -> bool {
 /// Every point that can be a corner of the intersection of two triangles.
 fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
     let mut found: Vec<Fraction> = one.iter().chain(&other).map(|&point| Fraction { point, over: 1 }).collect();
-    // An edge through the other's plane.
+    // Points where an edge of one triangle passes through the plane of the other.
     for (edges, plane) in [(one, other), (other, one)] {
         let n = normal(plane);
         for k in 0..3 {
@@ -55,7 +55,7 @@ fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
             }
         }
     }
-    // Two edges in one plane.
+    // Points where two edges in one plane meet.
     for k in 0..3 {
         for l in 0..3 {
             let (p, q, r, s) = (one[k], one[(k + 1) % 3], other[l], other[(l + 1) % 3]);

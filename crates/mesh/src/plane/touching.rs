@@ -1,8 +1,8 @@
 //! Closed polygons that touch at points, joined into the loops that bound the region between them.
 //!
 //! A hole that touches the outline, or another hole, at a point divides the region's neighbourhood of the point into
-//! several fans. A mesh whose vertices have one fan each has a vertex for each of them there, so its boundary goes over
-//! from one polygon to the other at the point. [`meeting`] finds these loops.
+//! several fans. In a mesh every vertex has one fan, so the mesh has one vertex per fan at the point, and its boundary
+//! passes from one polygon to the other there. [`meeting`] finds these loops.
 
 use super::polygon::{contains, doubled_area};
 use crate::execution::{Execution, Interruption};

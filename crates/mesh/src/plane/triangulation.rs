@@ -111,6 +111,8 @@ struct Faces {
 }
 
 impl Faces {
+    /// Triangulates the points with the constraints, and labels the faces.
+    ///
     /// # Errors
     /// [`Tangle`], except that a loop on the wrong side is not noticed.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
@@ -431,8 +433,8 @@ impl Triangulation {
     }
 
     /// Inserts a point that lies in triangle `t`, or on an edge of it that has a twin. Flips the edges opposite to the
-    /// point for whose half-edges `flips` holds; [`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay
-    /// property. Appends the triangles around the new point to `star`.
+    /// point for whose half-edges `flips` holds; with [`is_not_delaunay`](Self::is_not_delaunay) as `flips` the
+    /// triangulation stays Delaunay. Appends the triangles around the new point to `star`.
     pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
         self.points.push(point);
@@ -450,7 +452,7 @@ impl Triangulation {
         self.point_back(ca, 3 * (n + 1));
         let mut stack = std::mem::take(&mut self.stack);
         stack.extend([t, n, n + 1]);
-        // Ends because each flip adds a triangle to those around the new point, which none leaves.
+        // Ends because each flip adds a triangle to those around the new point, and no triangle leaves them.
         while let Some(t) = stack.pop() {
             if self.twin[t as usize][0] == NONE || !flips(self, 3 * t) {
                 star.push(t);

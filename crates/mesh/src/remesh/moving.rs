@@ -17,8 +17,8 @@ use std::collections::BTreeMap;
 
 /// An edge is split if it exceeds this multiple of the size at its ends.
 const LONG: f64 = 1.4;
-/// An edge is collapsed if it is shorter than this multiple of the size. From 0.5 to 0.65 random structures are found
-/// equally often.
+/// An edge is collapsed if it is shorter than this multiple of the size. With values from 0.5 to 0.65 the forms of
+/// random structures are found equally often.
 const SHORT: f64 = 0.65;
 /// No collapse makes an edge longer than this multiple of the size.
 const LONGEST: f64 = 1.5;

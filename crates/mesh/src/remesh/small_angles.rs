@@ -29,13 +29,13 @@ const ROUNDING: f64 = 1e-12;
 const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
-/// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn
-/// over, and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh.
+/// Largest number of changes that are made for one triangle. Without this bound two flips can undo each other again and
+/// again: on a noisy boundary one pair of flips used up all changes of the mesh.
 const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
-/// Length of the first trial move, as a fraction of the mean edge at the vertex, and largest number of times that the
-/// length is halved.
+/// Length of the first trial move, as a fraction of the mean edge at the vertex, and number of lengths that are tried,
+/// each the half of the one before.
 const FIRST_MOVE: f64 = 0.4;
 const HALVINGS: u32 = 4;
 

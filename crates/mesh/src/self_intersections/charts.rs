@@ -301,7 +301,8 @@ struct Boundary {
 }
 
 impl Boundary {
-    /// `edges` are the half-edges that bound one part.
+    /// Joins boundary edges to closed polygons. `edges` are the half-edges that bound the parts, each of which bounds
+    /// one part.
     fn new(charts: &Charts, direction: DVec3, edges: &[u32]) -> Self {
         let patches = charts.patches;
         let across = direction.any_orthonormal_vector();

@@ -3,7 +3,7 @@
 use crate::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// Where two triangles without a common vertex meet.
+/// A point where two triangles without a common vertex meet.
 pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
     for (one, other) in [(a, b), (b, a)] {
         let sides = other.map(|corner| volume(one, corner));
@@ -30,7 +30,8 @@ pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: 
     same.then(|| (from + to) * 0.5)
 }
 
-/// Where a segment meets a triangle that has an area, both closed. Exact but for the point itself.
+/// A point where a segment meets a triangle that has an area, both closed. Whether they meet is decided exactly; the
+/// point is rounded.
 pub(super) fn segment_meets_triangle(p: DVec3, q: DVec3, triangle: &[DVec3; 3]) -> Option<DVec3> {
     let (above, below) = (volume(triangle, p), volume(triangle, q));
     if above == 0.0 && below == 0.0 {

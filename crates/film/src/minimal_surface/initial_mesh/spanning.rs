@@ -53,8 +53,8 @@ impl Start {
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], up to 26, if the spacing of the boundary
-/// asks for more triangles than are wanted.
+/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], which makes it 26, if the spacing of the
+/// boundary asks for more triangles than are wanted.
 const STEEPEST_GRADING: u32 = 11;
 /// Number of triangles per boundary edge in the zone between the boundary and the large triangles inside, multiplied by
 /// the growth of the edge length in that zone. Measured on a plane star of 50,000 points. It only decides which growth
