@@ -45,7 +45,8 @@ pub(super) struct Edge {
 pub(super) struct Nodal {
     /// The curls of the two fields.
     pub curl: [[DVec3; 4]; 2],
-    /// The multiplier of |curl| <= 1 times its direction: the part of the surface near the vertex, as an area vector.
+    /// The multiplier of |curl| <= 1 times the direction of the curl. It is the area vector of the part of the dual
+    /// surface near the vertex.
     pub current: [DVec3; 4],
     /// The multipliers (u, t) that belong to the central field.
     pub dual: [DVec4; 4],
@@ -59,7 +60,7 @@ struct Node {
     level: u8,
     /// Number of the first child; the second child is the next node. 0 if there are no children.
     children: u32,
-    /// Position among the leaves, if it is one.
+    /// Position among the leaves, if the tetrahedron is one.
     leaf: u32,
 }
 
@@ -298,7 +299,8 @@ impl BisectionMesh {
 
     /// Bisects the given leaves, and the further leaves that keep the mesh conforming. The fields stay the same
     /// functions; the multipliers are interpolated. Ends after as many passes as there are levels at most, because each
-    /// pass bisects the leaves that hang, and no leaf lies deeper than the neighbour for which it was bisected.
+    /// pass bisects the leaves that have an edge with a midpoint, and no leaf lies deeper than the neighbour for which
+    /// it was bisected.
     ///
     /// # Errors
     /// The interruptions of `exec`, for which each pass over the leaves looks.
@@ -351,8 +353,8 @@ impl BisectionMesh {
             if position == 0 || position == k || self.edges.contains_key(&key) {
                 continue;
             }
-            // The circulation along the median of the face (first, last, vertex) is the mean of those along its two
-            // sides, plus an eighth of the variation of the flux.
+            // The circulation along the median of the face (first, last, vertex) is the mean of the circulations along
+            // its two sides, plus half the difference between the fluxes through the two halves of the face.
             let [a, b, c] = [first, last, vertex].map(|v| self.vertices[v as usize]);
             let double_area = (b - a).cross(c - a);
             let sides = [self.circulation(first, vertex), self.circulation(last, vertex)];
@@ -457,7 +459,7 @@ impl BisectionMesh {
             self.trace_part(start * flips, end * flips, &mut pieces);
             for piece in &mut pieces[first..] {
                 piece.flips = flips;
-                // The form is exact at both ends.
+                // This form of the interpolation is exact at both ends.
                 piece.range = piece.range.map(|t| part[0] * (1.0 - t) + part[1] * t);
             }
         }

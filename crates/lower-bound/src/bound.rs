@@ -10,7 +10,7 @@ pub struct Field {
     /// The boundary, oriented.
     pub loops: Vec<Vec<DVec3>>,
     /// Numbers of the loops of which the direction does not matter: the magnitude of the circulation around them is
-    /// subtracted.
+    /// subtracted from the bound.
     pub free_loops: Vec<usize>,
     /// Every oriented surface with this oriented boundary has at least this area.
     pub area_lower_bound: f64,

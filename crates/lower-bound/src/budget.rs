@@ -108,7 +108,8 @@ impl<'a> Budget<'a> {
         (self.spent / self.options.budget_s()).min(1.0)
     }
 
-    /// Constrained leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
+    /// Returns the number of constrained leaves of the next mesh, or `None` if the rest of the budget affords no finer
+    /// mesh. `size` and `bound` are those of the present mesh.
     ///
     /// The finest mesh that the budget affords is found first, together with the meshes on the way to it. The next mesh
     /// is the first of these, so that the budget does not end with a rest that is too small for one more mesh.

@@ -12,11 +12,11 @@
 //! the central path on which their Jordan product is (μ, 0), by steps of Newton's method in the scaling of Nesterov and
 //! Todd, with Mehrotra's predictor and corrector (Andersen, Roos, Terlaky, *On implementing a primal-dual
 //! interior-point method for conic quadratic optimization*, 2003). Every iterate satisfies |v| < 1, so that each gives
-//! a bound, g·a / max |v|, and the best is kept. Once the dual constraint holds, the circulation is Σ (t + u·v) below
-//! the optimum of the mesh at most.
+//! a bound, g·a / max |v|, and the best is kept. Once the dual constraint holds, the circulation is at most Σ (t + u·v)
+//! below the optimum of the mesh.
 //!
-//! Where the directions of loops are free, the field must have no circulation around them: linear constraints, which
-//! every solution with the factorised matrix takes into account (`Factor::hold`).
+//! Where the directions of loops are free, the field must have no circulation around them. These linear constraints are
+//! part of every solution with the factorised matrix (`Factor::hold`).
 //!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it three or four times: for the predictor,
 //! the corrector, and corrections of its centrality (Gondzio, *Multiple centrality corrections in a primal-dual method
@@ -51,7 +51,8 @@ const LONGER: f64 = 0.3;
 const SPREAD: [f64; 2] = [0.1, 10.0];
 /// Shortest step that is taken. Shorter steps come from a factor that has lost its accuracy.
 const SHORTEST_STEP: f64 = 1e-6;
-/// Elementary operations on a leaf between two looks at the caller's signal, in the units of the assembly.
+/// Work that one pass over the leaves counts for each leaf when it looks at the caller's signal, in the units of the
+/// assembly.
 const LEAF_WORK: usize = 4;
 /// Least μ of the corrector, as a fraction of the present μ.
 const LEAST_CENTERING: f64 = 1e-9;
@@ -124,7 +125,7 @@ impl ConeVector {
 /// The scaling of Nesterov and Todd of one cone: a symmetric matrix W with W x = W⁻¹ s.
 #[derive(Clone, Copy, Debug)]
 struct Scaling {
-    /// W is this number times the matrix of a vector of norm 1.
+    /// W is this number times the matrix `[w₀, wᵀ; w, I + w wᵀ / (1 + w₀)]` of `vector` = (w₀, w), whose norm is 1.
     factor: f64,
     vector: ConeVector,
     /// W x.
@@ -164,7 +165,7 @@ impl Scaling {
         ConeVector::new(-first * along, s + rest * along).scaled(1.0 / (self.factor * self.factor))
     }
 
-    /// The change of the dual vector with v, if the target is the boundary of the cones.
+    /// The change of the dual vector that belongs to a change of v, if the target is the boundary of the cones.
     fn dual_change(&self, dual: ConeVector, change: DVec3) -> ConeVector {
         dual.scaled(-1.0).plus(self.unapply_twice(change), -1.0)
     }
@@ -173,7 +174,8 @@ impl Scaling {
 /// A direction of Newton's method.
 #[derive(Debug)]
 struct Direction {
-    /// The targets of the changes of the dual vectors.
+    /// For each dual vector the part of its change that leads to a target inside the cone. Without it the target is the
+    /// boundary of the cones.
     targets: Vec<[ConeVector; 4]>,
     field: Vec<f64>,
     curl: Vec<[DVec3; 4]>,
@@ -309,7 +311,8 @@ impl<'a> Level<'a> {
             field.iter_mut().for_each(|value| *value *= PULLED_BACK);
             curl.iter_mut().flatten().for_each(|v| *v *= PULLED_BACK);
             recentre(&curl, &mut dual);
-            // The dual constraint of the coarser mesh holds about as well as the iterate is near its optimum.
+            // An estimate of the dual residual: the distance of the iterate from its optimum, as a fraction of the
+            // film's area.
             let infeasibility = complementarity(&curl, &dual) / film_area;
             (dual, infeasibility)
         } else {
@@ -326,7 +329,7 @@ impl<'a> Level<'a> {
         Self { space, form, held, field, curl, dual, complementarity, infeasibility, film_area, stalled, best, central }
     }
 
-    /// Whether the field has to keep circulations around free loops.
+    /// Whether there are free loops, around which the field must have no circulation.
     pub fn has_free_loops(&self) -> bool {
         !self.held.is_empty()
     }

@@ -1,9 +1,10 @@
 //! A fill-reducing order of the unknowns by nested dissection of the tetrahedra (George, *Nested dissection of a
 //! regular finite element mesh*, 1973).
 //!
-//! A plane cuts a set of tetrahedra into two by their centroids. The unknowns that both parts have separate them: they
-//! are eliminated after all others of the set, and each part is cut again. On these meshes the factor has 0.5 to 0.7
-//! times the entries that approximate minimum degree leaves, and takes 0.35 to 0.5 times the work.
+//! A plane cuts a set of tetrahedra into two parts by their centroids. The unknowns that belong to both parts are the
+//! separator. They are eliminated after all other unknowns of the set, and each part is cut again. On these meshes the
+//! factor has 0.5 to 0.7 times the entries that approximate minimum degree leaves, and takes 0.35 to 0.5 times the
+//! work.
 
 use super::element::UNKNOWNS;
 use plateau_mesh::execution::Interruption;

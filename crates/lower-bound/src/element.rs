@@ -1,5 +1,5 @@
-//! The finite element: that of Nédélec of second order without the gradients of second order. Its curls are all vector
-//! fields that are linear on every tetrahedron, and have continuous normal components and no divergence.
+//! The finite element: Nédélec's element of second order, without its gradients of second order. Its curls are all
+//! vector fields that are linear on every tetrahedron, and have continuous normal components and no divergence.
 //!
 //! A field has one unknown on each edge (its circulation) and two on each face. On an edge ij (i < j, by the vertices'
 //! numbers) the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi
@@ -76,7 +76,8 @@ pub(super) fn face_unknowns(corners: [DVec3; 3], curls: [DVec3; 3]) -> [f64; 2] 
     [(k - j) / 3.0, (i - j) / 3.0]
 }
 
-/// The integrals of the basis functions along a straight piece inside a tetrahedron.
+/// The integrals of the basis functions along a straight piece inside a tetrahedron, between two points given by their
+/// barycentric coordinates.
 pub(super) fn integrals(from: [f64; 4], to: [f64; 4], orientation: &Orientation) -> [f64; UNKNOWNS] {
     let mut values = [0.0; UNKNOWNS];
     let whitney = |i: usize, j: usize| from[i] * to[j] - from[j] * to[i];

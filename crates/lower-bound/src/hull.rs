@@ -34,9 +34,9 @@ pub(super) struct Hull {
 }
 
 impl Hull {
-    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry, `loops` must
-    /// include the mirror images of the polygons. The mirror images of a tetrahedron beyond a half-space then lie
-    /// beyond mirror images of that half-space.
+    /// Finds half-spaces around `loops`. `normals` are further directions in which the hull is probably flat. With
+    /// planes of symmetry, `loops` must include the mirror images of the polygons. The mirror images of a tetrahedron
+    /// beyond a half-space then lie beyond mirror images of that half-space.
     ///
     /// # Errors
     /// An interruption by the caller.

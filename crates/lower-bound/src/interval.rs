@@ -45,7 +45,7 @@ impl Interval {
         Self { low: root.low.max(0.0), ..root }
     }
 
-    /// The interval times a power of two: exact but for underflow.
+    /// The interval times a number. The product is widened like every other one.
     pub fn times(self, factor: f64) -> Self {
         self * Self::exactly(factor)
     }

@@ -20,15 +20,15 @@
 //! lengthens nothing: it maps S to a surface in H with the same boundary and no more area. The topology of S plays no
 //! part; "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with
 //! triple junctions are outside of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed
-//! in all tetrahedra but those that lie beyond one of them, and at a distance.
+//! in all tetrahedra except those that lie wholly beyond one of the half-spaces, at a small distance from it.
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
 //! tangential component can matter where Γ runs inside a face or an edge. Stokes' theorem therefore applies.
 //!
 //! # The computation
-//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The way of a
-//! call:
+//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. A call takes
+//! these steps:
 //!
 //! 1. Where the boundary has planes of symmetry, A is needed only on one side of each, and the box ends there
 //!    (`symmetry`).
@@ -164,8 +164,9 @@ fn boxes(orientations: &[Oriented]) -> Option<(Vec<BisectionMesh>, Vec<usize>)> 
     Some((meshes, mesh_of))
 }
 
-/// Continues the search with the least bound, because the least bound decides, until the budget is spent or the gap is
-/// reached. Where loops are free, it is split by the direction of the next one. Returns whether a deadline ended it.
+/// Continues always the search whose bound is the least, because the least bound is the result, until the budget is
+/// spent or the gap is reached. A search with free loops is split into the two directions of the next free loop.
+/// Returns whether a deadline ended the work.
 fn raise_the_least_bound(
     searches: &mut Vec<Search>,
     hull: &Hull,

@@ -18,7 +18,7 @@ pub(super) struct Oriented {
 }
 
 impl Oriented {
-    /// Every orientation that begins with loop 0 in the film's own direction. The first of them is the film's own.
+    /// Every orientation in which the last loop has the film's own direction. In the first of them all loops have it.
     pub fn all(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Vec<Self> {
         let with_pattern = |pattern: u32| {
             let reversed = |k: usize| own[k] == (pattern >> k & 1 == 1);

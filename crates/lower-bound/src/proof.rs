@@ -64,7 +64,8 @@ pub(super) fn slack(mesh: &BisectionMesh, film: &Mesh, hull: &Hull, axes: Option
     film.vertices.iter().zip(normals).map(slack_at).collect()
 }
 
-/// Scales a field so that interval arithmetic proves |curl A| <= 1. A field without a curl stays as it is.
+/// Scales a field so that interval arithmetic proves |curl A| <= 1, and returns whether it does. A field without a curl
+/// stays as it is.
 pub(super) fn scale_to_one(space: &Space, field: &mut [f64]) -> bool {
     for margin in [1e-14, 1e-13, 1e-11, 1e-8] {
         let largest = rigorous::largest_curl(space, field);

@@ -20,7 +20,7 @@ use super::space::Space;
 use super::symmetry::{self, Axes};
 use plateau_mesh::DVec3;
 
-/// The unknowns of the leaf in order.
+/// The values of a field at the unknowns of a leaf, in the order of the leaf.
 fn local(space: &Space, field: &[f64], leaf: usize) -> [f64; UNKNOWNS] {
     space.unknowns[leaf].map(|unknown| field[unknown as usize])
 }
@@ -126,7 +126,8 @@ pub(super) fn least_area(
     area.low.is_finite().then_some(area.low)
 }
 
-/// Makes the end of every piece and the start of the next one the same point.
+/// Makes the end of every piece and the start of the next one the same point. `None` if the end lies too far from the
+/// vertices that both leaves have.
 fn close(mesh: &BisectionMesh, links: &mut [Link]) -> Option<()> {
     for k in 0..links.len() {
         let next = (k + 1) % links.len();

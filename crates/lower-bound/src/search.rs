@@ -115,7 +115,8 @@ impl Search {
         exec.look(self.mesh.leaf_count() as u64)?;
         let mut space = Space::within(&self.mesh, hull);
         if !space.is_a_ball() {
-            // On the first mesh the curl is constant, and at most 1 everywhere.
+            // On the first mesh the constraint is imposed everywhere instead, because the curl of the starting field is
+            // constant and at most 1 everywhere.
             self.is_finished = !is_first;
             if self.is_finished {
                 return Ok(());

@@ -143,7 +143,8 @@ impl Space {
     fn fixed_unknowns(&self) -> Vec<bool> {
         let mut joined = DisjointSets::new(self.planes.len());
         let mut fixed: Vec<bool> = self.used_unknowns().into_iter().map(|used| !used).collect();
-        // The edges on which the field vanishes come first: a gradient that may be added is constant along them.
+        // The edges on which the field vanishes come first, because the potential of a gradient that may be added is
+        // constant along them.
         for vanishing in [true, false] {
             for (e, edge @ &[a, b]) in self.edges.iter().enumerate() {
                 if fixed[e] || self.vanishes(edge) != vanishing {
@@ -174,7 +175,7 @@ impl Space {
                 field[unknowns[7 + 2 * f] as usize] = second;
             }
         }
-        // The field's values on these edges and faces are already zero up to rounding.
+        // The values on edges and faces where the field vanishes are zero up to rounding, and are set to zero exactly.
         let (on_edges, on_faces) = field.split_at_mut(self.edges.len());
         for (edge, value) in self.edges.iter().zip(on_edges) {
             if self.vanishes(edge) {

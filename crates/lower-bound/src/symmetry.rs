@@ -2,9 +2,9 @@
 //!
 //! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other
 //! direction (s = -1). The field s σ*A has the circulation of A and curls of the same lengths. The mean of A and s σ*A
-//! has the same circulation and no longer curls. The largest circulation is therefore reached by a field that is its
-//! own image. This field is known on both sides of the plane if it is known on one side. Where s = -1, its tangential
-//! component vanishes in the plane.
+//! has the same circulation, and its curls are at most as long. The largest circulation is therefore reached by a field
+//! that is its own image. This field is known on both sides of the plane if it is known on one side. Where s = -1, its
+//! tangential component vanishes in the plane.
 //!
 //! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget
 //! affords finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the
@@ -204,7 +204,7 @@ fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Opt
 /// A rectangular coordinate system: a point x has the products of the directions with x - origin as its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
-    /// The point that becomes zero.
+    /// The point whose coordinates become zero.
     pub origin: DVec3,
     /// Three directions, perpendicular to each other and of length 1 up to rounding.
     pub directions: [DVec3; 3],
@@ -315,7 +315,7 @@ mod tests {
         assert_eq!(signs(&[ring(0.0), reversed(ring(1.0))]), [-1, -1, -1]);
         // The middle ring keeps its direction, and the others change theirs.
         assert_eq!(signs(&[ring(0.0), ring(0.5), reversed(ring(1.0))]), [-1, -1, 0]);
-        // No reflection, but half turns.
+        // This curve has half turns as symmetries, but no reflection.
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), [-1, -1, 0]);
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 0.01 * y, y, x * x))]), [0, 0, 0]);

@@ -12,7 +12,7 @@ use plateau_mesh::{DVec3, Error, Execution};
 /// The pattern of the matrix, its analysis, and the entries to which each tetrahedron adds.
 #[derive(Debug)]
 pub(super) struct System {
-    /// For each unknown its row, or `NONE` for the gauge.
+    /// For each unknown its row, or `NONE` if the gauge fixes the unknown.
     row: Vec<u32>,
     rows: usize,
     pub(super) matrix: SymmetricMatrix,
@@ -65,6 +65,8 @@ impl From<Stop> for Error {
 }
 
 impl System {
+    /// Numbers the rows, builds the pattern of the matrix, and analyses it.
+    ///
     /// # Errors
     /// The error of the analysis, or an interruption.
     pub fn of(space: &Space, exec: &Execution) -> Result<Self, Stop> {
@@ -216,8 +218,8 @@ impl Factor<'_> {
         Ok(())
     }
 
-    /// Solves for all unknowns; those that the gauge fixes are zero. An inaccurate solution is still a direction of
-    /// Newton's method, whose step the line search decides.
+    /// Solves for all unknowns; those that the gauge fixes are zero. An inaccurate solution is still usable as a
+    /// direction of Newton's method, because the step along it is limited to the cones.
     pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
         self.project(self.solve_freely(right_hand_side), right_hand_side)
     }

@@ -163,7 +163,8 @@ fn a_traced_segment_is_covered_once() {
     }
 }
 
-/// A boundary that three reflections map to itself, two of them with the other direction, and a mesh of one eighth.
+/// A boundary that three reflections map to itself, of which two reverse its direction, and a mesh of one eighth of the
+/// box.
 fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, BisectionMesh) {
     let ellipse = |k: u32| TAU * f64::from(k) / 40.0;
     let ellipse = |z: f64| -> Vec<DVec3> {
@@ -202,7 +203,8 @@ fn a_segment_is_traced_through_the_mirror_images() {
     }
 }
 
-/// The field that is found on one eighth of the box proves as much as it says around the whole boundary.
+/// The field that is found on one eighth of the box proves, around the whole boundary, the bound that the search
+/// states.
 #[test]
 fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
     use super::conic::Level;
@@ -224,7 +226,8 @@ fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
     let mut field = level.best.field.clone();
     assert!(scale_to_one(&space, &mut field));
     let proven = rigorous::least_area(&space, &mesh, &field, (&loops[..], &[]), None, 1e-7).unwrap();
-    // Two discs of the plane are below, and two ellipses with another ellipse's sides are above.
+    // A constant curl proves the length of the vector area. The optimum is a little above that, because the ellipses
+    // are bent.
     let ellipses = vector_area(&loops).length();
     assert!(proven > ellipses && proven < 1.05 * ellipses, "{proven} and {ellipses}");
     assert!((proven / level.best.bound - 1.0).abs() < 1e-9, "{proven} and {}", level.best.bound);

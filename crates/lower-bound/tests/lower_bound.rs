@@ -87,7 +87,7 @@ fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
                         let [even, sine] = match planes {
                             0 => [DVec3::new(w[0], w[1], w[2]), DVec3::new(w[3], w[4], w[5])],
                             1 => [DVec3::new(w[0], 0.0, w[2]), DVec3::new(0.0, w[4], 0.0)],
-                            // Halves of a wave change x or y, whole waves z.
+                            // Odd multiples of t change x and y, and even multiples change z.
                             _ if odd => [DVec3::new(w[0], 0.0, 0.0), DVec3::new(0.0, w[4], 0.0)],
                             _ => [DVec3::new(0.0, 0.0, w[2]), DVec3::ZERO],
                         };
@@ -172,7 +172,7 @@ fn pairs_of_rings() -> (Vec<Vec<DVec3>>, Mesh) {
     (loops, Mesh::new(vertices, (0..8).flat_map(fan).collect()))
 }
 
-/// The discs have an area of 24, and four annuli, in other directions, one of 4.94.
+/// The eight discs have an area of 24. In other directions of the loops four annuli span them, with an area of 4.94.
 #[test]
 fn beyond_six_loops_the_bound_covers_every_orientation() {
     let (loops, film) = pairs_of_rings();
@@ -216,7 +216,8 @@ fn a_film_whose_border_does_not_run_along_the_loops_has_no_bound() {
     assert_eq!(certify(&film), None);
 }
 
-/// A small boundary far from the origin: its mirror images are rounded by more than a fraction of its size.
+/// A small boundary far from the origin: its mirror images are rounded by more than the usual margin of the
+/// half-spaces, which is a fraction of the boundary's size.
 #[test]
 fn half_spaces_of_small_boundaries_far_from_the_origin_hold() {
     for (size, shift) in [(2e-3, 1e7), (1.0, 1e9), (1e-6, 1e3)] {
@@ -396,7 +397,7 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     let found = bound(&loops, &mesh, 0.2);
     let (confirmed, message) = check(&json(&found, 1.0, 1.0), "true");
     assert!(confirmed, "{message}");
-    // The largest |curl A| understated: the field is not scaled down as far as it must be.
+    // A field that is not scaled down as far as it must be, so that |curl A| exceeds 1.
     let (confirmed, message) = check(&json(&found, 1.0 + 1e-12, 1.0), "curl");
     assert!(!confirmed && message.contains("|curl A|"), "{message}");
     // A bound that was rounded up.

@@ -10,7 +10,7 @@ pub struct AxisBox {
 }
 
 impl AxisBox {
-    /// The box without a point.
+    /// The empty box, which contains no point.
     pub const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     /// The smallest box around points.
@@ -46,7 +46,7 @@ impl AxisBox {
         Self { low: self.low - margin, high: self.high + margin }
     }
 
-    /// A triangle that has this box.
+    /// The corners of a degenerate triangle whose smallest box is this one.
     #[must_use]
     #[inline]
     pub fn ends(&self) -> [DVec3; 3] {

@@ -40,7 +40,7 @@ impl Topology {
         &self.triangles
     }
 
-    /// Half-edges, one for each edge whose key is above 1, by falling keys, then by number.
+    /// Returns a half-edge of each edge whose `key` is above 1, sorted by falling keys, then by number.
     pub fn ranked_edges(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
         // A half-edge on the boundary has the largest number as its twin.
         let mut ranked: Vec<(f64, u32)> = (0..self.twin.len() as u32)
@@ -205,7 +205,8 @@ impl Topology {
         self.triangles.len() as u32 - 1
     }
 
-    /// Takes a triangle out. Its neighbours and corners must be told by the caller.
+    /// Takes a triangle out. The caller must update the twins of its neighbours and the outgoing half-edges of its
+    /// corners.
     pub(super) fn take_out(&mut self, triangle: u32) {
         self.triangles[triangle as usize] = [NONE; 3];
         self.twin[3 * triangle as usize..3 * triangle as usize + 3].fill(NONE);

@@ -70,8 +70,8 @@ impl InputError {
 /// Why a solver returned no mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// The input does not meet the requirements in the documentation of the solver. It is found before the work starts
-    /// wherever possible.
+    /// The input does not meet the requirements in the documentation of the solver. The fault is found before the work
+    /// starts wherever possible.
     Input(Vec<InputError>),
     /// The input is well formed, but no valid mesh could be made.
     NoResult {

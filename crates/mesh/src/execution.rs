@@ -57,7 +57,8 @@ impl fmt::Debug for Execution<'_> {
     }
 }
 
-/// Work of a pass of remeshing, or of a linear solve, for each triangle: about as often such a pass visits one.
+/// Work that a pass of remeshing or a linear solve reports for each triangle: about the number of times that the pass
+/// visits a triangle.
 pub const WORK_PER_TRIANGLE: u64 = 20;
 
 impl<'a> Execution<'a> {

@@ -6,8 +6,8 @@ use crate::{DVec3, Mesh};
 
 /// A mesh between its boundaries while a solver works on it. Positions are relative to the mean of the boundary points.
 ///
-/// The input points of the boundaries come first among the vertices. The initial mesh decides where points that were
-/// added on the boundary stand.
+/// The input points of the boundaries come first among the vertices. The numbers of the points that were added on the
+/// boundary depend on the kind of initial mesh.
 #[derive(Clone, Debug)]
 pub struct Film {
     pub vertices: Vec<DVec3>,
@@ -69,11 +69,11 @@ impl Film {
         !self.locked.is_empty() && self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
     }
 
-    /// Renumbers what changes of the connectivity have left: without the triangles that were taken out, and without the
-    /// vertices that lost their last triangle, fixed ones apart. The order stays.
+    /// Removes the triangles that were taken out and the vertices that lost their last triangle, and renumbers the
+    /// others in the same order. Fixed vertices stay in any case.
     ///
     /// # Errors
-    /// The defect, if what is left is no oriented manifold; the film is as it was then.
+    /// The defect, if the remaining triangles form no oriented manifold. The film is then as it was before.
     #[inline]
     pub fn close_gaps(&mut self) -> Result<(), Defect> {
         let stays = |v: usize| self.fixed[v] || self.topology.outgoing[v] != NONE;

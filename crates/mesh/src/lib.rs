@@ -69,7 +69,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A mesh of these; nothing is checked ([`check`](Self::check) does).
+    /// A mesh of these vertices and triangles. Nothing is checked here; [`check`](Self::check) does that.
     #[must_use]
     #[inline]
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {

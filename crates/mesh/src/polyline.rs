@@ -28,14 +28,14 @@ impl Merged {
 }
 
 /// Neighbours nearer than this fraction of the polyline's radius are one point. Sampling a closed curve with its end
-/// point repeats the first point up to rounding, about 1e-16 of the radius; an edge that is meant is longer by far.
+/// point repeats the first point up to rounding, about 1e-16 of the radius; an intended edge is far longer.
 pub const SAME_POINT: f64 = 1e-9;
 
 /// Merges neighbours that are equal or nearer than [`SAME_POINT`] of the [`radius`] into the first of them, and on a
 /// closed polyline a last point that is as near to the first.
 ///
-/// A point is compared with the last one that was kept, so that many small steps in a row add up to an edge. All points
-/// equal gives one point.
+/// A point is compared with the last one that was kept, so that many small steps in a row add up to an edge. If all
+/// points are equal, one point is left.
 #[must_use]
 pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
     let tolerance = SAME_POINT * radius(input);
@@ -145,8 +145,8 @@ mod tests {
         assert!(steps.iter().zip(&merged.vertex_of).all(|(step, &v)| merged.points[v].distance(*step) < 2.1e-9));
     }
 
-    /// Input: two last points on opposite sides of the first point, each near to it but not to the other. The last but
-    /// one referred to a point that had been removed.
+    /// Input: two last points on opposite sides of the first point, each near to it but not to the other. The entry of
+    /// the last but one in `vertex_of` referred to a point that had been removed.
     #[test]
     fn several_last_points_merge_into_the_first() {
         let near = |offset: f64| DVec3::new(1.0, offset, 0.0);

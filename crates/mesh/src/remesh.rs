@@ -1,4 +1,4 @@
-//! Better meshes of a surface as it is. None of these moves a fixed vertex or removes a locked edge.
+//! Methods that improve the mesh of a surface. None of them moves a fixed vertex or removes a locked edge.
 
 pub mod area_flips;
 pub mod delaunay;

@@ -13,8 +13,8 @@
 //! thin triangles apart. The triangles around one vertex meet there, and are most of the pairs whose boxes meet. They
 //! are settled together: if all of them face one direction and wind round the vertex at most once, their projection
 //! along that direction is one-to-one, and no two of them intersect. The triangles of a large fan that is not settled
-//! so are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes all meet
-//! at that vertex, and their arcs do not.
+//! in this way are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes
+//! all meet at that vertex, and their arcs do not.
 //!
 //! O(n log n) time for meshes whose triangles do not pile up, O(n) memory, deterministic.
 
@@ -39,8 +39,8 @@ use std::ops::ControlFlow;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 8 takes about the same time; a larger one needs less memory.
 const LEAF: usize = 4;
-/// Number of triangles of a patch, which are suspects all together or not at all. Two divisions of a triangle make as
-/// many.
+/// Number of triangles of a patch, which are suspects all together or not at all. Two regular subdivisions of a
+/// triangle make 16.
 const PATCH: usize = 16;
 
 /// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without. At 4,000
@@ -58,7 +58,7 @@ const LEAST_WORK: u64 = 1 << 20;
 pub struct SelfIntersectionCheck {
     /// Number of pairs of triangles that intersect; `None` if not all pairs were looked at.
     pub pairs: Option<u64>,
-    /// Why not.
+    /// Why not all pairs were looked at; `None` if all were.
     pub skipped: Option<Skipped>,
 }
 
@@ -201,7 +201,7 @@ fn intersections_among(
         most_work,
         same_star,
         |a, b| {
-            // A leaf may hold triangles of a fan and others.
+            // A leaf may hold triangles of a fan and others, so pairs of the same fan are left out here one by one.
             let [one, other] = [a, b].map(|t| fans.of(&soup.triangles[t as usize]));
             if one != NONE && one == other { ControlFlow::Continue(()) } else { visit(a, b) }
         },
@@ -389,8 +389,8 @@ mod tests {
     }
 
     /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself
-    /// in two vertices that both have. The end is tilted about the line between them, so that it passes through the
-    /// start.
+    /// at two vertices that start and end share. The end is tilted about the line between them, so that it passes
+    /// through the start.
     #[test]
     fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
         let over = 8;

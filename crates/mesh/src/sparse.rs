@@ -20,7 +20,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
-/// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (largest entries) is refined once, and then refused.
+/// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (maximum norms) is refined once, and refused if the
+/// residual is still too large.
 const RESIDUAL_TOLERANCE: f64 = 1e-9;
 
 /// Why a linear system has no reliable solution.
@@ -304,7 +305,7 @@ struct Column<'a> {
     pivot: f64,
     /// The entries in the rows directly below the diagonal, without a gap.
     next: &'a [f64],
-    /// The rows of the other entries, and these.
+    /// The rows of the other entries, and the other entries themselves.
     rows: &'a [u32],
     others: &'a [f64],
 }
@@ -403,7 +404,7 @@ impl Factorisation<'_> {
         self.symbolic.apply(&self.values, right_hand_sides);
     }
 
-    /// Leaves b - A x in `residual`.
+    /// Whether the residual of `x` is within the tolerance. Writes b - A x to `residual`.
     fn is_accurate(&self, norm: f64, x: &[f64], b: &[f64], residual: &mut [f64]) -> bool {
         let largest = |values: &[f64]| values.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
         self.matrix.multiply(x, residual);

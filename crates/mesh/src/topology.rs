@@ -110,7 +110,8 @@ impl Topology {
                 return Err(Defect::RepeatedVertex { triangle });
             }
         }
-        // The half-edges are sorted by their lower vertex (counting sort), so that neighbours meet in short buckets.
+        // The half-edges are sorted by their lower vertex (counting sort), so that the half-edges of an edge lie in the
+        // same short bucket.
         let mut start = vec![0u32; vertex_count + 1];
         let corner = |h: usize| triangles[h / 3][h % 3];
         let ends = |h: usize| (corner(h), corner(if h % 3 == 2 { h - 2 } else { h + 1 }));

@@ -32,7 +32,7 @@ fn normal([a, b, c]: [Vector; 3]) -> Vector {
     cross(minus(b, a), minus(c, a))
 }
 
-/// Whether a point of the triangle's plane, or off it, belongs to the closed triangle.
+/// Whether a point anywhere in space belongs to the closed triangle.
 fn contains(triangle: [Vector; 3], at: Fraction) -> bool {
     let n = normal(triangle);
     let from = |corner: Vector| [0, 1, 2].map(|k| at.point[k] - at.over * corner[k]);
@@ -43,7 +43,7 @@ fn contains(triangle: [Vector; 3], at: Fraction) -> bool {
 /// Every point that can be a corner of the intersection of two triangles.
 fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
     let mut found: Vec<Fraction> = one.iter().chain(&other).map(|&point| Fraction { point, over: 1 }).collect();
-    // An edge through the other's plane.
+    // Points where an edge of one triangle passes through the plane of the other.
     for (edges, plane) in [(one, other), (other, one)] {
         let n = normal(plane);
         for k in 0..3 {
@@ -55,7 +55,7 @@ fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
             }
         }
     }
-    // Two edges in one plane.
+    // Points where two edges in one plane meet.
     for k in 0..3 {
         for l in 0..3 {
             let (p, q, r, s) = (one[k], one[(k + 1) % 3], other[l], other[(l + 1) % 3]);
@@ -195,7 +195,7 @@ fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
             _ => strip(&mut random),
         };
         let expected = mesh.brute_force();
-        // Where it stands, turned over by a reflection, scaled and moved without rounding, with every vertex stored
+        // The mesh is checked as it is; reflected, scaled and moved without rounding; and with every vertex stored
         // twice.
         let points = mesh.points();
         let moved: Vec<DVec3> = points.iter().map(|p| DVec3::new(-p.z, p.x, p.y) * 0.125 + 1e6).collect();

@@ -1,4 +1,4 @@
-//! Pictures of Bento and Cavalcanti's Figs. 6 to 9: the last but one without their rules.
+//! Pictures of Bento and Cavalcanti's Figs. 6 to 9. Fig. 8 is solved without their rules.
 
 use super::{Save, rings, run};
 use crate::picture::Picture;

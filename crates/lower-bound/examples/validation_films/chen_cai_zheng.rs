@@ -40,7 +40,8 @@ pub fn run_all(save: Save) {
         [("helicoid", boundaries::helicoid(), 2050), ("catenoid", boundaries::catenoid(), 2040)]
     {
         let [first, second, third] = steps(&[boundary], triangles, 1e-6);
-        // Both images have the same range: nine tenths of the vertices before step 3 are below it.
+        // Both images have the same range of colours. It ends at the curvature below which nine tenths of the vertices
+        // are after step 2.
         let mut sorted = second.mean_curvature.clone();
         sorted.sort_by(f64::total_cmp);
         let red = sorted[sorted.len() * 9 / 10];

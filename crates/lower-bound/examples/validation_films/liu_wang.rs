@@ -15,8 +15,8 @@ fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [n
     bottom.chain(right).chain(top).chain(left).collect()
 }
 
-/// The film after one step of the least squares, with the boundary's curvatures in the sum, and with those of the
-/// interior alone.
+/// Saves pictures of three films: after one step of the least squares, with the boundary's curvatures in the sum, and
+/// with those of the interior alone.
 fn picture(save: Save, name: &str, boundary: Vec<DVec3>, interior: usize) {
     let options = |tolerance: f64, boundary_curvature: bool, max_iterations: Option<u32>| Options {
         method: Method::LiuWang(LiuWang { boundary_curvature, tolerance, ..LiuWang::default() }),

@@ -1,5 +1,5 @@
-//! How far each film is at most from the least area over all oriented surfaces with its boundary, for three budgets,
-//! and a plot of what is proven of two rings.
+//! A table of bounds on how far the area of each film is above the least area of all oriented surfaces with its
+//! boundary, for three budgets, and a plot of the proven bounds of two rings.
 
 use super::{boundaries, run};
 use plateau_film::minimal_surface::{Method, MinimalSurface, Newton, Options, Resolution, TopologyRule};
@@ -25,7 +25,7 @@ pub fn run_all() {
     }
 }
 
-/// Writes the plot of what is proven of two rings to `proven_range.svg` in a folder, and prints its figures.
+/// Writes the plot of the proven bounds of two rings to `proven_range.svg` in a folder, and prints its figures.
 pub fn plot_rings(folder: &str) {
     println!("\n| gap of the rings | film | area | above the bound |\n| --- | --- | --- | --- |");
     let mut proven = Vec::new();

@@ -7,9 +7,10 @@ use std::fmt::Write;
 pub struct Picture<'a> {
     pub title: String,
     pub mesh: &'a Mesh,
-    /// A figure per vertex, and the one that is red; 0 is blue. Without them the mesh is shaded.
+    /// A figure per vertex, and the figure that is drawn in red; 0 is drawn in blue. Without figures the mesh is
+    /// shaded.
     pub figures: Option<(&'a [f64], f64)>,
-    /// Whether what is behind shines through.
+    /// Whether triangles let those behind them show through.
     pub translucent: bool,
 }
 
@@ -25,7 +26,7 @@ const SIZE: f64 = 220.0;
 const STOPS: [[f64; 3]; 5] = [[0.1, 0.2, 0.9], [0.0, 0.8, 0.9], [0.1, 0.8, 0.2], [0.95, 0.9, 0.1], [0.9, 0.1, 0.1]];
 /// From dark to light.
 const SHADES: [[f64; 3]; 2] = [[0.30, 0.56, 0.73], [0.95, 0.97, 0.99]];
-/// Steps of either scale, each a class of its own: the file says a letter for a colour.
+/// Number of colours of either scale. Each is a class with one letter as its name, which keeps the file small.
 const STEPS: usize = 24;
 
 fn classes() -> String {
@@ -92,7 +93,7 @@ pub fn row(pictures: &[Picture]) -> String {
                 }
                 None => class('a', step_of(light(mesh.corners(*triangle)))),
             };
-            // Tenths, each corner relative to the one before.
+            // Coordinates rounded to tenths, each corner relative to the corner before.
             let [a, b, c] = triangle.map(|v| place(v).map(|x| (10.0 * x).round()));
             let by =
                 |from: [f64; 2], to: [f64; 2]| format!("{} {}", (to[0] - from[0]) / 10.0, (to[1] - from[1]) / 10.0);
@@ -111,7 +112,7 @@ pub fn row(pictures: &[Picture]) -> String {
     svg
 }
 
-/// 0 to 1.
+/// The brightness of a triangle, 0 to 1.
 fn light([a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a).normalize_or_zero();
     normal.dot(DVec3::new(0.4, -0.7, 0.6).normalize()).abs()

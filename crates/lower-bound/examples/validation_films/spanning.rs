@@ -1,4 +1,4 @@
-//! Pictures of the least of all films that span two and more boundaries.
+//! Pictures of the film of least area among all topologies that span two or more boundaries.
 
 use super::{Save, circle, rings, run};
 use crate::picture::Picture;

@@ -88,7 +88,7 @@ pub fn run_all(save: Save) {
                 );
             }
             if m == 12 {
-                // Turned, so that the far sheet shows.
+                // The mesh is turned so that the far sheet shows.
                 let turned = |mut mesh: Mesh| {
                     mesh.vertices.iter_mut().for_each(|vertex| *vertex = vertex.rotate_z(0.55));
                     mesh

@@ -6,7 +6,8 @@ use crate::DVec3;
 use crate::polyline::radius;
 
 /// Largest distance of a point from its plane, as a fraction of the size, at which the points are projected.
-/// Coordinates in millimetres depart by up to about one, so that outlines of a metre and more are projected.
+/// Coordinates rounded to millimetres depart by up to about a millimetre, so that outlines of a metre and more are
+/// projected.
 const PROJECTED: f64 = 1e-3;
 
 /// Points no farther from their plane than this fraction of the size count as exactly plane. Rotating and moving a
@@ -40,7 +41,7 @@ pub struct Departure {
 }
 
 impl Departure {
-    /// Completes an error's text that begins with what has to be plane.
+    /// Returns the text of an error, which begins with `what`: the name of the points that have to be plane.
     pub fn detail(&self, what: &str) -> String {
         format!(
             "{what}: this point is {:.6e} off the plane. Departures of at most {:.6e} (a thousandth of the size) are \

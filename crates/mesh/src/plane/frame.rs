@@ -18,8 +18,8 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The plane through the mean of a closed loop whose normal is the loop's area vector (Newell's normal). The first
-    /// side runs to the right, so that the frame turns with the loop. `None` if the loop encloses no area.
+    /// The plane through the mean of a closed loop whose normal is the loop's area vector (Newell's normal). The x axis
+    /// follows the first side, so that the frame turns with the loop. `None` if the loop encloses no area.
     #[inline]
     pub fn of_loop(points: &[DVec3]) -> Option<Self> {
         let origin = mean(points);

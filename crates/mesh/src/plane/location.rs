@@ -18,7 +18,7 @@ impl Locator {
         let low = plane.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = plane.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
         let size = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
-        // About one triangle a cell; a thin strip must not make a huge grid.
+        // This size gives about one triangle per cell. The lower bound keeps a thin strip from making a huge grid.
         let cell = (size.x * size.y / triangles.len().max(1) as f64).sqrt().max(size.max_element() / 4000.0);
         let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
         let mut locator = Self { low, cell, columns, rows, start: Vec::new(), triangles: Vec::new() };
@@ -77,7 +77,7 @@ impl Locator {
                     }
                 }
             }
-            // Cells beyond this ring are at least so far away.
+            // The cells beyond this ring are at least `ring` cells away.
             if best.is_some_and(|(distance, ..)| distance <= ring as f64 * self.cell) {
                 break;
             }

@@ -20,8 +20,8 @@ pub fn doubled_area(points: impl Iterator<Item = DVec2> + Clone, origin: DVec2) 
     points.zip(next).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum()
 }
 
-/// For each of some points, which are sorted by y, whether it lies inside the closed polygons, by the parity of
-/// crossings.
+/// For each point whether it lies inside the closed polygons, by the parity of crossings. The points must be sorted by
+/// y.
 pub fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
     let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
     for points in loops {

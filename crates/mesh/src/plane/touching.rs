@@ -1,8 +1,8 @@
 //! Closed polygons that touch at points, joined into the loops that bound the region between them.
 //!
 //! A hole that touches the outline, or another hole, at a point divides the region's neighbourhood of the point into
-//! several fans. A mesh whose vertices have one fan each has a vertex for each of them there, so its boundary goes over
-//! from one polygon to the other at the point. [`meeting`] finds these loops.
+//! several fans. In a mesh every vertex has one fan, so the mesh has one vertex per fan at the point, and its boundary
+//! passes from one polygon to the other there. [`meeting`] finds these loops.
 
 use super::polygon::{contains, doubled_area};
 use crate::execution::{Execution, Interruption};
@@ -22,7 +22,7 @@ pub struct Corner {
     pub source: PointOf,
     /// Whether the vertex was added on a side.
     pub added: bool,
-    /// The point whose coordinates the vertex has. All vertices that touch have the same one.
+    /// The point whose coordinates the vertex has. Vertices that touch each other have the same point here.
     pub place: PointOf,
 }
 
@@ -40,7 +40,8 @@ pub enum Meeting {
 
 /// Pairs of boxes that are compared between two looks at the execution.
 const BOXES_PER_LOOK: usize = 1 << 16;
-/// Directions of two edges that differ by less (radians) lie on each other. Their polygons share a piece of a side.
+/// Two edges whose directions differ by less than this angle (radians) lie on each other, so that their polygons share
+/// a piece of a side.
 const SAME_DIRECTION: f64 = 1e-9;
 
 /// How polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that touches
@@ -263,7 +264,8 @@ impl Nodes {
         Ok(is_joined.then_some(next))
     }
 
-    /// The side of a polygon on which the edge lies that ends (`comes`) or starts at a vertex.
+    /// Returns the side of a polygon that holds an edge at a vertex: the edge that ends there if `comes`, else the edge
+    /// that starts there.
     fn side(&self, v: usize, comes: bool) -> PointOf {
         let (polygon, point) = self.corners[v].source;
         let (first, reversed) = self.polygons[polygon];

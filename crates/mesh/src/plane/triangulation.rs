@@ -111,6 +111,8 @@ struct Faces {
 }
 
 impl Faces {
+    /// Triangulates the points with the constraints, and labels the faces.
+    ///
     /// # Errors
     /// [`Tangle`], except that a loop on the wrong side is not noticed.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
@@ -261,7 +263,8 @@ impl SharedPlaces {
         Ok(Some(Self { points: first.iter().map(|&v| position(v)).collect(), constraints, first, copies }))
     }
 
-    /// Numbers the corners of the triangles by the points. The triangles between a copy's two neighbours get that copy.
+    /// Renumbers the corners of the triangles from the distinct points to the given points. The triangles between the
+    /// two neighbours of a copy get that copy as their corner.
     ///
     /// # Errors
     /// [`Tangle::Coincident`] if the copies do not each have a fan of their own, because their loops cross there.
@@ -276,7 +279,8 @@ impl SharedPlaces {
         }
         triangles.iter_mut().flatten().for_each(|corner| *corner = self.first[*corner as usize]);
         for copy in &self.copies {
-            // The region is on the left of the loop or on its right.
+            // Both directions around the copy are tried, because the region may lie on the left of the loop or on its
+            // right.
             let ends = [(copy.after, copy.before), (copy.before, copy.after)];
             let fan = ends.into_iter().find_map(|(start, end)| {
                 let (mut fan, mut edge) = (Vec::new(), start);
@@ -296,7 +300,7 @@ impl SharedPlaces {
                 let other = self.copies.iter().find(|other| other.place == copy.place && other.point != first);
                 Tangle::Coincident(first, other.map_or(copy.point, |other| other.point))
             };
-            // A fan has one vertex.
+            // All triangles of the fan get the same copy as their corner.
             for (t, k, edge) in fan.ok_or_else(crossing)? {
                 left_of.remove(&(copy.place, edge));
                 triangles[t][k] = copy.point;
@@ -390,7 +394,8 @@ impl Triangulation {
         self.corners[t as usize].map(|v| self.position_of(v))
     }
 
-    /// Goes straight from the middle of triangle `start` towards `goal`. Second value: triangles visited.
+    /// Goes straight from the middle of triangle `start` towards `goal`. Returns where the path ends, and the number of
+    /// triangles visited.
     pub fn look_towards(&self, start: u32, goal: DVec2) -> (Sight, u64) {
         let [a, b, c] = self.triangle(start);
         if side(a, b, goal) >= 0.0 && side(b, c, goal) >= 0.0 && side(c, a, goal) >= 0.0 {
@@ -428,8 +433,8 @@ impl Triangulation {
     }
 
     /// Inserts a point that lies in triangle `t`, or on an edge of it that has a twin. Flips the edges opposite to the
-    /// point for whose half-edges `flips` holds; [`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay
-    /// property. Appends the triangles around the new point to `star`.
+    /// point for whose half-edges `flips` holds; with [`is_not_delaunay`](Self::is_not_delaunay) as `flips` the
+    /// triangulation stays Delaunay. Appends the triangles around the new point to `star`.
     pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
         self.points.push(point);
@@ -447,7 +452,7 @@ impl Triangulation {
         self.point_back(ca, 3 * (n + 1));
         let mut stack = std::mem::take(&mut self.stack);
         stack.extend([t, n, n + 1]);
-        // Ends because each flip adds a triangle to those around the new point, which none leaves.
+        // Ends because each flip adds a triangle to those around the new point, and no triangle leaves them.
         while let Some(t) = stack.pop() {
             if self.twin[t as usize][0] == NONE || !flips(self, 3 * t) {
                 star.push(t);
@@ -472,8 +477,8 @@ impl Triangulation {
         [half_edge, next(half_edge), previous(half_edge), previous(across)].map(|h| self.from(h))
     }
 
-    /// Replaces the edge between two triangles by the other diagonal. Both have the half-edge's third corner at corner
-    /// 2 then.
+    /// Replaces the edge between two triangles by the other diagonal. Both new triangles have the third corner of the
+    /// half-edge's triangle as their corner 2.
     pub fn flip(&mut self, half_edge: u32) -> [u32; 2] {
         let across = self.twin_of(half_edge);
         let (t, s) = (half_edge / 3, across / 3);

@@ -9,8 +9,8 @@ use crate::measure::{double_area_vector, is_degenerate};
 use crate::{Execution, Interruption};
 
 /// A flip must reduce the area of its two triangles by more than this fraction of the products of their sides. An area
-/// is a cross product, whose rounding error is a few 1e-16 of that product. Beside a sliver this is more than the area
-/// itself: a gain in proportion to the area let flips of slivers undo each other for ever.
+/// is a cross product, whose rounding error is a few 1e-16 of that product. For a sliver this error exceeds the area
+/// itself. With a least gain in proportion to the area, flips of slivers undid each other for ever.
 const LEAST_GAIN: f64 = 1e-12;
 
 /// Flips edges as long as that reduces the area. Returns the number of flips.

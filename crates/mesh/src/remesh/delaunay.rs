@@ -34,8 +34,8 @@ fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> boo
     let (left, right) = ((p - r, q - r), (q - s, p - s));
     let (left_normal, right_normal) = (left.0.cross(left.1), right.0.cross(right.1));
     let (left_area, right_area) = (left_normal.length(), right_normal.length());
-    // The condition is cot α + cot β < 0, multiplied by both areas so that a needle needs no division, and by more than
-    // rounding.
+    // The condition is that cot α + cot β is negative by more than rounding. It is multiplied by both areas, so that a
+    // needle needs no division.
     let cotangents = left.0.dot(left.1) * right_area + right.0.dot(right.1) * left_area;
     let scale = left.0.length() * left.1.length() * right_area + right.0.length() * right.1.length() * left_area;
     if scale > 0.0 && cotangents >= -1e-9 * scale {

@@ -87,8 +87,8 @@ pub fn resample(
         if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
             break;
         }
-        // Splitting and collapsing allow a band of lengths around the size. The number at which the mesh settles within
-        // this band is measured.
+        // Splitting and collapsing allow a band of lengths around the size. The number of triangles depends on where in
+        // this band the lengths settle, so the aim is corrected by the number that was reached.
         if settled {
             aim *= (count / reached).clamp(0.7, 1.4);
         }

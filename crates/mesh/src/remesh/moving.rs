@@ -17,8 +17,8 @@ use std::collections::BTreeMap;
 
 /// An edge is split if it exceeds this multiple of the size at its ends.
 const LONG: f64 = 1.4;
-/// An edge is collapsed if it is shorter than this multiple of the size. From 0.5 to 0.65 random structures are found
-/// equally often.
+/// An edge is collapsed if it is shorter than this multiple of the size. With values from 0.5 to 0.65 the forms of
+/// random structures are found equally often.
 const SHORT: f64 = 0.65;
 /// No collapse makes an edge longer than this multiple of the size.
 const LONGEST: f64 = 1.5;
@@ -29,7 +29,8 @@ const NECK: f64 = 3.0 * SHORT;
 /// Sweeps along the curves in a relaxation. With fewer the segments of a cable are less even.
 const CURVE_SWEEPS: u32 = 4;
 /// Keys of edges are compared in steps of this relative size, so that rounding does not decide between edges of equal
-/// length. The value has no round multiples among the lengths of regular meshes.
+/// length. The value is no simple fraction, so that lengths of regular meshes do not lie on the limit between two
+/// steps.
 const KEY_STEP: f64 = 1.234_567_891e-6;
 
 /// The changes that remeshing may make to a vertex.
@@ -68,7 +69,7 @@ pub struct MovingFilm {
     pub flexible: Vec<bool>,
     /// For each stretch the fewest vertices inside it.
     pub fewest: Vec<usize>,
-    /// Kept vertices, which renumbering follows.
+    /// Numbers of kept vertices. They are updated when the vertices are renumbered.
     pub named: Vec<u32>,
 }
 
@@ -274,7 +275,7 @@ impl MovingFilm {
         any
     }
 
-    /// The boundaries and locked edges of the film from the curves.
+    /// Sets the boundaries and the locked edges of the film to those of the curves.
     pub fn renew_curves(&mut self) {
         let count = self.film.boundaries.len();
         self.film.boundaries = self.curves[..count].iter().map(|curve| curve.vertices.clone()).collect();
@@ -364,7 +365,8 @@ impl MovingFilm {
         Some(Neck { place: (p + q + r) / 3.0, girth: p.distance(q) + q.distance(r) + r.distance(p) })
     }
 
-    /// Whether the triangles around `v` without `other` stay whole when `v` moves to `place`.
+    /// Whether the triangles around `v` that do not contain `other` stay whole, and their edges short enough, when `v`
+    /// moves to `place`.
     fn keeps_shape(&self, sizes: &[f64], v: u32, other: u32, place: DVec3) -> bool {
         let (topology, at) = (&self.film.topology, &self.film.vertices);
         topology.outgoing_half_edges(v).all(|h| {
@@ -433,7 +435,8 @@ impl MovingFilm {
 }
 
 /// Whether a triangle that moves turns by less than the angle of this cosine and does not become thin: twice its area
-/// stays above the fraction `thin` of the sum of its squared sides, or grows against it.
+/// stays above the fraction `thin` of the sum of its squared sides, or grows in relation to that sum. A triangle that
+/// was almost without area may turn in any direction.
 fn stays_whole(before: [DVec3; 3], after: [DVec3; 3], cosine: f64, thin: f64) -> bool {
     let squares = |[p, q, r]: [DVec3; 3]| p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
     let (normal, moved) = (double_area_vector(before), double_area_vector(after));

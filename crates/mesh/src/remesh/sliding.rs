@@ -13,22 +13,23 @@ use glam::DMat3;
 
 /// Number of sweeps over the vertices. Further sweeps lower the largest gradient, but make angles smaller.
 pub const SWEEPS: u32 = 4;
-/// Gradient by area, times the radius of the boundary, above which the last sweeps visit a vertex once more.
+/// The last sweeps visit a vertex again if half its gradient, divided by the area of its ring and multiplied by the
+/// radius of the boundary, exceeds this.
 const UNEVEN: f64 = 1.6e-2;
 /// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane.
 const DAMPING: f64 = 3e-3;
-/// Longest step as a part of the shortest edge of the ring at the vertex. Longer steps turn triangles over.
+/// Longest step, as a fraction of the shortest edge at the vertex. Longer steps turn triangles over.
 const REACH: f64 = 0.25;
-/// Gradient by area, times the radius of the boundary, below which a vertex stays.
+/// A vertex stays where it is if the figure that [`UNEVEN`] limits is below this.
 const NEGLIGIBLE: f64 = 3e-3;
-/// Tangent of the angle (21 degrees) below which no step takes an angle. Films keep angles of 20 degrees, and the
-/// normal heights that follow take some back.
+/// No step makes an angle smaller than the one with this tangent, 21 degrees. Films have to keep angles of 20 degrees,
+/// and the motion along the normals that follows may make angles smaller again.
 const LEAST_TANGENT: f64 = 0.383_864;
 /// Number of vertices that slide between two looks at the signal.
 const VERTICES_BETWEEN_LOOKS: usize = 4096;
 /// Units of work of one vertex: its six triangles are measured, and measured again for each part of a step.
 const WORK_PER_VERTEX: u64 = 20;
-/// Parts of a step that are tried, of which the first that keeps the angles is taken.
+/// Fractions of a step that are tried in this order. The first that keeps the angles is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// Lets the free vertices of a film slide to where the area of their rings is least, one after the other, in sweeps
@@ -70,8 +71,8 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
     Ok(())
 }
 
-/// Returns the place of a vertex after one step, and the gradient by area before the step, times the radius. `ring` has
-/// the edges opposite to the vertex in its triangles.
+/// Returns the place of a vertex after one step, and half the gradient before the step, divided by the area of the ring
+/// and multiplied by the radius. `ring` has the edges opposite to the vertex in its triangles.
 fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
     let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
     let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);

@@ -22,20 +22,20 @@ use std::collections::BinaryHeap;
 /// A change must raise the smallest angle by at least this much (radians). Without this bound the changes could go on
 /// by ever smaller gains.
 const LEAST_GAIN: f64 = 0.01;
-/// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle
-/// is known.
+/// Relative rounding error of a tangent. A triangle is left out by its tangent alone, before its angle is computed,
+/// only if it misses the useful angle by more than this.
 const ROUNDING: f64 = 1e-12;
 /// Cosine of the largest angle between a changed triangle and the mean of the triangles around it.
 const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
-/// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn
-/// over, and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh.
+/// Largest number of changes that are made for one triangle. Without this bound two flips can undo each other again and
+/// again: on a noisy boundary one pair of flips used up all changes of the mesh.
 const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
-/// Length of the first trial move, as a fraction of the mean edge at the vertex, and largest number of times that the
-/// length is halved.
+/// Length of the first trial move, as a fraction of the mean edge at the vertex, and number of lengths that are tried,
+/// each the half of the one before.
 const FIRST_MOVE: f64 = 0.4;
 const HALVINGS: u32 = 4;
 
@@ -95,7 +95,8 @@ pub fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<
     Ok(Some(origin))
 }
 
-/// The smallest angle of a triangle, which is never obtuse: the least tangent of its acute angles. 0 if it has no area.
+/// The smallest angle of a triangle in radians; 0 if the triangle has no area. The smallest angle has the least tangent
+/// of the acute angles, because it is never obtuse.
 fn least([a, b, c]: [DVec3; 3]) -> f64 {
     libm::atan(least_tangent([a, b, c]))
 }

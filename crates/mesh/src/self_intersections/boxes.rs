@@ -18,7 +18,7 @@ pub enum Order {
     Spatial,
 }
 
-/// Smallest squared part of a direction across a normal, as a fraction of its whole square, that serves as an axis.
+/// A direction serves as an axis if the square of its part across the normal exceeds this fraction of its whole square.
 const LEAST_ACROSS: f64 = 1e-12;
 
 /// A box along axes of its own.
@@ -27,8 +27,8 @@ pub(super) struct OwnBox {
     axes: [DVec3; 3],
     centre: DVec3,
     half: DVec3,
-    /// The sum of the triangles' area vectors, and of their longest edges, each of these turned to the side of the
-    /// others.
+    /// The sum of the triangles' area vectors, and the sum of their longest edges, of which each is turned to the side
+    /// of the edges before it.
     normal: DVec3,
     along: DVec3,
 }

@@ -5,8 +5,8 @@
 //! (P. Volino, N. Magnenat-Thalmann, *Efficient self-collision detection on smoothly discretized surface animations
 //! using geometrical shape regularity*, Computer Graphics Forum 13, 1994). The proof needs no assumption on the
 //! topology: the number of triangles over a point of the plane is the winding number of the boundary, and one polygon
-//! that runs counter-clockwise, with all others clockwise, winds round no point more than once. A common point of two
-//! triangles would then lie on the boundary of the chart from both sides.
+//! that runs counter-clockwise, with all others clockwise, winds round no point more than once. Two triangles could
+//! therefore meet only over a point where the boundary touches itself.
 //!
 //! Charts are made of patches. A patch faces a direction if the cone of its normals does. Vertices with equal
 //! coordinates count as different ones here. Edges along which such vertices meet are boundaries that touch, so that no
@@ -37,7 +37,7 @@ const MARGIN_OF_NEIGHBOURS: f64 = 2.0;
 const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
 /// Largest number of directions. A sphere of 8,000 triangles needs about 14; more are needed only by noise.
 const DIRECTIONS: usize = 20;
-/// Numbers of slabs into which the parts that lie over themselves are cut, one after the other.
+/// Numbers of slabs into which the parts that lie over themselves are cut. The numbers are tried one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
 /// Largest number of patches that are cut into slabs, each counted as often as it is cut, as a multiple of the mesh's
 /// patches.
@@ -138,8 +138,8 @@ fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Int
     Ok(directions)
 }
 
-/// The cosine between a patch's axis and a direction above which all its normals are within the charts of the
-/// direction, at least a margin inside. `None` if they differ too much.
+/// The cosine between a patch's axis and a direction above which all normals of the patch lie in the direction's cone
+/// ([`CHART`]), by at least a margin. `None` if the normals spread too far for that.
 fn least_cosine(patch: &Patch, margin: f64) -> Option<f64> {
     let left = CHART - margin - patch.spread;
     (left > 0.0).then(|| libm::cos(left))
@@ -170,7 +170,7 @@ impl Charts<'_> {
         let mut left: Vec<u32> = (0..).zip(list).filter(|(_, patch)| is_member(patch)).map(|(p, _)| p).collect();
         exec.look(list.len() as u64)?;
         let mut next = self.add_layer(direction, &left, |_| 0, tree, layers, exec)?;
-        // Parts that lie over themselves.
+        // The members that are in no chart yet lie over themselves, and are cut into slabs.
         let height = |p: u32| self.patches.list[p as usize].extent.centre().dot(direction);
         for count in SLABS {
             left = next;
@@ -194,7 +194,7 @@ impl Charts<'_> {
         Ok(())
     }
 
-    /// Adds the layer of the charts of some cells, if there are any. Returns the members that are in none.
+    /// Adds the layer of the charts of some cells, if there are any charts. Returns the members that are in no chart.
     fn add_layer(
         &mut self,
         direction: DVec3,
@@ -301,7 +301,8 @@ struct Boundary {
 }
 
 impl Boundary {
-    /// `edges` are the half-edges that bound one part.
+    /// Joins boundary edges to closed polygons. `edges` are the half-edges that bound the parts, each of which bounds
+    /// one part.
     fn new(charts: &Charts, direction: DVec3, edges: &[u32]) -> Self {
         let patches = charts.patches;
         let across = direction.any_orthonormal_vector();

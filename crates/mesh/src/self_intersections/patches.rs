@@ -155,7 +155,7 @@ impl<'a> Patches<'a> {
 
     /// Sets `across`.
     fn find_neighbours(&mut self, exec: &Execution<'_>) -> Result<(), Interruption> {
-        // The edges of each vertex with a lower number, each after the number of the other end.
+        // Each edge is listed at its end with the lower number, with the number of the other end as the key to sort by.
         let mut start = vec![0u32; self.mesh.vertices.len() + 1];
         for chunk in self.edges.chunks(LOOK) {
             chunk.iter().for_each(|[a, b]| start[*a.min(b) as usize + 1] += 1);
@@ -231,7 +231,8 @@ impl Block {
             let normal = clear_normal(&corners).unwrap_or(DVec3::ZERO);
             self.triangles.push(BlockTriangle { number, extent: AxisBox::around(corners), normal });
         }
-        // Blocks that were divided alike are paired alike.
+        // Blocks that come from the same subdivision have the same pairs, so the pairs of the last block are tried
+        // first.
         if !self.pairing.holds(&self.edges) {
             self.pairing = Pairing::new(&self.edges);
         }

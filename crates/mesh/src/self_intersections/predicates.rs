@@ -3,7 +3,7 @@
 use crate::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// Where two triangles without a common vertex meet.
+/// A point where two triangles without a common vertex meet.
 pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
     for (one, other) in [(a, b), (b, a)] {
         let sides = other.map(|corner| volume(one, corner));
@@ -11,14 +11,15 @@ pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
             return None;
         }
     }
-    // Two triangles meet if an edge of one meets the other; one inside the other, in its plane, is such a case.
+    // Two triangles meet if and only if an edge of one meets the other. This holds for a triangle inside the other one
+    // in the same plane too.
     [(a, b), (b, a)]
         .into_iter()
         .find_map(|(one, other)| (0..3).find_map(|k| segment_meets_triangle(one[k], one[(k + 1) % 3], other)))
 }
 
-/// Whether the two triangles at a common edge, with the third corners `third` and `fourth`, lie in one plane and folded
-/// onto each other.
+/// A point of the common edge of two triangles with the third corners `third` and `fourth`, if they lie in one plane
+/// and are folded onto each other.
 pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: DVec3) -> Option<DVec3> {
     let triangle = [from, to, third];
     if volume(&triangle, fourth) != 0.0 {
@@ -29,7 +30,8 @@ pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: 
     same.then(|| (from + to) * 0.5)
 }
 
-/// Where a segment meets a triangle that has an area, both closed. Exact but for the point itself.
+/// A point where a segment meets a triangle that has an area, both closed. Whether they meet is decided exactly; the
+/// point is rounded.
 pub(super) fn segment_meets_triangle(p: DVec3, q: DVec3, triangle: &[DVec3; 3]) -> Option<DVec3> {
     let (above, below) = (volume(triangle, p), volume(triangle, q));
     if above == 0.0 && below == 0.0 {

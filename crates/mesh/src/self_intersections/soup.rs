@@ -8,12 +8,12 @@ use crate::{DVec3, Execution, Interruption};
 pub(super) const LOOK: usize = 1 << 14;
 /// No vertex, triangle or label.
 pub(super) const NONE: u32 = u32::MAX;
-/// A triangle counts as facing a vertex normal if the cosine, times the sine of its angle at the vertex, exceeds this.
-/// Values near rounding (1e-15) are not safe.
+/// A triangle counts as facing a vertex normal if the cosine between the two normals, times the sine of the triangle's
+/// angle at the vertex, exceeds this. Values near rounding (1e-15) are not safe.
 const FACING: f64 = 1e-7;
 /// Two edges at a vertex count as apart if the sine of the angle between them exceeds this.
 const APART: f64 = 1e-11;
-/// An edge that is in line with a ray lies on its other side if the cosine between them is below minus this. The angle
+/// An edge that is in line with a ray points the opposite way if the cosine between them is below minus this. The angle
 /// to the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle
 /// of a triangle.
 const OPPOSITE: f64 = 1e-3;
@@ -110,7 +110,8 @@ impl Soup {
         (0..self.triangles.len() as u32).filter(|&t| self.normals[t as usize] != DVec3::ZERO).collect()
     }
 
-    /// `corners` are 3 t + k for each triangle t whose corner k is the vertex.
+    /// Whether [`embedded_stars`](Self::embedded_stars) holds for one vertex. `corners` are 3 t + k for each triangle t
+    /// whose corner k is the vertex.
     fn is_embedded(&self, vertex: usize, corners: &[u32], [after, before]: &mut [Vec<u32>; 2]) -> bool {
         let ends = |corner: u32| {
             let (triangle, k) = (self.triangles[corner as usize / 3], corner as usize % 3);
@@ -151,8 +152,9 @@ impl Soup {
             if !is_facing {
                 return false;
             }
-            // An edge on the ray's other side bounds no triangle that the ray runs through, since each is narrower than
-            // a half-plane. On which side of the line it lies is not needed, and may be rounding.
+            // An edge opposite to the ray bounds no triangle that the ray runs through, because every triangle has an
+            // angle below 180 degrees. The side of the ray's line on which this edge lies may be decided by rounding,
+            // and is not needed.
             let is_opposite = |to: DVec3| {
                 let along = direction.dot(to) - direction.dot(normal) * to.dot(normal) / (facing * facing);
                 let sine = normal.dot(direction.cross(to));

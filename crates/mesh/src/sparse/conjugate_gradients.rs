@@ -17,9 +17,9 @@ pub enum CgFailure {
 
 /// Improves `x` until `is_small` accepts the residual b - A x. Returns the number of iterations.
 ///
-/// `precondition` writes an approximation of A⁻¹ r to its second argument, which must be symmetric and positive
-/// definite in r. Copying r gives the method without preconditioner. Each iteration takes one product with the matrix
-/// and one look at `exec`.
+/// `precondition` writes an approximation of A⁻¹ r to its second argument. The map from r to the approximation must be
+/// linear, symmetric and positive definite. Copying r gives the method without preconditioner. Each iteration takes one
+/// product with the matrix and one look at `exec`.
 ///
 /// # Errors
 /// See [`CgFailure`]. `x` is then the last iterate.

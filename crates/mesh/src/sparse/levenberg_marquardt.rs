@@ -1,9 +1,9 @@
 //! Levenberg and Marquardt's method: damped Gauss-Newton steps for ½ Σ r² over nodes with N unknowns each.
 //!
 //! Source: Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least Squares Problems* (2004), algorithm 3.16. A step
-//! solves (JᵀJ + μM) δ = -Jᵀr. M is a metric of the problem's own in place of their identity, so that steps need not
-//! depend on how the unknowns are chosen. μ follows the ratio of the gain to what the linear model predicts (Nielsen's
-//! rule). Every step that is kept lowers the energy.
+//! solves (JᵀJ + μM) δ = -Jᵀr. The problem gives the metric M. The source has the identity in its place; another metric
+//! can make the steps independent of how the unknowns are chosen. μ follows the ratio of the gain to what the linear
+//! model predicts (Nielsen's rule). Every step that is kept lowers the energy.
 
 use super::pattern::BlockPattern;
 use super::{Symbolic, SymmetricMatrix};
@@ -26,7 +26,8 @@ pub trait LeastSquares<const N: usize> {
     fn assemble(&mut self, x: &[Self::Location], normal: &mut NormalEquations<N>);
     /// A node's block of the metric, as of the last [`assemble`](Self::assemble): symmetric and positive definite.
     fn metric(&self, node: usize) -> [[f64; N]; N];
-    /// Writes to `to` the locations after the part of the step that may be taken, and returns that part.
+    /// Writes to `to` the locations after the part of the step that may be taken, and returns that part as a fraction
+    /// of the step.
     fn advance(&self, x: &[Self::Location], step: &[[f64; N]], to: &mut [Self::Location]) -> f64;
 }
 
@@ -72,7 +73,8 @@ impl<const N: usize> NormalEquations<N> {
         (0..self.matrix.order()).map(|row| self.matrix.diagonal(row)).fold(0.0, f64::max)
     }
 
-    /// The largest entry of the gradient. Infinite if one is not a number: that is no vanishing gradient.
+    /// The largest entry of the gradient. Infinite if an entry is not a number, because such a gradient must not count
+    /// as vanishing.
     fn largest_gradient(&self) -> f64 {
         let entries = self.gradient.iter().flatten();
         entries.fold(0.0, |max, g| if g.is_nan() { f64::INFINITY } else { f64::max(max, g.abs()) })
@@ -97,15 +99,15 @@ impl<const N: usize> NormalEquations<N> {
 pub struct Criteria {
     /// μ at the start, in units of the metric.
     pub damping: f64,
-    /// A step is quiet if it lowers the energy F by at most this times F + `floor`.
+    /// A step is quiet if it lowers the energy F by at most this times (F + `floor`).
     pub change: f64,
     /// 1 makes the criteria absolute where F is small, 0 keeps them relative.
     pub floor: f64,
     /// Number of quiet steps in a row that ends the run.
     pub quiet_steps: u32,
-    /// A gradient whose entries are at most this times F + `floor` ends the run.
+    /// A gradient whose entries are at most this times (F + `floor`) ends the run.
     pub gradient: f64,
-    /// A step δ whose entries are at most this times 1 + ‖δ‖∞ ends the run.
+    /// A step δ whose entries are at most this times (1 + ‖δ‖∞) ends the run.
     pub step: f64,
     /// Largest number of steps that are tried.
     pub max_iterations: u64,
@@ -130,7 +132,8 @@ pub enum Stop {
 /// Receives the number of each step tried, the locations after the step and the energy there.
 pub(crate) type Observer<'a, Location> = dyn FnMut(u64, &[Location], f64) + 'a;
 
-/// Lowers the problem's energy from `x`, which must be allowed, until a criterion holds. Returns which, and the energy.
+/// Lowers the problem's energy from `x`, which must be allowed, until a criterion holds. Returns the reason of the end,
+/// and the energy.
 ///
 /// `observe` is shown the places and the energy after every step tried. Looks at `execution` once a step (one sparse
 /// factorisation). On an interruption `x` is the best so far.
@@ -214,7 +217,8 @@ pub fn minimise<const N: usize, P: LeastSquares<N>>(
     (Stop::MaxIterations, energy)
 }
 
-/// The gain of the share s of a step by the linear model: -s (1 - s/2) gᵀδ + ½ s² μ δᵀMδ.
+/// The decrease of the energy that the linear model predicts for the fraction s of a step: -s (1 - s/2) gᵀδ + ½ s² μ
+/// δᵀMδ.
 fn predicted<const N: usize>(
     step: &[[f64; N]],
     gradient: &[[f64; N]],

@@ -20,8 +20,9 @@ use super::pattern::FIXED;
 /// Largest number of iterations. If they do not suffice, the hierarchy is a poor preconditioner for the matrix.
 const MAX_ITERATIONS: usize = 60;
 
-/// The parents of the unknowns of a level: two unknowns of the next coarser level whose mean each of them is. One or
-/// both may be [`FIXED`], which stands for zero. An unknown that exists on both levels is its own parent twice.
+/// The parents of the unknowns of a level. The prolongation sets each unknown to the mean of its two parents, which are
+/// unknowns of the next coarser level. One parent or both may be [`FIXED`], which stands for zero. An unknown that
+/// exists on both levels is its own parent twice.
 pub type Parents = Vec<[u32; 2]>;
 
 /// The levels below the one that is being solved.
@@ -92,8 +93,7 @@ impl Hierarchy {
         x
     }
 
-    /// Solves `matrix` x = `right_hand_side` until `is_small` accepts the residual. `work` is the cost of one
-    /// iteration.
+    /// Solves `matrix` x = `right_hand_side` until `is_small` accepts the residual.
     ///
     /// # Errors
     /// See [`CgFailure`].

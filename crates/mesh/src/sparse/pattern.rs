@@ -45,7 +45,8 @@ impl FreeVertices {
 }
 
 impl Pattern {
-    /// O(triangles). Every vertex that is not fixed must be an interior vertex of a manifold.
+    /// Finds the pattern of a connectivity. O(triangles). Every vertex that is not fixed must be an interior vertex of
+    /// a manifold.
     pub fn new(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
         let free = FreeVertices::new(fixed);
         let FreeVertices { unknown, vertex } = &free;

@@ -36,11 +36,11 @@ impl Source {
 
 /// Sources in a leaf of the tree.
 const LEAF: usize = 4;
-/// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is
-/// searched: beside a boundary of many points thousands may matter to one cell.
+/// Largest number of sources in the list of a cell. If more sources can matter to a cell, it has no list and the tree
+/// is searched, because beside a boundary of many points thousands may matter to one cell.
 const FEW: usize = 32;
-/// Relative rounding error of a bound, by which a part of the tree must be worse than the best source so far to be left
-/// out.
+/// Relative rounding error of a bound. A part of the tree is left out only if its bound is worse than the best source
+/// so far by more than this.
 const ROUNDING: f64 = 1e-12;
 
 /// A box around sources that follow each other, and the least of their sizes.
@@ -88,14 +88,14 @@ impl<'a> Tree<'a> {
         Self { sources, groups, base }
     }
 
-    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. It leaves
-    /// out what is below a group that the walk does not enter.
+    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. A group that
+    /// `state` does not enter is left out with all groups below it.
     fn walk(&self, point: DVec2, state: &mut impl Walk) {
-        // An entry for each level, and one more: 2^30 leaves.
+        // The stack holds an entry for each level and one more, which is enough for 2^30 leaves.
         let mut stack = [(1usize, 0.0); 32];
         let mut height = 1;
         stack[0].1 = self.groups[1].distance(point);
-        // At most one pass per group, because each is the half of one other.
+        // At most one pass per group, because each group is the half of one other group.
         while height > 0 {
             height -= 1;
             let (node, distance) = stack[height];
@@ -122,7 +122,7 @@ impl<'a> Tree<'a> {
 
 /// The search that a walk through the tree makes.
 trait Walk {
-    /// Whether a group with this least size, at this distance, may hold what is looked for.
+    /// Whether a group of this least size, at this distance, may hold a source that the search needs.
     fn enters(&self, size: f64, distance: f64) -> bool;
     /// Takes a source and its number. False ends the walk.
     fn offer(&mut self, number: u32, source: &Source) -> bool;
@@ -133,13 +133,14 @@ struct Smallest {
     point: DVec2,
     grading: f64,
     size: f64,
-    /// The distance of the nearest source that was looked at: the nearest one of all, if that can be too near.
+    /// Distance of the nearest source among those visited. If any source is too near for a lattice point, the nearest
+    /// of all sources is among them.
     clearance: f64,
 }
 
 impl Walk for Smallest {
     fn enters(&self, size: f64, distance: f64) -> bool {
-        // The nearest source counts too, whatever its size, if it can be too near.
+        // The nearest source counts too, whatever its size, if it can be too near for a lattice point.
         size + self.grading * distance <= self.size * (1.0 + ROUNDING)
             || distance < self.clearance && distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
     }
@@ -156,7 +157,7 @@ impl Walk for Smallest {
 struct Near {
     point: DVec2,
     grading: f64,
-    /// The size at the point, and a distance that the nearest source does not exceed.
+    /// The size at the point, and an upper bound of the distance of the nearest source.
     size: f64,
     clearance: f64,
     reach: f64,
@@ -205,8 +206,8 @@ const DEPTH: u32 = 24;
 struct Cell {
     corners: [[i64; 2]; 3],
     depth: u32,
-    /// Whether the triangle points the other way than the root. Each of its corners is then a corner of an upright one
-    /// too.
+    /// Whether the triangle points the other way than the root. Its corners add no lattice points then, because each of
+    /// them is a corner of an upright triangle too.
     inverted: bool,
     near: Sources,
 }
@@ -229,7 +230,8 @@ impl Sources {
     }
 }
 
-/// The four triangles that the midpoints of the sides make of a triangle, and whether each points the other way.
+/// Cuts a triangle into four at the midpoints of its sides. Returns each part, and whether it points the other way than
+/// the whole.
 fn quarters([a, b, c]: [[i64; 2]; 3]) -> [([[i64; 2]; 3], bool); 4] {
     let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
     let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
@@ -244,7 +246,8 @@ const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
-    /// The size at a position, and the distance of the nearest source where that can be too near.
+    /// Returns the size at a position and the distance of the nearest source. Where no source is too near for a lattice
+    /// point, the distance may be that of another source.
     #[inline]
     fn size_and_clearance(&self, point: DVec2, tree: &Tree, near: &Sources) -> (f64, f64) {
         let size = (self.cap)(point);

@@ -53,18 +53,19 @@ impl Start {
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], up to 26, if the spacing of the boundary
-/// asks for more triangles than are wanted.
+/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], which makes it 26, if the spacing of the
+/// boundary asks for more triangles than are wanted.
 const STEEPEST_GRADING: u32 = 11;
-/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a
-/// plane star of 50,000 points. It only decides which growth is tried first.
+/// Number of triangles per boundary edge in the zone between the boundary and the large triangles inside, multiplied by
+/// the growth of the edge length in that zone. Measured on a plane star of 50,000 points. It only decides which growth
+/// is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
 /// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
 /// estimated, because a layout with the least growth has ten times as many triangles as wanted, and the boundary's own
 /// triangles are taken into account when the next size is chosen. A mesh of so few triangles is not subdivided.
 const DENSE: f64 = 3.0;
-/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better
-/// than too many.
+/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary. It is above 1,
+/// because too few triangles are better than too many.
 const AIM: f64 = 1.01;
 /// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger coarse mesh would give more even
 /// triangles but take longer.
@@ -80,8 +81,8 @@ const GOOD_ANGLE: f64 = 0.44;
 /// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
 /// longer.
 const LARGEST_RESAMPLED: f64 = 20_000.0;
-/// If the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its
-/// edges are split.
+/// If the boundary is kept, a fine mesh is made by splitting the edges of a coarse mesh. The coarse mesh has this many
+/// triangles, or eight per boundary point if that is more.
 const FINEST_MAPPED: usize = 2_000;
 /// Number of passes of isotropic remeshing from that mesh to the wanted number of triangles.
 const FINE_PASSES: u32 = 12;
@@ -166,7 +167,9 @@ impl Spanning<'_> {
         Ok(Start { film, subdivisions })
     }
 
-    /// The number of triangles that an edge length stands for on a mapped mesh, whose area is known in space only.
+    /// Returns the number of triangles that the wanted edge length stands for on a mapped mesh. A coarse film is made
+    /// for that, because the area of a mapped mesh is known only in space. `None` for a plane domain or another
+    /// resolution.
     fn resolution_in_space(&self) -> Result<Option<Resolution>, NoFilm> {
         if !self.shape.is_mapped() || !matches!(self.options.resolution, Resolution::EdgeLength(_)) {
             return Ok(None);
@@ -225,8 +228,8 @@ impl Spanning<'_> {
         Ok(Pinned { pins, places })
     }
 
-    /// Refuses curves that would be divided into more pieces than the film can have triangles. A single distant point
-    /// is enough for that.
+    /// Refuses curves that would be divided into more pieces than the film can have triangles. One distant point is
+    /// enough to make a curve so long.
     fn check_lengths(&self, size: f64) -> Result<(), NoFilm> {
         if self.options.boundary_sampling == BoundarySampling::Keep {
             return Ok(());
@@ -348,8 +351,9 @@ impl Spanning<'_> {
         Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
 
-    /// Adjusts the size until the resolution is met, and returns the ratio of wanted to reached. `coarsest` is the
-    /// grading and the ratio with the largest size.
+    /// Adjusts the size until the resolution is met. Returns the layout, and the ratio of the wanted to the reached
+    /// number of triangles. `first` is the first size to try; `coarsest` holds the grading, and the ratio at the
+    /// largest size.
     fn tune(
         &self,
         goal: &Goal,
@@ -386,8 +390,9 @@ impl Spanning<'_> {
             } else {
                 high = here;
             }
-            // The number decreases with the square of the size, or more slowly where the spacing of the boundary
-            // decides. Beyond some size it is constant, so the largest size is not used for the interpolation.
+            // The number of triangles decreases with the square of the size, or more slowly where the spacing of the
+            // boundary decides. Beyond some size the number is constant, so the largest size is not used for the
+            // interpolation.
             let square = here.0 - 0.5 * here.1;
             size = libm::exp(match low {
                 None => square,
@@ -455,12 +460,13 @@ impl Spanning<'_> {
             segments: pinned.pins.edges.iter().map(|edge| edge.map(vertex)).collect(),
         };
         let scale = self.shape.scale(self.boundaries);
-        // The spacing of the lattice can follow the size without jumps if the scale is the same everywhere.
+        // The lattice starts from the largest size in the plane. Its spacing therefore follows the size without jumps
+        // where the scale is the same everywhere.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
         let sites = domain.sites(&|p| size * scale(p), size * largest, grading, self.largest_lattice(), self.exec)?;
         let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
-        // By Euler's formula, with as many components as loops less holes. Separate components have a few triangles
-        // less.
+        // Euler's formula for one connected domain, whose characteristic is 2 minus the number of loops. A domain of
+        // several components has a few triangles less.
         let euler = 2 - boundaries.len() as i64;
         let triangles = (2 * sites.len() as i64 - i64::from(first) - 2 * euler).max(1) as usize;
         let mean_edge = match self.options.resolution {

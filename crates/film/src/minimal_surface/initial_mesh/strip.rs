@@ -8,8 +8,9 @@ use plateau_mesh::DVec3;
 pub(super) struct Matching {
     /// The points of Q in the order of the strip, starting opposite to the first point of P.
     pub order: Vec<usize>,
-    /// For each bridge its point of P and its position in `order`. The last bridge is the first one again, counted on
-    /// past the end: (p, q) with p and q not reduced. There is one bridge more than there are triangles.
+    /// Each bridge as the index of its point of P and the position of its other end in `order`. The last entry is the
+    /// first bridge again, with the lengths of P and Q as its indices. There is one entry more than there are
+    /// triangles.
     pub bridges: Vec<(usize, usize)>,
 }
 
@@ -41,7 +42,7 @@ impl Matching {
         Self { bridges: march(&shares(p), &shares(&turned)), order }
     }
 
-    /// For each point of P the position in `order` of its middle bridge.
+    /// For each point of P the position in `order` at which the middle one of its bridges ends.
     pub fn partners(&self, points: usize) -> Vec<usize> {
         let mut range = vec![(usize::MAX, 0); points];
         for &(i, j) in &self.bridges {
@@ -100,7 +101,7 @@ fn march(p: &[f64], q: &[f64]) -> Vec<(usize, usize)> {
     let mut bridges = vec![(0, 0)];
     // At most one pass per point, because each pass raises i or j by one.
     while i + 1 < p.len() || j + 1 < q.len() {
-        // The next segment is crossed on the loop where the middle of the segment comes earlier.
+        // The strip advances on the loop whose next segment has its middle at the smaller fraction.
         let ahead = |shares: &[f64], k: usize| shares[k] + shares[k + 1];
         if j + 1 == q.len() || (i + 1 < p.len() && ahead(p, i) <= ahead(q, j)) {
             i += 1;
