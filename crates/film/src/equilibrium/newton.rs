@@ -24,23 +24,21 @@ use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::fmt;
 
-/// Shortest fraction of Newton's step that the line search tries; a shorter one ends the run as stalled. A smaller
-/// value tries longer near a fold or a collapse.
+/// Shortest fraction of Newton's step that the line search tries. If none improves the state, the run ends as
+/// stalled.
 const LEAST_STEP: f64 = 1.0 / 4096.0;
 /// First multiple of the semidefinite part that is added to an indefinite matrix, the factor to the next multiple, and
-/// the last one. A larger first multiple makes shorter steps where a small shift would suffice. A smaller factor takes
-/// more factorisations.
+/// the last one.
 const FIRST_SHIFT: f64 = 0.125;
 const SHIFT_GROWTH: f64 = 4.0;
 const LAST_SHIFT: f64 = 1e4;
 /// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition, with the
-/// usual value). A larger value refuses more steps.
+/// usual value).
 const LEAST_GAIN: f64 = 1e-4;
-/// Changes of the energy below this fraction of its magnitude are rounding errors, and the residual decides instead. A
-/// larger value leaves the decision to the residual earlier.
+/// Changes of the energy below this fraction of its magnitude are rounding errors, and the residual decides instead.
 const ENERGY_ROUNDING: f64 = 1e-12;
 /// With constraints a step is also taken if the residual falls to this fraction, because the merit function may refuse
-/// a good step near the solution (Maratos). A larger value takes more such steps.
+/// a good step near the solution (Maratos).
 const RESIDUAL_GAIN: f64 = 0.5;
 
 /// The equations of equilibrium of a body with a fixed connectivity.

@@ -28,12 +28,13 @@ use plateau_mesh::random::SplitMix64;
 use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
 use plateau_mesh::{DVec3, Execution, Interruption};
 
-/// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²). A larger value
-/// gives fewer digits.
+/// The iteration for the lowest eigenvalue ends when the eigenvalue changes by less than this fraction of itself, or of
+/// 1/1000 of 1/R² if that is more.
 const EIGENVALUE_TOLERANCE: f64 = 1e-9;
-/// Bound on the iterations.
+/// Bound on the number of these iterations.
 const MAX_ITERATIONS: usize = 60;
-/// Shifts tried, in units of 1/R², each four times the last, before an indefinite matrix is given up.
+/// Number of shifts of an indefinite matrix that are tried before it is given up. The first is the eigenvalue
+/// scale 1/R², and each is four times the one before.
 const MAX_SHIFTS: usize = 24;
 /// First shift with which a matrix of uncertain inertia is counted again, relative to the sums of absolute values in
 /// its rows; the factor to the next shift; and the number of shifts. The first is the rounding error of a factor in

@@ -5,12 +5,12 @@ use plateau_mesh::sparse::multigrid::{Hierarchy, Parents};
 use plateau_mesh::sparse::{CgFailure, LinearError, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution};
 
-/// Each step's linear system is solved to this fraction of the residual. A smaller fraction takes more V-cycles, a
-/// larger one more steps.
+/// The linear system of a Newton step is solved until its own residual is this fraction of the right-hand side.
 const FORCING: f64 = 1e-3;
-/// Below this residual the system is solved as far as the run's tolerance needs, because one step then ends the run.
+/// Below this residual of the state, one Newton step ends the run, so that the linear system is solved as far as the
+/// run's tolerance needs.
 const LAST_STEP_BELOW: f64 = 2e-2;
-/// That far: this fraction of the tolerance.
+/// The residual of the linear system of this last step, as a fraction of the run's tolerance.
 const LAST_STEP_GOAL: f64 = 0.2;
 
 /// The residuals of the linear system that are small enough for a Newton step from a state.

@@ -17,8 +17,7 @@ use plateau_mesh::DVec3;
 /// cable is 1e11 times as long as the span.
 const LEAST_PARAMETER: f64 = 1.0 / 60.0;
 const LARGEST_PARAMETER: f64 = 1e6;
-/// Factor between the values of a among which the tautest solution is looked for. A larger one finds the least force
-/// between two ends less exactly.
+/// Factor between the values of a among which the tautest solution is looked for.
 const SCAN: f64 = 1.02;
 /// The ends count as one above the other if their horizontal distance is below this fraction of the chord: the cable is
 /// then straight.

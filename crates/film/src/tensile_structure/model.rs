@@ -858,7 +858,8 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
     mesh.triangles = triangles;
 }
 
-/// The changes of a force that follows from the shape, which itself follows from the force.
+/// Damps the changes of a cable's force where the force is computed from the shape and the shape follows from the force,
+/// so that both might swing to and fro without end.
 #[derive(Clone, Copy, Debug)]
 struct Swing {
     /// The part of a change that is made.
@@ -874,7 +875,7 @@ impl Default for Swing {
 }
 
 impl Swing {
-    /// A change that is opposite to the last one and above this fraction of it does not settle by itself.
+    /// Changes count as swinging if a change is opposite to the last one and larger than this fraction of it.
     const LASTS: f64 = 0.7;
     /// Smallest part of a change that is made.
     const LEAST_SHARE: f64 = 0.1;

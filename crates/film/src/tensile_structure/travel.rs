@@ -25,37 +25,39 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::remesh::moving::Neck;
 use plateau_mesh::{DVec3, Error, Place, Progress, measure};
 
-/// Triangles of the first level. From 100 to 300 random structures are found equally often.
+/// Number of triangles of the first, coarsest level. With 100 to 300 triangles random structures are found equally
+/// often.
 pub(super) const COARSE: f64 = 300.0;
-/// Triangles of a level over those of the level before.
+/// Ratio of a level's number of triangles to that of the level before.
 const GROWTH: f64 = 3.5;
-/// A mesh is renewed after a round that moves a vertex by more than this, in edges. From 0.1 to 1 random structures are
-/// found equally often.
+/// A mesh is renewed after a round that moves a vertex by more than this multiple of the mean edge length. With values
+/// from 0.1 to 1 random structures are found equally often.
 const REMESH_ABOVE: f64 = 0.3;
-/// Newton's method begins below this step, in edges. From 0.1 to 2 random structures are found equally often.
+/// Newton's method begins once a round moves no vertex by more than this multiple of the mean edge length. With values
+/// from 0.1 to 2 random structures are found equally often.
 const NEWTON_BELOW: f64 = 0.5;
-/// A coarse level is left below this step, in edges.
+/// A coarse level is left once a round moves no vertex by more than this multiple of the mean edge length.
 const SETTLED: f64 = 0.05;
 /// The residual at which Newton's method ends on a coarse level.
 const COARSE_TOLERANCE: f64 = 1e-4;
-/// A mesh with a larger angle (radians, 137°) is renewed once Newton's method has converged on it.
+/// A mesh with an angle above this one (in radians: 137°) is renewed once Newton's method has converged on the mesh.
 const WORN: f64 = 2.4;
-/// A cable of given force below this length, in spans, that is shorter than this fraction of its length before counts
-/// as shrinking. Its forces cannot balance before it has shrunk to nothing or found its length, so that a failure of
-/// Newton's method meanwhile says nothing.
+/// A cable of given force counts as shrinking if it is shorter than [`SHORT`] times the span and, after a round, shorter
+/// than [`SHRINKS`] times its length before the round. While a cable shrinks there is no balance of forces, so that a
+/// failure of Newton's method says nothing about the structure.
 const SHORT: f64 = 0.2;
 const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
-/// Rounds after the first failure of Newton's method until it is tried again. After each further failure the pause is
-/// longer by as much, because rounds with constraints come nearer by a few per cent each.
+/// After n failures of Newton's method it is tried again n + 1 times this number of rounds later. The pause grows,
+/// because a round of a structure with constraints takes away only a few per cent of the distance to the equilibrium.
 const WAIT: u32 = 2;
-/// Rounds in a row without a step after which an attempt ends.
+/// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;
 /// Rounds in which a corner or a strait goes on closing before it counts as closed.
 const CLOSING: u32 = 10;
-/// A corner may be closing below the first of these angles in degrees, and is closed if it stays below the second for
-/// some rounds. Sharp corners open again.
+/// A corner may be closing if its angle is below [`CLOSES`] degrees. It is closed if its angle stays below [`CLOSED`]
+/// degrees for [`STAYS_CLOSED`] rounds; a corner that is sharp for fewer rounds may open again.
 const CLOSES: f64 = 3.0;
 const CLOSED: f64 = 0.2;
 const STAYS_CLOSED: u32 = 3;
