@@ -37,8 +37,8 @@ pub(super) const DEFAULT_SOLVES: u32 = 400;
 const MAX_ROUNDS: u32 = 60;
 /// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.
 const MAX_WOVEN_ROUNDS: u32 = 20;
-/// Number of Newton steps of one round of step 1. More steps would only refine the equilibrium of a reference shape that
-/// the next round replaces.
+/// Number of Newton steps of one round of step 1. More steps would only refine the equilibrium of a reference shape
+/// that the next round replaces.
 const STEPS_PER_ROUND: u32 = 3;
 /// A round that moves no vertex by more than this fraction of the mean edge is the last.
 const SETTLED: f64 = 0.05;
@@ -51,9 +51,9 @@ const MAX_RENEWALS: u32 = 60;
 /// Largest number of reference shapes of a woven film in step 2. The examples take 15 to 60.
 const MAX_REFERENCES: u32 = 300;
 /// The stresses of a woven film are kept from the first renewal on that changes none by more than this fraction. What
-/// is not balanced within the film by then is far below the mesh's error, and the last step removes it. Further renewals
-/// would be of no use: stresses that alternate from vertex to vertex hardly pull on the film, so they change slowly, and
-/// each change disturbs the shape.
+/// is not balanced within the film by then is far below the mesh's error, and the last step removes it. Further
+/// renewals would be of no use: stresses that alternate from vertex to vertex hardly pull on the film, so they change
+/// slowly, and each change disturbs the shape.
 const STRESSES_SETTLED: f64 = 3e-5;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 3;

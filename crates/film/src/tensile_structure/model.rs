@@ -858,8 +858,8 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
     mesh.triangles = triangles;
 }
 
-/// Damps the changes of a cable's force where the force is computed from the shape and the shape follows from the force,
-/// so that both might swing to and fro without end.
+/// Damps the changes of a cable's force where the force is computed from the shape and the shape follows from the
+/// force, so that both might swing to and fro without end.
 #[derive(Clone, Copy, Debug)]
 struct Swing {
     /// The part of a change that is made.

@@ -42,9 +42,9 @@ const SETTLED: f64 = 0.05;
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// A mesh with an angle above this one (in radians: 137°) is renewed once Newton's method has converged on the mesh.
 const WORN: f64 = 2.4;
-/// A cable of given force counts as shrinking if it is shorter than [`SHORT`] times the span and, after a round, shorter
-/// than [`SHRINKS`] times its length before the round. While a cable shrinks there is no balance of forces, so that a
-/// failure of Newton's method says nothing about the structure.
+/// A cable of given force counts as shrinking if it is shorter than [`SHORT`] times the span and, after a round,
+/// shorter than [`SHRINKS`] times its length before the round. While a cable shrinks there is no balance of forces, so
+/// that a failure of Newton's method says nothing about the structure.
 const SHORT: f64 = 0.2;
 const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.

@@ -44,8 +44,7 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 /// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
 /// for six there are 203 partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// Accuracy of the largest fraction of a gap at which a connected film holds. Halving it costs
-/// one more solve.
+/// Accuracy of the largest fraction of a gap at which a connected film holds. Halving it costs one more solve.
 const GAP_RESOLUTION: f64 = 1e-3;
 /// Largest number of times that the gap is halved to find a first film.
 const HALVINGS: u32 = 8;
@@ -63,8 +62,8 @@ const TRIANGLES_PER_POINT: usize = 3;
 /// Fraction of the tolerance to which a film is solved that spans some of the boundaries only. The mean of a film's
 /// boundary vertices, about which its radius is measured, differs a little from that of the points.
 const MARGIN: f64 = 0.5;
-/// Smallest radius of a film over some of the boundaries that counts, as a fraction of the radius of all boundaries. The
-/// residual that a smaller film would need is below rounding.
+/// Smallest radius of a film over some of the boundaries that counts, as a fraction of the radius of all boundaries.
+/// The residual that a smaller film would need is below rounding.
 const SMALLEST_PART: f64 = 1e-4;
 
 impl SpanningComparison {
