@@ -60,6 +60,12 @@ impl SymmetricMatrix {
         self.row_start.len().saturating_sub(1)
     }
 
+    /// Whether both matrices have entries at the same places, stored in the same order.
+    #[must_use]
+    pub fn has_pattern_of(&self, other: &Self) -> bool {
+        self.row_start == other.row_start && self.columns == other.columns
+    }
+
     /// Columns and values of a row, the diagonal first.
     #[must_use]
     #[inline]

@@ -303,7 +303,8 @@ impl Body {
     }
 
     /// Runs one solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the
-    /// state that was reached.
+    /// state that was reached. `kept` has the symbolic factorisation and the storage of the last solve, which are used
+    /// again if the pattern is the same, and gets those of this one.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -312,6 +313,7 @@ impl Body {
         settings: &Settings,
         exec: &Execution,
         record: &mut dyn FnMut(f64, f64),
+        kept: &mut Option<Direct>,
     ) -> Result<(Outcome, State<Frame>), LinearError> {
         let mut vertices = self.vertices.clone();
         let motion = Motion::new(self);
@@ -319,9 +321,13 @@ impl Body {
         if let Err(interruption) = exec.look(motion.work()) {
             return Ok((Outcome::Interrupted(interruption), motion.state(&vertices)));
         }
-        let mut direct = Direct::new(matrix)?;
+        let mut direct = match kept.take() {
+            Some(last) if last.matrix.has_pattern_of(&matrix) => last,
+            _ => Direct::new(matrix)?,
+        };
         let solved = iterate(&mut vertices, &motion, &mut direct, settings, exec, record);
         drop(motion);
+        *kept = Some(direct);
         self.vertices = vertices;
         Ok(solved)
     }

@@ -19,7 +19,7 @@ use super::model::{ForceBy, Model, Renewal, Stage};
 use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
 use super::weave::StressField;
 use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
-use crate::equilibrium::newton::{State, keeps_orientation};
+use crate::equilibrium::newton::{Direct, State, keeps_orientation};
 use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
@@ -169,6 +169,8 @@ pub(super) struct Run<'a> {
     pub coarse: Option<Coarse>,
     /// The size with which remeshing comes to the wanted number of triangles, over that of equilateral ones.
     pub calibration: f64,
+    /// The symbolic factorisation and the storage of the last solve.
+    pub factor: Option<Direct>,
 }
 
 /// The mesh with which a structure begins to travel.
@@ -214,7 +216,7 @@ pub(super) fn run(
     exec: &Execution,
 ) -> Result<Found, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
-    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0, coarse, calibration: 1.0 };
+    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0, coarse, calibration: 1.0, factor: None };
     let start = run.model.clone();
     let mut found = run.attempt()?;
     run.release_slack(&start, &mut found)?;
@@ -318,7 +320,7 @@ impl Run<'_> {
     fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let settings = Settings { max_steps: 0, ..Settings::default() };
-        let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}).map_err(too_large)?;
+        let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}, &mut self.factor).map_err(too_large)?;
         (found.residual, found.energy) = (state.residual, state.energy);
         Ok(())
     }
@@ -348,7 +350,8 @@ impl Run<'_> {
                 residual: Some(residual),
             });
         };
-        let solved = body.solve_once(&settings, exec, &mut record).map_err(|error| Stop::Failed(too_large(error)))?;
+        let solved = body.solve_once(&settings, exec, &mut record, &mut self.factor);
+        let solved = solved.map_err(|error| Stop::Failed(too_large(error)))?;
         (self.solves, self.fraction) = (solves, fraction);
         match solved.0 {
             Outcome::Interrupted(interruption) => Err(Error::Interrupted(interruption).into()),
