@@ -216,7 +216,18 @@ pub(super) fn run(
     exec: &Execution,
 ) -> Result<Found, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
-    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0, coarse, calibration: 1.0, factor: None };
+    let mut run = Run {
+        structure,
+        options,
+        exec,
+        model,
+        solves: 0,
+        limit,
+        fraction: 0.0,
+        coarse,
+        calibration: 1.0,
+        factor: None,
+    };
     let start = run.model.clone();
     let mut found = run.attempt()?;
     run.release_slack(&start, &mut found)?;
@@ -320,7 +331,8 @@ impl Run<'_> {
     fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let settings = Settings { max_steps: 0, ..Settings::default() };
-        let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}, &mut self.factor).map_err(too_large)?;
+        let (_, state) =
+            body.solve_once(&settings, &Execution::default(), &mut |_, _| {}, &mut self.factor).map_err(too_large)?;
         (found.residual, found.energy) = (state.residual, state.energy);
         Ok(())
     }
