@@ -552,6 +552,8 @@ impl Run<'_> {
 
     /// The stability of the converged shape.
     fn stability(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+        // The analysis has a factor of its own, and two at once would take twice the memory.
+        self.factor = None;
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         // The terms' own renewals end at once, because the coefficients have just been renewed.
         let settings = Settings {
