@@ -1,11 +1,12 @@
 //! Components for Hops, the part of Grasshopper that sends geometry to servers. A designer types the address of a
 //! component, and Hops asks the server for its inputs and outputs.
 //!
-//! [`component`] lists the components, and [`values`] reads what Hops sends for their inputs. [`recipe`] makes an
-//! ordinary request of that, which goes the way of every request, and [`answer`] makes the outputs of its result.
+//! [`component`] lists the components, and [`values`] reads the values that Hops sends for their inputs. [`recipe`]
+//! makes an API request of these values, which is handled like any other request. [`answer`] makes the component's
+//! outputs of the result.
 //!
-//! The forms are those of `src/hops/RemoteDefinition.cs` and `src/compute.geometry/IO/Schema.cs` in the repository
-//! mcneel/compute.rhino3d, and of the Python package ghhops-server.
+//! The messages have the forms of `src/hops/RemoteDefinition.cs` and `src/compute.geometry/IO/Schema.cs` in the
+//! repository mcneel/compute.rhino3d, and of the Python package ghhops-server.
 
 pub mod answer;
 pub mod component;
@@ -20,7 +21,7 @@ pub enum Refusal {
     Malformed(String),
     /// No component has this name.
     Unknown(String),
-    /// The inputs are not those of the component. Hops asks for its description again if it is told so.
+    /// The inputs are not those of the component. Hops then requests the component's description again.
     Outdated(Vec<String>),
     /// Values of the inputs cannot be used.
     Invalid(Vec<String>),

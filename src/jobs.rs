@@ -58,8 +58,8 @@ pub struct Selection {
 pub enum JobsError {
     /// The body is not a valid request.
     Rejected(Rejection),
-    /// The request begins with the result of a job, and there is no such result for the reason `cause`. The errors name
-    /// the place of the job's identifier.
+    /// The request begins with the result of another job, and that result cannot be read because of `cause`. The errors
+    /// point to the job's identifier in the request.
     NoSource {
         cause: Box<Self>,
         errors: Vec<FieldError>,

@@ -24,8 +24,8 @@ const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
 /// Name of the file that lets a solver wait after each report of progress until it has been taken
 /// to be stored. Otherwise only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
-/// Name of the file that makes a solver wait before it starts, while the file exists. The solver does not look at its
-/// signal meanwhile, as if it were in a loop that does not end.
+/// Name of the file that makes a solver wait before it starts, while the file exists. The solver does not check its
+/// signal meanwhile, as if it were in an endless loop.
 const STUBBORN: &str = "stubborn";
 /// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
 /// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault
@@ -37,7 +37,7 @@ const STATEMENTS: &str = "statements";
 /// Characters that no statement has.
 const BETWEEN: char = '\u{1}';
 const END: char = '\u{2}';
-/// Pause between two looks at a hold.
+/// Interval at which a held job checks whether the file of its hold still exists.
 const PAUSE: Duration = Duration::from_millis(5);
 
 /// A job that can be held at each stage.
@@ -103,8 +103,8 @@ impl<'a, F: Fn() -> bool> Holds<'a, F> {
     }
 }
 
-/// Whether a job of this kind that is submitted now would be held. Such a job does not take the short way, which would
-/// block a thread that serves requests.
+/// Returns true if a job of this kind that is submitted now would be held. Such a job is not solved during its
+/// submission, because the hold would block a thread that serves requests.
 pub(crate) fn holds(kind: &str) -> bool {
     STAGES.iter().chain([&EACH_PROGRESS, &STUBBORN]).any(|stage| is_held(stage, kind))
 }

@@ -1,4 +1,5 @@
-//! Requests that once gave a wrong result which looked right, each with what is right.
+//! Regression tests: requests that are known to have given wrong results which looked right. Each is checked against
+//! the right result.
 //!
 //! The requests are in `tests/cases`. References are closed forms, or Surface Evolver's results on the same boundary.
 
@@ -16,7 +17,7 @@ fn solved(name: &str) -> (Value, Vec<String>) {
     solved_body(name, &body(name))
 }
 
-/// The same for a request that is made from a case.
+/// Same as [`solved`], for the body of a request. `name` appears in failure messages only.
 fn solved_body(name: &str, body: &[u8]) -> (Value, Vec<String>) {
     let incoming = Incoming::read_with_kind(body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
@@ -101,7 +102,7 @@ fn a_strip_is_accepted_by_the_cells_that_its_search_visits() {
     assert!(format!("{:?}", read("minimal_twist").unwrap_err()).contains("grid cells"));
 }
 
-/// A connected film of this area that does not cross itself.
+/// Checks that a case gives a connected film of this area, converged, without self-intersections and warnings.
 fn is_connected_film(name: &str, area: f64) {
     let (statistics, warnings) = solved(name);
     let found = statistics["area"].as_f64().unwrap();
@@ -124,7 +125,7 @@ fn a_film_past_its_limit_is_refused_although_a_coarse_mesh_holds_it_and_one_befo
     let incoming = Incoming::read_with_kind(&past, &LimitsConfig::default()).expect("a valid request");
     let Err(failed) = incoming.request.solve(&|| Signal::Continue, &|_| {}) else { panic!("no such film exists") };
     assert!(format!("{failed:?}").contains("connected"), "{failed:?}");
-    // 0.996 of the largest distance instead of 1.002.
+    // The distance of the rings is reduced from 1.002 to 0.996 of the largest one at which a connected film exists.
     let before = String::from_utf8(past).expect("JSON").replace("0.664", "0.66");
     let (statistics, warnings) = solved_body("the same before the limit", before.as_bytes());
     assert_eq!(statistics["stability"]["stable"], true);
@@ -151,7 +152,7 @@ fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
     assert_eq!(pointers, ["/boundaries/0/1", "/boundaries/0/31"]);
 }
 
-/// A column of 69 points on either side with flat caps.
+/// The request is a closed ruled surface between two loops of 69 points each, with flat caps.
 #[test]
 fn area_and_triangles_of_a_stack_are_those_of_its_mesh_caps_included() {
     let incoming = Incoming::read_with_kind(&body("ruled_caps"), &LimitsConfig::default()).unwrap();
@@ -201,8 +202,8 @@ fn a_noisy_loop_that_leaves_flipped_triangles_is_not_called_converged() {
     assert!(flipped == 0 || has(&warnings, "not_converged"), "{warnings:?}");
 }
 
-/// A uniform mesh of a case under an objective: no triangle crosses another, and its area is that of the surface within
-/// a hundredth. Where the asked uniformity cannot be had, that is said.
+/// Checks the uniform mesh of a case under an objective: no triangle crosses another, and its area is that of the
+/// surface within a hundredth. A mesh that did not converge may miss the area, and then has a warning that says so.
 fn is_faithful(name: &str, objective: &str, area: Option<f64>) {
     let mut request: Value = serde_json::from_slice(&body(name)).unwrap();
     request["objective"] = objective.into();
@@ -231,7 +232,7 @@ fn uniform_meshes_of_strongly_curved_surfaces_keep_their_area_or_say_that_they_d
     }
 }
 
-/// In a tilted plane rounding leaves forces on the vertices.
+/// In a tilted plane the exact residual is 0, but rounding leaves small forces on the vertices.
 #[test]
 fn the_residual_is_that_of_the_mesh_down_to_rounding() {
     let corner = |x: f64, y: f64| [x, 0.8 * y + 0.1 * x, 0.3 * x - 0.7 * y];
@@ -244,8 +245,8 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
     assert!(residual > 0.0 && residual < 1e-9, "{residual}");
 }
 
-/// Largest allowed amount of work between two looks at the signal, in elementary operations. `cargo bench -p
-/// plateau-forms --bench audit` prints how long the work between two looks takes.
+/// Largest allowed number of elementary operations between two checks of the cancel signal. `cargo bench -p
+/// plateau-forms --bench audit` prints how long the work between two checks takes.
 const MOST_WORK: u64 = 2_000_000;
 
 /// Hard cases of every kind, besides the files.
@@ -294,7 +295,7 @@ fn hard_cases() -> Vec<(String, Value)> {
         .into()
 }
 
-/// A solver that works for long without a look cannot be cancelled.
+/// A solver cannot be cancelled while it works without a check of the signal.
 #[test]
 fn no_solver_works_for_long_without_a_look_at_the_signal() {
     let files = ["tests/cases", "tests/cases/tensile"].into_iter().flat_map(|folder| {

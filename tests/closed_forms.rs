@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-/// Least order of a row without a reason, and of a row with one.
+/// Smallest accepted order of convergence: of a figure, and of a figure with a stated reason for a lower order.
 const LEAST_ORDER: f64 = 1.8;
 const LEAST_ORDER_WITH_REASON: f64 = 1.6;
 /// Error below which a figure is exact at every mesh, relative to its value.
@@ -23,7 +23,7 @@ const EXACT: f64 = 1e-9;
 /// A structure with closed forms.
 struct Case {
     name: &'static str,
-    /// The request but for its resolution, for a number of points on each circle.
+    /// Returns the request without its resolution. The argument is the number of points on each circle.
     request: Box<dyn Fn(u32) -> Value>,
     /// Numbers of triangles of the three meshes.
     triangles: [u32; 3],

@@ -103,7 +103,7 @@ fn exists(word: &str, document: &str, tree: &BTreeSet<String>) -> bool {
     })
 }
 
-/// Returns the words of all documents that name nothing.
+/// Returns a line for each word of a document that looks like a file's name and names no file.
 fn missing(documents: &[(String, String)], tree: &BTreeSet<String>) -> Vec<String> {
     let folders: BTreeSet<&str> = tree.iter().filter_map(|path| Some(path.split_once('/')?.0)).collect();
     let of = |(document, text): &(String, String)| -> Vec<String> {

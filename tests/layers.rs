@@ -1,5 +1,5 @@
-//! The arrows of the workspace: no crate uses a later crate, no file uses a later layer of its crate, no files form a
-//! circle, and no module re-exports what belongs to another.
+//! Checks the arrows of the workspace: no crate uses a later crate, no file uses a later layer of its crate, no files
+//! form a circle, and no module re-exports items of another module.
 //!
 //! The test reads the source. It takes every `use` declaration (grouped and nested ones too) and every path in the code
 //! that starts with `crate::`, `super::`, `self::` or the name of a child module. Each names a file; that is an *arrow*
@@ -231,7 +231,7 @@ fn read(text: &str) -> Contents {
                     path.push(segment.to_owned());
                     at += 2;
                 }
-                // `a::b` inside `x::a::b` is read with the whole.
+                // The path is read up to its last segment, so `a::b` inside `x::a::b` is not read as a path of its own.
                 contents.paths.push(path);
                 at += 1;
             }
@@ -241,7 +241,7 @@ fn read(text: &str) -> Contents {
     contents
 }
 
-/// The crate's modules: for each path of segments the file, as read.
+/// The crate's modules: the contents of each file, by the segments of the module's path.
 struct Modules {
     files: BTreeMap<Vec<String>, Contents>,
 }
@@ -361,7 +361,8 @@ fn against_the_order(name: &str, order: &[&str], sources: &[Source]) -> Vec<Stri
     found.into_iter().collect()
 }
 
-/// Sets of files that reach each other: each is a circle, or several that touch.
+/// Returns the sets of files that reach each other by arrows. Each set is a circle, or several circles with common
+/// files.
 fn circles(arrows: &BTreeSet<Arrow>) -> Vec<Vec<String>> {
     let files: BTreeSet<&String> = arrows.iter().flat_map(|(from, to)| [from, to]).collect();
     let reached = |from: &String| {
@@ -402,7 +403,7 @@ fn layer(layers: &[&str], file: &str) -> Option<usize> {
     (0..layers.len()).filter(|&k| belongs(file, layers[k])).max_by_key(|&k| layers[k].len())
 }
 
-/// Arrows to a later layer, and files that belong to none.
+/// Returns a line for each arrow to a later layer, and for each arrow at a file that belongs to no layer.
 fn running_back(arrows: &BTreeSet<Arrow>, layers: &[&str]) -> Vec<String> {
     let mut found = Vec::new();
     for (from, to) in arrows {

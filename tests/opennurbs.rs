@@ -2,7 +2,7 @@
 //! damaged bytes are refused without a panic and without much memory or time.
 //!
 //! `opennurbs/objects.json` was written once with rhino3dm 8.35.0. It has each object with points that rhino3dm finds
-//! on it. `PLATEAU_LONG=1` damages a hundred times as many objects. `PLATEAU_SEED` selects other damages.
+//! on it. `PLATEAU_LONG=1` damages a hundred times as many objects. `PLATEAU_SEED` damages other bytes.
 
 use plateau::hops::envelope;
 use plateau_mesh::DVec3;

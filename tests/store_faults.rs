@@ -119,7 +119,7 @@ async fn a_silent_connection_is_given_up_before_a_lease_ends() {
         let renewed = renewed.await.expect("an answer before a lease of 15 s ends");
         println!("{fault:?}: {renewed:?} after {:.1} s", asked.elapsed().as_secs_f64());
         assert!(renewed.is_err() && silent.yet());
-        // The server still holds the row for the silent connection, but not for long.
+        // The server still locks the row for the silent connection, until its time limit ends that transaction.
         let renewed = tokio::time::timeout(Duration::from_secs(30), async {
             loop {
                 if let Ok(renewed) = store.renew(&claimed.id, claimed.attempt, LEASE).await {

@@ -1,4 +1,5 @@
-//! Tensile structures that once ended wrongly, each with what is right: a closed form, or statics.
+//! Regression tests: tensile structures that are known to have given a wrong result or error. Each is checked with a
+//! closed form or with statics.
 //!
 //! The requests are in `tests/cases/tensile`.
 

@@ -75,8 +75,8 @@ impl<'a> Answer<'a> {
         Self { errors, ..Self::default() }
     }
 
-    /// Returns an answer in which every output of a component is empty. Hops asks for the description again if an
-    /// answer has some of the outputs only.
+    /// Returns an answer in which every output of a component is present and empty, because Hops would request the
+    /// description again if an output were missing.
     #[must_use]
     pub fn refused(component: &Component, errors: Vec<String>) -> Self {
         let empty = |output: &Output| Tree { name: output.name, items: Items::Made(Vec::new()) };
@@ -199,7 +199,8 @@ impl<'a> Parts<'a> {
 /// Returns all geometry of a result as a JSON file: items by the name of the part.
 ///
 /// # Errors
-/// Returns [`Error::OutOfRange`] if a coordinate exceeds f32, which meshes of openNURBS have besides f64.
+/// Returns [`Error::OutOfRange`] if a coordinate exceeds the range of f32, because meshes of openNURBS store each
+/// coordinate both as f32 and as f64.
 pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let vertices = &contents.mesh.vertices;

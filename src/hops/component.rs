@@ -117,7 +117,7 @@ fn poll_title(kind: Kind) -> String {
     format!("Poll {}", kind.blocks()[0].title)
 }
 
-/// Text of the input with which every field of a request can be given.
+/// Description of the input `Options`, which can set any field of a request.
 const OPTIONS: &str = "Further fields of the service's request as a JSON object, which replace those made of the other \
     inputs. Lists are appended. GET /openapi.json describes them.";
 const TOLERANCE: &str = "Largest distance between a curve and the polyline that stands for it. Polylines are taken as \

@@ -24,11 +24,11 @@ const ON_BOUNDARY: f64 = 1e-3;
 pub struct Draft {
     pub kind: Kind,
     request: Map<String, Value>,
-    /// Inputs by the pointer of the field that was made of them.
+    /// Name of the input of which each field was made, by the field's JSON Pointer.
     places: BTreeMap<String, String>,
 }
 
-/// Makes a request. Curves become polylines of at most `max_points` points.
+/// Makes a request of the values of a component's inputs. Curves become polylines of at most `max_points` points.
 ///
 /// # Errors
 /// Returns [`Refusal::Invalid`] with a line for each input that cannot be used. The service's own checks come later.
@@ -53,7 +53,7 @@ impl Draft {
         serde_json::to_vec(&self.request).unwrap_or_default()
     }
 
-    /// Returns an error with the name of the input in place of the pointer.
+    /// Returns an error as a line of text that names the input instead of the pointer.
     #[must_use]
     pub fn line(&self, error: &FieldError) -> String {
         let FieldError { pointer, detail } = error;
@@ -64,7 +64,7 @@ impl Draft {
             None => format!("{pointer}: {detail}"),
             Some((end, place)) if end == pointer.len() => format!("{place}: {detail}"),
             Some((end, place)) => {
-                // Below a curve there are the numbers of a point and of its coordinate.
+                // The rest of a pointer into a curve has the indices of the point and of its coordinate.
                 let rest = &pointer[end + 1..];
                 let point = rest.split('/').next().unwrap_or(rest);
                 match point.parse::<usize>() {
@@ -98,7 +98,7 @@ const RECIPES: [(&str, Use); 7] = [
 ];
 
 impl Maker<'_> {
-    /// Uses the inputs that need a recipe, and then makes a field of each other one.
+    /// Converts the inputs that need a recipe, and then makes a field of each input that names a field.
     fn make(&mut self, block: &Block) {
         if let Some((_, recipe)) = RECIPES.iter().find(|(name, _)| *name == block.name) {
             recipe(self);
@@ -110,7 +110,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Sets the field at a pointer, whose objects are made if they are missing.
+    /// Sets the field at a pointer. Objects on the way to it are created if they are missing.
     fn set_at(&mut self, pointer: &'static str, input: &str, value: Value) {
         let names: Vec<&str> = pointer.split('/').skip(1).collect();
         let Some((field, above)) = names.split_last() else { return };
@@ -274,8 +274,8 @@ impl Maker<'_> {
         }
     }
 
-    /// Returns points of each curve of an input, within the tolerance. Curves that cannot be used are left out, with an
-    /// error.
+    /// Returns each curve of an input as a polyline within the tolerance. A curve that cannot be used is left out and
+    /// reported as an error.
     fn sampled(&mut self, input: &str) -> Vec<Vec<Point>> {
         let tolerance = self.values.number("Tolerance");
         if tolerance < 0.0 {

@@ -85,7 +85,7 @@ enum Given {
     Text(String),
 }
 
-/// The values of a component's inputs. Every input has one, of the type that the component names.
+/// The values of a component's inputs. Every input has a value, of the type that the component declares.
 #[derive(Clone, Debug)]
 pub struct Values {
     given: BTreeMap<&'static str, Given>,

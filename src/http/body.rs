@@ -70,7 +70,8 @@ async fn read(app: &App, headers: &HeaderMap, owner: String, mut body: Body) -> 
     let mut deadline = Instant::now() + wait;
     let (mut period_end, mut arrived) = (Instant::now() + period, 0);
     loop {
-        // Bytes that have arrived are taken even after these times, so a slow server ends no body.
+        // `timeout_at` polls the body first. Bytes that have already arrived are therefore read even if the time has
+        // passed, so that a request does not fail because the server is slow.
         let frame = match timeout_at(deadline.min(period_end), body.frame()).await {
             Ok(None) => break,
             Ok(Some(frame)) => frame.map_err(|_| Failure::malformed("the body ended before it was complete"))?,

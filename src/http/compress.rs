@@ -43,8 +43,8 @@ fn is_compressed(headers: &HeaderMap) -> bool {
     media_type != "text/event-stream" && COMPRESSED.iter().any(|known| media_type.starts_with(known))
 }
 
-/// Makes the entity tag of a compressed answer a weak one. A strong tag stands for exactly these bytes, and a client
-/// that asks for a part of the file by it would get a part of the other bytes.
+/// Makes the entity tag of a compressed answer a weak one. A strong tag identifies exact bytes: with it, a client that
+/// has a part of the compressed file could request the rest and get bytes of the uncompressed file.
 fn weaken_tag(mut response: Response<Body>) -> Response<Body> {
     let headers = response.headers_mut();
     let tag = headers.get(header::ETAG).and_then(|tag| tag.to_str().ok()).filter(|tag| !tag.starts_with("W/"));

@@ -61,7 +61,7 @@ failures! {
     unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot accept this request now";
 }
 
-/// Message to Hops, by which it asks for the description of a component again.
+/// Message on which Hops requests the description of a component again.
 const BAD_INPUTS: &str = "Bad inputs";
 
 impl Failure {
@@ -102,7 +102,7 @@ impl Failure {
         response
     }
 
-    /// Returns the failure and the lines for Hops that tell it.
+    /// Returns the failure for a refused message of Hops, and the lines of text that Hops shows for it.
     #[must_use]
     pub fn of_hops(refusal: hops::Refusal) -> (Self, Vec<String>) {
         match refusal {
@@ -118,7 +118,7 @@ impl Failure {
         }
     }
 
-    /// Returns the lines for Hops that tell this failure. `line` makes a line of an offending value.
+    /// Returns this failure as the lines of text that Hops shows. `line` formats an offending value as a line.
     pub fn lines(&self, line: impl Fn(&FieldError) -> String) -> Vec<String> {
         match self.errors.as_slice() {
             [] if self.detail.is_empty() => vec![self.title.into()],

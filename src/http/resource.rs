@@ -38,13 +38,13 @@ impl Resource {
         self.with("delete", delete(handler), Some(entry))
     }
 
-    /// Adds a page or file, or what another protocol gets, which is no part of the API.
+    /// Adds the handler of a GET that is not part of the API: of a page, of a file, or of another protocol.
     #[must_use]
     pub fn get_beside_api<H: Handler<T, App>, T: 'static>(self, handler: H) -> Self {
         self.with("get", get(handler), None)
     }
 
-    /// Adds the handler of another protocol's messages, which is no part of the API.
+    /// Adds the handler of another protocol's messages, which are not part of the API.
     #[must_use]
     pub fn post_beside_api<H: Handler<T, App>, T: 'static>(self, handler: H) -> Self {
         self.with("post", post(handler), None)

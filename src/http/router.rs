@@ -163,7 +163,7 @@ fn cors(origins: &[String]) -> CorsLayer {
 mod tests {
     use super::*;
 
-    /// The pages, their files, and what Hops and other protocols get are no part of the API.
+    /// The pages, their files, and the paths of Hops and other protocols are not part of the API.
     #[test]
     fn the_api_document_has_exactly_the_api() {
         for resource in resources(true) {

@@ -14,14 +14,15 @@ pub struct Seats {
     taken: Mutex<HashMap<Arc<str>, usize>>,
 }
 
-/// Place of one open request, until it is dropped.
+/// Counts one open request of a client until it is dropped.
 #[derive(Debug)]
 pub struct Seat {
     seats: Arc<Seats>,
     client: Arc<str>,
 }
 
-/// Mark of a request that came while the maximum number of connections was open, and for which none ended in time.
+/// Mark of a request that came while the maximum number of connections was open, if no connection ended in time to make
+/// room for it.
 #[derive(Clone, Copy, Debug)]
 pub struct NoConnection;
 
@@ -42,7 +43,7 @@ pub fn address(extensions: &Extensions) -> String {
 }
 
 impl Seats {
-    /// Returns an account that lets each client have `most` requests open.
+    /// Returns seats of which each client may take `most` at once.
     #[must_use]
     pub fn new(most: usize) -> Self {
         Self { most, taken: Mutex::default() }
@@ -58,7 +59,7 @@ impl Seats {
         self.taken.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns a seat for this client, or `None` if it has all that it may have.
+    /// Returns a seat for this client, or `None` if the client already holds the maximum number of seats.
     pub fn take(self: &Arc<Self>, client: &str) -> Option<Seat> {
         let client: Arc<str> = client.into();
         let mut taken = self.taken();

@@ -2,8 +2,8 @@
 //!
 //! If the maximum number of connections is open, a new one replaces the connection that has been idle for longest. A
 //! connection is idle while no request of it is being answered. A connection that has not sent its request's headers
-//! yet counts as idle. If none is idle, the new connection is an extra one: it is answered health checks, and its other
-//! requests wait for [`PATIENCE`] until another connection ends.
+//! yet counts as idle. If none is idle, the new connection is an extra one: its health checks are answered, and its
+//! other requests wait for up to [`PATIENCE`] until another connection ends.
 
 use crate::auth::Removal;
 use crate::config::HttpConfig;
@@ -263,7 +263,8 @@ impl Connections {
                         break;
                     }
                 }
-                // hyper would wait for the first request of a connection that has not sent one.
+                // A connection that has not sent a request is dropped, because hyper would wait for its first request
+                // even during a graceful shutdown.
                 if activity.fresh.load(Ordering::Relaxed) {
                     break;
                 }
@@ -304,8 +305,8 @@ impl Drop for Busy {
     }
 }
 
-/// Makes an extra connection an ordinary one, for a request that is no health check. Returns false if no connection
-/// ends within [`PATIENCE`].
+/// Waits until an extra connection can become an ordinary one, unless its request is a health check. Returns false if
+/// no other connection ends within [`PATIENCE`].
 async fn wait_for_place(activity: &Activity, permits: Arc<Semaphore>, path: &str) -> bool {
     // The path may begin with the base path of this server.
     let last_part = path.rfind("/health/").map_or(path, |at| &path[at..]);

@@ -54,11 +54,11 @@ pub(super) enum End {
     HandedBack,
 }
 
-/// The end of the wait for a solver.
+/// Reason why the wait for a solver ended.
 enum Waited {
     /// The solver ended. There is no outcome if the job was cancelled.
     Ended(Option<Outcome>),
-    /// The solver had [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms) to end, and did not.
+    /// The solver did not end within [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms).
     Unresponsive,
     /// The shutdown's grace time is over.
     ShutDown,
@@ -90,7 +90,7 @@ pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit
     .await;
 }
 
-/// Puts a job back into the queue that was claimed and cannot be started.
+/// Puts a job that was claimed but cannot be started back into the queue.
 pub(super) async fn hand_back(jobs: &Jobs, claimed: &Claimed) {
     if let Err(error) = jobs.store().hand_back(&claimed.id, claimed.attempt).await {
         tracing::warn!(%error, job_id = claimed.id, "cannot hand the job back; its lease will run out");
@@ -175,7 +175,8 @@ impl Attempt {
             Waited::ShutDown => {
                 self.line.stop();
                 let ended = tokio::time::timeout(STOP_PATIENCE, &mut solver).await.is_ok();
-                // A long factorisation does not look at the signal for seconds, and is no defect.
+                // A solver that checked the signal recently is not defective: a long factorisation may run for seconds
+                // between two checks.
                 if ended || self.line.not_looked_for() < self.patience() {
                     return self.hand_back().await;
                 }

@@ -81,7 +81,8 @@ impl BatchMeshes {
     /// Returns [`JobsError::TooMuch`], [`JobsError::Unwritable`] or an error of the store.
     pub async fn scene(self) -> Result<File, JobsError> {
         self.refuse_more_than(self.service.config().limits.triangles as u64, "take the ZIP")?;
-        // The thread comes first, so that scenes that wait for one hold no meshes meanwhile.
+        // The thread is reserved before the meshes are read, so that a scene that waits for a thread holds no meshes in
+        // memory.
         let owner = self.jobs.first().and_then(|(_, row)| row.owner.as_deref());
         let thread = self.service.converters().reserve(owner, Length::Long).await?;
         let mut parts = Vec::new();

@@ -17,13 +17,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::Semaphore;
 
-/// Interval between two looks for callbacks that are due.
+/// Interval at which the store is asked for callbacks that are due.
 const POLL: Duration = Duration::from_millis(250);
 /// Number of attempts that may run at once.
 const MAX_CONCURRENT: usize = 16;
-/// Number of attempts that may run at once for one owner, so that one whose receivers are slow leaves room for others.
+/// Number of attempts that may run at once for one owner, so that an owner whose receivers are slow leaves room for
+/// others.
 const MAX_OF_OWNER: usize = 8;
-/// Number of attempts that may run at once to one host. A host that did not answer last time gets one.
+/// Number of attempts that may run at once to one host. If the last attempt to a host failed, only one may run.
 const MAX_OF_HOST: usize = 4;
 /// Upper bound of the pause between two attempts.
 const MAX_PAUSE: Duration = Duration::from_secs(24 * 3600);
@@ -46,7 +47,7 @@ struct Host {
 }
 
 impl Traffic {
-    /// Returns what gets no further attempt at present.
+    /// Returns the owners and hosts for which no further attempt may begin now.
     fn busy(&self, now: Instant) -> Busy {
         let owners = self.owners.iter().filter(|(_, count)| **count >= MAX_OF_OWNER).map(|(owner, _)| owner.clone());
         let hosts = self.hosts.iter().filter(|(_, host)| {

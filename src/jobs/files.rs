@@ -1,9 +1,9 @@
-//! FileCache made from results, and their cache. A stored mesh never changes, so a file made from it in one format is
+//! Files made from results, and their cache. A stored mesh never changes, so a file made from it in one format is
 //! the same for every reader, range request and revalidation.
 //!
-//! Small files are in memory. Others are unnamed files on disk, so that a slow reader occupies one piece of its file in
-//! memory. The cache drops the longest unused files. A file on disk that is still being read keeps its space until its
-//! last reader has ended.
+//! Small files are in memory. Others are unnamed files on disk, so that a slow reader occupies only one piece of its
+//! file in memory. The cache drops the longest unused files. A file on disk that is still being read keeps its space
+//! until its last reader has ended.
 
 use super::JobsError;
 use bytes::Bytes;

@@ -32,7 +32,7 @@ pub(super) struct Inner {
     pub(super) shutdown: watch::Sender<bool>,
     pub(super) memory: MemoryBudget,
     pub(super) converters: Converters,
-    /// FileCache that conversions have made.
+    /// Cache of the files that conversions have made.
     pub(super) files: FileCache,
     /// Permits of the solvers that may run in this process at once. They are given out in the order of requests.
     pub(super) slots: Arc<Semaphore>,

@@ -39,8 +39,8 @@ impl Jobs {
     }
 
     /// Returns a file made from a succeeded job's mesh. The conversion runs outside the async threads, and the number
-    /// of conversions at once is limited. FileCache are cached, so that range requests, revalidations and many readers
-    /// cost one conversion. `format` identifies what `convert` does.
+    /// of conversions at once is limited. Files are cached, so that range requests, revalidations and many readers
+    /// cost one conversion. `format` identifies the conversion in the cache.
     ///
     /// # Errors
     /// Returns the errors of [`Jobs::get`] and of `convert`, [`JobsError::NoMesh`] unless the job has succeeded, and

@@ -1,8 +1,8 @@
-//! The results from which requests begin.
+//! Sources: the results of finished jobs from which requests begin.
 //!
-//! A request is checked with its source, so the source is read while the request is read. A request that waits keeps
-//! the result from which it begins (`requests.source`), so that its job can be solved after the source's job has
-//! expired or was deleted.
+//! The checks of a request need its source, so the source is read while the request is read. The stored request keeps
+//! the name of its source (`requests.source`), and a result stays stored as long as a request names it. The job can
+//! therefore be solved after the source's job has expired or was deleted.
 
 use super::progress::Line;
 use super::{Jobs, JobsError};
@@ -46,7 +46,7 @@ impl Sources {
     /// Returns the result of a job of the owner.
     ///
     /// # Errors
-    /// Returns the reason as a phrase for which there is no result.
+    /// Returns, as a phrase, the reason why there is no result.
     pub(super) fn find(&self, id: &str) -> Result<Source, String> {
         if let Some((last, source)) = &*self.last.borrow()
             && last == id
@@ -99,11 +99,11 @@ impl Sources {
     }
 }
 
-/// Returns the result of a name for a job that was claimed. While the store cannot be reached, it is asked again until
-/// the solver is told to end. Must be called on a blocking thread of the runtime.
+/// Returns the stored result with this name, from which the request of a claimed job begins. While the store cannot be
+/// reached, it is asked again until the solver is told to end. Must be called on a blocking thread of the runtime.
 ///
 /// # Errors
-/// Returns the reason as a phrase for which the result cannot be read.
+/// Returns, as a phrase, the reason why the result cannot be read.
 pub(super) fn claimed(jobs: &Jobs, name: Option<&[u8]>, line: &Line) -> Result<Source, String> {
     let name = name.ok_or("names a job, and its result was not kept")?;
     loop {
@@ -123,7 +123,7 @@ async fn source(jobs: &Jobs, artefact: Option<Artefact>) -> Result<Source, JobsE
     }
 }
 
-/// Says in the words of a field's error why a job has no result.
+/// Returns the reason why a job has no result, as the detail of an error of the field that names the job.
 fn reason(error: &JobsError) -> String {
     match error {
         JobsError::NotFound => "is not the identifier of a job".into(),

@@ -249,7 +249,8 @@ fn hash_of(body: &Value) -> [u8; 32] {
     hash(body.to_string().as_bytes(), &Map::new())
 }
 
-/// Returns the hash of a request's text and of the members that were taken out of it. A text has only one form.
+/// Returns the hash of a request's text and of the members that were taken out of it. Equal requests have equal hashes,
+/// because a JSON value is always written as the same text.
 fn hash(text: &[u8], members: &Map<String, Value>) -> [u8; 32] {
     let mut hasher = Sha256::new_with_prefix(text);
     if !members.is_empty() {

@@ -4,7 +4,8 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::oneshot;
 
-/// A number of permits. If several owners wait, each gets one permit after the other, however many it waits for.
+/// A number of permits. If several owners wait, they get one permit each in turn, however many permits an owner waits
+/// for.
 #[derive(Debug)]
 pub struct Turns(Mutex<State>);
 

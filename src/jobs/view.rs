@@ -55,7 +55,8 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
 }
 
 /// Figures from the statistics of any kind that also appear in the final progress, tell which files the job has, or
-/// give the size of its mesh. They are stored apart as the job's summary, in which a present member stands for a file.
+/// give the size of its mesh. They are stored apart as the job's summary, in which `flat_pattern` and `certificate` are
+/// true or absent.
 #[derive(Debug, Deserialize, Serialize)]
 pub(super) struct Figures {
     iterations: Option<u64>,
@@ -74,7 +75,8 @@ fn present<S: Serializer>(_: &Option<IgnoredAny>, serializer: S) -> Result<S::Ok
 
 /// Returns the summary of statistics.
 pub(super) fn summary_of(statistics: &str) -> String {
-    // Neither can fail: the statistics were just written, and figures are numbers and marks.
+    // Neither step can fail, because the statistics were just written by this process, and the figures are numbers and
+    // booleans.
     let figures: Option<Figures> = serde_json::from_str(statistics).ok();
     figures.and_then(|figures| serde_json::to_string(&figures).ok()).unwrap_or_else(|| "{}".into())
 }

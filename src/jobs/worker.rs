@@ -70,7 +70,8 @@ pub(super) async fn run(jobs: Jobs, name: String, slots: Arc<Semaphore>, most_by
     }
 }
 
-/// Claims a job. After a claim under this name that failed, returns the job that it has claimed nevertheless.
+/// Claims a job. If `uncertain`, an earlier claim under this name has failed, but may have been committed although its
+/// answer was lost. In that case the job of that claim is returned first.
 async fn claim(
     jobs: &Jobs,
     name: &str,

@@ -64,7 +64,8 @@ pub struct Attempted {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CallbackRow {
     pub url: Option<String>,
-    /// Time of the next attempt, unless the message is settled. It is 0 for a message that is not due yet or at once.
+    /// Time of the next attempt, or `None` if the message is settled. It is 0 until the message is claimed or sent
+    /// again.
     pub next_ms: Option<i64>,
     /// Attempts so far, oldest first.
     pub attempted: Vec<Attempted>,
@@ -226,8 +227,8 @@ fn attempted(line: &str) -> Option<Attempted> {
     Some(Attempted { number, at_ms, delivery })
 }
 
-/// Makes the callback of a job or batch due at once, with all of its attempts if it was settled. Returns false if there
-/// is none.
+/// Makes the callback of a job or batch due at once. A settled callback gets all of its attempts again. Returns false
+/// if there is no callback.
 pub(super) fn send_again(tx: &mut Tx<'_>, subject: Subject, id: &str, owner: Option<&str>) -> Result<bool> {
     let text = format!(
         "UPDATE {} SET callback_at = now_ms(), callback_base = CASE WHEN callback_url IS NULL THEN callback_attempts \

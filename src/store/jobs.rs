@@ -96,8 +96,8 @@ pub struct EarlyEnd {
     pub started_ms: i64,
 }
 
-/// Seed of the hash that gives each series its advisory lock in PostgreSQL, so that other uses of such locks have
-/// others.
+/// Seed of the hash that gives each series its advisory lock in PostgreSQL. The seed keeps these locks apart from other
+/// uses of advisory locks.
 const SERIES_LOCKS: i64 = 7_019_839_176;
 
 /// Permission for later equal requests to reuse a job's result.
@@ -406,7 +406,8 @@ fn owner_column(job: &NewJob) -> Value<'_> {
     job.owner.as_deref().unwrap_or_default().into()
 }
 
-/// Returns what a submission with this key gets if there was an earlier one.
+/// Returns the answer to a submission with this key if there was an earlier submission with it: the existing job, or a
+/// conflict if the body differs.
 pub(super) fn earlier_job(
     tx: &mut Tx<'_>,
     owner: Option<&str>,

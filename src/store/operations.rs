@@ -95,7 +95,7 @@ impl Store {
         self.result(move |tx| results::find(tx, &id, owner.as_deref())).await
     }
 
-    /// Returns the result of a name. Returns `None` for a result that was removed or discarded.
+    /// Returns the result with this name. Returns `None` for a result that was removed or discarded.
     pub async fn artefact_named(&self, name: &[u8]) -> Result<Option<Artefact>> {
         let name = name.to_vec();
         self.result(move |tx| results::named(tx, &name)).await

@@ -42,7 +42,7 @@ pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Opt
     row.map(|row| read(&row)).transpose()
 }
 
-/// Returns the result of a name.
+/// Returns the result with this name.
 pub(super) fn named(tx: &mut Tx<'_>, name: &[u8]) -> Result<Option<ResultRow>> {
     let row = tx.row("SELECT hash, touched_at, body, file FROM artefacts WHERE hash = $1", &[name.into()])?;
     row.map(|row| read(&row)).transpose()
@@ -160,7 +160,7 @@ pub(super) fn orphans(tx: &mut Tx<'_>, last: &[u8], max_count: i64) -> Result<Ve
     tx.rows(&text, &[last.into(), max_count.into()])?.iter().map(|row| row.get("hash")).collect()
 }
 
-/// Returns the total size of the results that jobs have.
+/// Returns the total size in bytes of the results that belong to jobs.
 pub(super) fn bytes_in_use(tx: &mut Tx<'_>) -> Result<i64> {
     let text = "SELECT CAST(coalesce(sum(size), 0) AS BIGINT) AS total FROM artefacts \
                 WHERE EXISTS (SELECT 1 FROM jobs WHERE artefact = hash)";

@@ -18,7 +18,7 @@ const EVICTION_STEP: i64 = 10;
 /// the indexes, in bytes. The size of the database is read again after the eviction, so an error costs another round at
 /// most.
 const ROW_BYTES: i64 = 700;
-/// Estimate of the space that the identifier of an expired job takes there, in bytes.
+/// Estimate of the space that the identifier of an expired job takes in an SQLite database, in bytes.
 const EXPIRED_BYTES: i64 = 200;
 /// Number of results without a job that one query returns.
 const ORPHANS_STEP: usize = 200;
@@ -47,8 +47,8 @@ pub struct Swept {
 enum Choice {
     /// Jobs whose time is up.
     Due,
-    /// Finished jobs of an owner beyond its newest ones that fit into `max_jobs`. The other fields are the expiry and
-    /// identifier of the newest such job.
+    /// Finished jobs of an owner that exceed its part of `max_jobs`, oldest first. `expires_at` and `id` belong to the
+    /// newest of these jobs.
     Surplus { owner: String, expires_at: i64, id: String },
     /// Finished jobs of an owner, or of all owners, oldest first.
     Oldest { owner: Option<String>, with_result: bool },
@@ -88,7 +88,7 @@ struct Expired {
     jobs: usize,
     /// Bytes of the results that no job has after this step.
     bytes: i64,
-    /// Space that is free in an SQLite database after this step and after these results have been removed, in bytes.
+    /// Estimate of the bytes that this step, and the removal of these results, free in an SQLite database.
     space: i64,
     /// Number of results that were removed.
     results: u64,
@@ -124,8 +124,8 @@ async fn pause_as_long_as(begun: Instant) {
     tokio::time::sleep(begun.elapsed().min(MAX_PAUSE)).await;
 }
 
-/// Returns the finished jobs that do not fit into `max_jobs`. The owners with the most jobs give up theirs, until all
-/// of them keep the same number. An owner with few jobs loses none.
+/// Returns the finished jobs that do not fit into `max_jobs`. Only the owners with the most jobs lose some, and all of
+/// these owners keep the same number.
 fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Vec<Choice>> {
     let counts =
         tx.rows("SELECT owner, count(*) AS jobs FROM jobs WHERE expires_at IS NOT NULL GROUP BY owner", &[])?;
@@ -164,7 +164,7 @@ fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> 
     let mut orphans = BTreeSet::new();
     for row in choice.rows(tx, step)? {
         let id: String = row.get("id")?;
-        // A full database first needs the space of the row.
+        // The row is deleted first, because a full database has no space for the new row before that.
         let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else {
             continue;
         };
@@ -253,8 +253,8 @@ async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     }
 }
 
-/// Returns the bytes of an SQLite database in which there is something, without results that no job has. Those results
-/// are removed when they are older than `orphan_age`. Returns 0 on PostgreSQL, whose size has no limit.
+/// Returns the size in bytes of the pages that an SQLite database uses, without the results that no job has. Those
+/// results are removed when they are older than `orphan_age`. Returns 0 on PostgreSQL, whose size has no limit.
 fn database_bytes(tx: &mut Tx<'_>) -> Result<i64> {
     if tx.is_postgres() {
         return Ok(0);

@@ -44,7 +44,7 @@ const KEEPALIVE_RETRIES: u32 = 3;
 #[derive(Clone, Debug)]
 pub(super) struct Server {
     config: Config,
-    /// Encrypts the connections, unless they are plain in any case.
+    /// Encrypts the connections. `None` if they are never encrypted.
     encryption: Option<Connector>,
 }
 
@@ -119,8 +119,8 @@ fn refusal(error: tokio_postgres::Error) -> StoreError {
     }
 }
 
-/// An open connection. It moves only while one of its statements or a notification is awaited. Dropping it closes it
-/// without waiting for the server.
+/// An open connection. It reads and writes only while one of its statements or a notification is awaited. Dropping it
+/// closes it without waiting for the server.
 pub(super) struct Connection {
     /// Runs the task that carries the connection.
     pub(super) runtime: Runtime,

@@ -10,7 +10,7 @@ use plateau_forms::request::{Accepted, Request};
 use plateau_forms::source::{Find, no_jobs};
 use serde_json::Value;
 
-/// A request that was read, with what it says of its job.
+/// A request that was read, with the fields that concern its job.
 #[derive(Debug)]
 pub struct Incoming {
     pub request: Request,
@@ -19,8 +19,8 @@ pub struct Incoming {
     pub text: Vec<u8>,
 }
 
-/// A request that was read and is to be stored. What only the solver needs, such as a whole mesh, is not kept, because
-/// the worker reads the stored request again.
+/// A request that was read and is to be stored. Data that only the solver needs, such as a whole mesh, are not kept,
+/// because the worker reads the stored request again.
 #[derive(Debug)]
 pub struct Waiting {
     pub kind: Kind,
@@ -77,7 +77,8 @@ impl Incoming {
         let envelope = Envelope::take(&mut value);
         match (read(&value), envelope) {
             (Ok(Accepted { request, text }), Ok(envelope)) => Ok(Self { request, envelope, text }),
-            // Every wrong value is named at once, whoever reads it.
+            // The errors of the request and of the envelope are reported together, so that the client can correct all
+            // of them at once.
             (Err(Rejection::Invalid(mut errors)), Err(Rejection::Invalid(others))) => {
                 errors.splice(0..0, others);
                 errors.truncate(MAX_ERRORS + 1);

@@ -18,9 +18,9 @@ use std::time::{Duration, Instant};
 /// Time for which a fault waits for its statement. Some statements are rare, such as those of a submission that is
 /// repeated.
 const RARE: Duration = Duration::from_millis(1500);
-/// Time in which the load shows the statements.
+/// Time for which the load runs while its statements are recorded.
 const WATCHED: Duration = Duration::from_secs(4);
-/// Number of boundaries between those that a short run takes.
+/// A short run takes every boundary whose number is a multiple of this.
 const SHORT_RUN_STEP: usize = 4;
 
 fn step() -> usize {
@@ -177,7 +177,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
         if number % step() != 0 && !is_first_commit {
             continue;
         }
-        // Other statements change nothing when their process dies before the COMMIT.
+        // The process dies only at a COMMIT, because a death at any other statement leaves the database unchanged.
         let faults: &[&str] =
             if is_commit { &["fail_before", "fail_after", "die_before", "die_after"] } else { &["fail_before"] };
         for fault in faults {
@@ -214,7 +214,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
     files_and_rows_are_equal(&format!("sqlite://{}", path.display()), results.path(), named).await;
 }
 
-/// Starts the server again if it dies within a moment.
+/// Starts the server again if it dies within a second. Returns whether it did.
 async fn restarted(cluster: &Cluster, server: &mut Process, load: &Load) -> bool {
     for _ in 0..200 {
         if server.has_ended() {

@@ -1,4 +1,5 @@
-//! Outages of PostgreSQL that last longer than a lease. They cost no attempt, wherever they are.
+//! Outages of PostgreSQL that last longer than a lease. They cost a job no attempt, whether all processes or only one
+//! worker lose the database.
 
 use crate::cluster::{self, Cluster};
 use crate::hold::until;

@@ -193,9 +193,8 @@ pub fn large_strip(n: usize) -> Value {
     json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_bending_energy" })
 }
 
-/// Returns a film whose solver has no end: it asks for a change of the area that no step of rounded
-/// numbers has. It is for tests of the solver's own looks at the signal. The others hold a job with
-/// [`TestApp::hold`].
+/// Returns a film whose solver does not end, because its tolerances are below the rounding of the area. It is for tests
+/// of the solver's own checks of the cancel signal. Other tests hold a job with [`TestApp::hold`].
 pub fn endless_film(height: f64) -> Value {
     let mut film = small_film(height);
     film["solver"] = "vertex_relaxation".into();

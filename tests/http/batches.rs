@@ -13,7 +13,7 @@ fn film(height: f64) -> Value {
     film
 }
 
-/// Returns a batch with all three kinds of request.
+/// Returns a batch with requests of three kinds.
 fn mixed() -> Value {
     json!({ "requests": [film(0.3), example("wavy-strip"), example("courtyard"), film(0.5)] })
 }

@@ -168,7 +168,7 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
         // A mechanism: vertices that no cables join to a support, and vertices that hang on a single cable.
         (chain(json!({ "edges": [[0, 3], [1, 2]], "cables": [{ "force": 1 }] })), vec!["/vertices/1", "/vertices/2"]),
         (chain(json!({ "supports": [0] })), vec!["/vertices/1", "/vertices/2", "/vertices/3"]),
-        // Cables between two supports whose length is another.
+        // An edge between two supports whose target length is not the distance of the supports.
         (chain(json!({ "supports": [0, 1, 3], "cables": [{ "length": 1.2 }] })), vec!["/cables/0/length"]),
         (chain(json!({ "supports": [0, 1, 3], "cables": [{ "length": 0.7 }] })), vec!["/cables/0/length"]),
         (hypar(json!({ "weights": { "force": -1 } })), vec!["/weights/force"]),
@@ -199,8 +199,8 @@ async fn limits_are_checked_before_the_work() {
     assert_eq!(pointers(&refused), ["/max_iterations"]);
 }
 
-/// Returns a cross of four cables of which the targets want one to push: three cables of force 1 pull one way, and the
-/// fourth only needs the force 0 for the vertex to stay in the middle.
+/// Returns a net whose targets leave an edge slack. Two edges with target force 1 and target length 1 pull the free
+/// vertex to the middle between their supports, where the third edge has no force.
 fn pulled(extra: Value) -> Value {
     let net = json!({
         "vertices": [[-1, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0.1]], "edges": [[0, 3], [1, 3], [2, 3]],

@@ -63,7 +63,7 @@ async fn a_compressed_file_has_a_weak_tag_and_a_part_of_it_is_never_compressed()
     assert_eq!((part.status().as_u16(), header(&part, "content-encoding")), (206, ""));
     let triangles = u32::from_le_bytes(part.bytes().await.unwrap()[..].try_into().unwrap());
     assert_eq!(job["statistics"]["triangles"], triangles);
-    // The weak tag stands for no bytes, so the answer is the whole file.
+    // A weak tag never matches in If-Range (RFC 9110, 13.1.5), so the answer is the whole file.
     let whole = get(&app, &mesh, &[gzip, ("range", "bytes=80-83"), ("if-range", &weak)]).await;
     assert_eq!(whole.status(), 200);
 }

@@ -179,7 +179,7 @@ async fn components_are_described_as_hops_reads_them() {
     let expected: Vec<String> = solving.map(str::to_owned).into_iter().chain(starting).chain(polling).collect();
     assert_eq!(names, expected);
     assert_eq!(app.get("/hops/nothing").await.status(), StatusCode::NOT_FOUND);
-    // Hops takes an address for a server of components only if it answers with JSON, and `solve` is none.
+    // `solve` is not a component, so it has no description.
     assert_eq!(app.get("/hops/solve").await.status(), StatusCode::METHOD_NOT_ALLOWED);
 }
 
@@ -493,7 +493,8 @@ async fn a_job_has_the_unit_of_the_document_unless_options_name_one() {
             assert_eq!(units(&app, &response.json().await.unwrap()).await, unit, "{component} {name}");
         }
     }
-    // Options win. Units of forces alone leave the document's unit of length.
+    // Units in Options replace the document's unit. If Options name only the unit of forces, the document's unit of
+    // length stays.
     for (component, values, options, unit) in [
         ("minimal-surface", &film[..], r#"{"units": "ft"}"#, "ft"),
         ("tensile-structure", &sail[..], r#"{"units": {"length": "in", "force": "lbf"}}"#, "in"),

@@ -75,7 +75,7 @@ fn names(links: &Value) -> Vec<&str> {
     links.as_object().unwrap().keys().map(String::as_str).collect()
 }
 
-/// A job names the addresses under which something is, or will be once it has succeeded.
+/// A job links only to files that exist, or that will exist once it has succeeded.
 #[tokio::test]
 async fn every_link_of_a_succeeded_job_leads_to_something() {
     let app = TestApp::start().await;

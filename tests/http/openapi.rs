@@ -110,7 +110,8 @@ async fn the_server_accepts_exactly_the_documented_methods() {
     }
 }
 
-/// The pages, their files, and what other protocols get leave nothing in the document, but they answer.
+/// Checks that the document has every path of the API and no other path, although the server also answers for pages,
+/// their files and other protocols.
 #[tokio::test]
 async fn the_document_describes_the_api_alone() {
     let app = TestApp::start().await;
@@ -199,7 +200,7 @@ async fn the_schemas_have_only_forms_that_generators_take() {
     assert_eq!(answer["schema"]["$ref"], "#/components/schemas/UniformMeshJob");
 }
 
-/// A member that was null may still be null, although null is no longer the documented default.
+/// Optional members may be null, although the document does not name null as their default.
 #[tokio::test]
 async fn null_is_accepted_where_the_document_says_so() {
     let app = TestApp::start().await;

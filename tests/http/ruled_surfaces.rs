@@ -203,7 +203,7 @@ async fn a_strip_of_a_hundred_million_cells_is_solved_followed_and_cancelled() {
     let mut text = String::new();
     for (number, stage) in stages.into_iter().enumerate() {
         app.hold.reached(stage, job["id"].as_str().unwrap()).await;
-        // A held job has one more progress to show.
+        // Each stage comes after a further report of progress.
         while text.matches("event: progress").count() <= number {
             text.push_str(std::str::from_utf8(&stream.next().await.expect("more events").unwrap()).unwrap());
         }
@@ -224,7 +224,7 @@ async fn a_strip_of_a_hundred_million_cells_is_solved_followed_and_cancelled() {
     let on_the_way = fractions.iter().filter(|&&fraction| fraction > 0.0 && fraction < 1.0).count();
     assert!(on_the_way >= 1 && fractions.is_sorted(), "{fractions:?}");
 
-    // The second job is cancelled after its first progress, with the rest of its work before it.
+    // The second job is cancelled after its first report of progress, when most of its work is still to be done.
     app.hold.at("first_progress");
     let body = with(large_strip(10_000), json!({ "objective": "minimal_mean_curvature_variation" }));
     let job: Value = app.post(RULED, &body).await.json().await.unwrap();

@@ -1,4 +1,4 @@
-//! Clients that send their bodies slowly: they are ended, and nobody waits for them.
+//! Clients that send their bodies slowly: the server ends their requests, and other clients do not wait for them.
 
 use crate::app::{MINIMAL, TestApp, small_film};
 use reqwest::Method;

@@ -235,7 +235,7 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
         let status = if expected == ["/resolution"] { 413 } else { 422 };
         assert_eq!(pointers(&problem(response, status).await), expected, "{body}");
     }
-    // The error for a pressure above the limit says the limit, 2 σ / r for a disc.
+    // The error for a pressure that is too high names the limit, which is 2 σ / r for a disc.
     let refused = problem(app.post(TENSILE, &disc(json!({ "pressure": 0.5 }))).await, 422).await;
     assert!(refused["errors"][0]["detail"].as_str().unwrap().contains("0.40"), "{refused}");
 }
@@ -317,7 +317,8 @@ async fn a_cable_of_given_length_that_would_be_slack_fails_by_its_pointer() {
     assert!(job["error"]["detail"].as_str().unwrap().contains("valley"), "{job}");
 }
 
-/// Two films over a square of side 10, whose opening holds the difference 0.4.
+/// Returns a cushion of two films over a square of side 10. A film of tension 1 over this square holds a pressure
+/// difference of at most 0.4: the tension times the perimeter, divided by the area.
 fn cushion(changes: Value) -> Value {
     let mut body = json!({
         "boundaries": [[[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]]],

@@ -39,7 +39,9 @@ fn net(cells: u32) -> Net {
     net
 }
 
-/// jax_fdm's loss is the sum of the mean of (F - 20)² and of the mean of (L - size)².
+/// Fits the net to jax_fdm's loss, which is the sum of the mean of (F - 20)² and of the mean of (L - size)². The
+/// weights are the squares of the targets, because this solver's loss has the relative deviations (F / 20 - 1)² and
+/// (L / size - 1)².
 fn fit(net: &Net, size: f64) -> CableNet {
     let options = Options { force_weight: 400.0, length_weight: size * size, least_density: 0.1, ..Options::default() };
     solve(net, &options, &Execution::default()).expect("the net has a shape")

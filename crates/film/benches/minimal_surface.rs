@@ -1,11 +1,10 @@
-//! Minimal surfaces from the raw boundary to the finished statistics with stability, one core.
+//! Times minimal surfaces on one core, from the raw boundary to the finished statistics, including stability.
 //!
 //! `cargo bench -p plateau-film --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles. With `-- --case
 //! rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line: the least processor
 //! time in seconds (on Linux; elsewhere elapsed time), and the peak memory of the process. With `-- --sliding` the
 //! patches of Chen, Cai and Zheng are solved with and without sliding vertices in turn, and the ratio of the two times
-//! is printed.
-//! `benches/minimal_surface_peers.py` runs it beside other programs.
+//! is printed. `benches/minimal_surface_peers.py` runs the same cases with other programs.
 
 #[path = "../tests/boundaries/mod.rs"]
 mod boundaries;

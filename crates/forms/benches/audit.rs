@@ -1,5 +1,6 @@
-//! The cost of the audit beside that of the solve, and the longest work between two looks at the signal with its time.
-//! Each row is a line of JSON with milliseconds: the fastest of several runs.
+//! Measures the time of the audit relative to that of the solve, and the most work and the longest time between two
+//! checks of the cancel signal. Prints one line of JSON for each case. Times are in milliseconds; those of the solve
+//! and of the audit are the fastest of several runs.
 //!
 //! ```text
 //! cargo bench --package plateau-forms --bench audit
@@ -25,7 +26,7 @@ fn tent(triangles: usize) -> Value {
     })
 }
 
-/// A strip of least area between two waves of this number of points.
+/// A ruled strip of least area between two wavy directrices of this number of points each.
 fn strip(points: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         let wave = |k: usize| libm::sin(7.0 * k as f64 / points as f64 + phase);
@@ -49,7 +50,8 @@ fn fastest(mut run: impl FnMut()) -> Duration {
     best
 }
 
-/// Returns the largest amount of work between two looks at the signal, and the longest time.
+/// Solves a request. Returns the largest number of elementary operations, and the longest time, between two checks of
+/// the cancel signal.
 fn between_looks(request: &Request) -> (u64, Duration) {
     let (last, longest) = (Cell::new(Instant::now()), Cell::new(Duration::ZERO));
     let signal = || {

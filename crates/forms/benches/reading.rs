@@ -1,4 +1,4 @@
-//! Reads requests of 10, 1,000 and 200,000 points, right ones and wrong ones.
+//! Reads valid and invalid requests of 10, 1,000 and 200,000 points.
 //!
 //! `cargo bench -p plateau-forms --bench reading` measures with criterion; `-- --case` reads each a few times and
 //! prints the medians as one JSON line, with the time of the first refusal in the process, which compiles schemas.
@@ -23,7 +23,8 @@ const LIMITS: Limits = Limits {
     memory_bytes: u64::MAX,
 };
 
-/// Returns a closed boundary of so many points. The last coordinate of a wrong one is a string.
+/// Returns the JSON text of a minimal surface's request whose boundary loop has this number of points. If `right` is
+/// false, the last coordinate is a string, so that the request is invalid.
 fn body(points: usize, right: bool) -> String {
     let mut text = String::from("{\"resolution\":{\"triangles\":2000},\"boundaries\":[[");
     for k in 0..points {

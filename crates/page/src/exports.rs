@@ -48,7 +48,7 @@ extern "C" fn plateau_solve() -> u32 {
     run(Session::solve)
 }
 
-/// Moves the last result to the places of the request in the input, or solves it. Returns its
+/// Moves the last result to the positions that the request in the input gives, or solves that request. Returns its
 /// [`Ending`](crate::session::Ending) as a number.
 #[unsafe(no_mangle)]
 extern "C" fn plateau_drag() -> u32 {
@@ -62,7 +62,7 @@ fn run(entry: fn(&mut Session, &[u8], &dyn Fn() -> Signal, &dyn Fn(Progress)) ->
         _ => Signal::Deadline,
     };
     let report = |Progress { fraction, phase, iteration, objective_value, residual }: Progress| {
-        // NaN stands for what is not known.
+        // JavaScript reads NaN as a value that is not known.
         let (objective, residual) = (objective_value.unwrap_or(f64::NAN), residual.unwrap_or(f64::NAN));
         progress(fraction, phase.as_ptr(), phase.len(), iteration as f64, objective, residual);
     };

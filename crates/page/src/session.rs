@@ -30,12 +30,12 @@ pub enum Ending {
     Solved = 0,
     /// The answer has a `title`, a `detail` and the wrong values as `errors`, each with its JSON Pointer.
     Refused = 1,
-    /// The answer says as for a refused request why there is no result.
+    /// The answer has the fields of a refused request, and the `type` of the failure.
     Failed = 2,
     /// The caller's signal ended the solver. The answer is empty.
     Cancelled = 3,
-    /// The last result followed the drag. The answer has `moved` with the figures there. The mesh has the triangles of
-    /// the result and other vertices. It is a preview, of which no file is made.
+    /// The last result followed the drag. The answer has the figures of the moved mesh as `moved`. The moved mesh has
+    /// the triangles of the last result and other vertices. It is a preview, of which no file is made.
     Moved = 4,
 }
 
@@ -81,7 +81,7 @@ struct Failure<'a> {
 
 impl Session {
     /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places
-    /// as in the service, where they are at most 50 ms apart. The result replaces that of the request before.
+    /// as in the service, where the calls are at most 50 ms apart. The result replaces that of the previous request.
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         match self.read(request) {
             Ok(request) => self.solve_anew(request, signal, report),
@@ -89,8 +89,9 @@ impl Session {
         }
     }
 
-    /// Moves the last result to the places of a request that differs from it in places only. The first move after a
-    /// solve prepares the result for this. A request that the result cannot follow is [solved](Self::solve).
+    /// Moves the last result to the positions of the points in a request that differs from the solved one only in these
+    /// positions. The first move after a solve prepares the result for this. If the result cannot follow the request,
+    /// the request is [solved](Self::solve).
     pub fn drag(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         let request = match self.read(request) {
             Ok(request) => request,
@@ -124,7 +125,7 @@ impl Session {
         Ok(moved)
     }
 
-    /// Reads a request. The answer of a refused request says why, and there is no result.
+    /// Reads a request. If it is refused, the answer says why, and the last result is dropped.
     fn read(&mut self, request: &[u8]) -> std::result::Result<Request, Ending> {
         self.answer.clear();
         let read = json::parse(request).and_then(|value| Request::read_with_kind(&value, &no_jobs, &LIMITS));

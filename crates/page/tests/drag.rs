@@ -57,14 +57,15 @@ fn a_film_follows_a_drag_and_the_released_film_is_solved() {
 fn a_request_that_the_result_cannot_follow_is_solved() {
     let mut session = Session::default();
     solve(&mut session, &square(8, 0.0, 2000));
-    // Other numbers of points, another resolution, another unit, and a kind whose results do not follow.
+    // These requests are solved instead of moved: another number of points, another resolution, another unit, and a
+    // kind whose results cannot follow a drag.
     assert_eq!(drag(&mut session, &square(9, 0.0, 2000)).0, Ending::Solved);
     assert_eq!(drag(&mut session, &square(9, 0.0, 1500)).0, Ending::Solved);
     let feet = square(9, 0.0, 1500).replacen('{', r#"{"units": "ft", "#, 1);
     assert_eq!(drag(&mut session, &feet).0, Ending::Solved);
     assert_eq!(drag(&mut session, STRIP).0, Ending::Solved);
     assert_eq!(drag(&mut session, STRIP).0, Ending::Solved);
-    // A corner that is drawn across the film turns triangles over.
+    // If a corner is dragged across the film, triangles flip, so the request is solved instead of moved.
     solve(&mut session, &square(1, 0.0, 2000));
     let turned = square(1, 0.0, 2000).replace("[1.0,1.0,0.0]", "[0.2,0.2,0.0]");
     assert_eq!(drag(&mut session, &turned).0, Ending::Solved);

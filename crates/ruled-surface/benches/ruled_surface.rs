@@ -1,5 +1,5 @@
-//! Ruled strips against a plain scalar loop with a table of f64 and byte back pointers, path recovery and allocation
-//! included on both sides, one core.
+//! Compares the solver of ruled strips on one core with a plain scalar loop, which fills a table of f64 and a table of
+//! back pointers of one byte each. Path recovery and allocation are included on both sides.
 //!
 //! `cargo bench -p plateau-ruled-surface --bench ruled_surface` measures; with `-- --record` it prints one JSON line a
 //! case for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the
@@ -11,7 +11,7 @@ use plateau_ruled_surface::{Objective, Strip};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// A smooth wavy pair.
+/// Returns two smooth wavy directrices of `m` and `n` points.
 fn wavy(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     let wave = |u: f64, phase: f64| {
         (1..7).map(|k| 0.3 * (k as f64 * (std::f64::consts::PI * u + phase)).sin() / k as f64).sum::<f64>()
@@ -26,7 +26,8 @@ fn wavy(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     [side(m, 0.3, 0.0, 0.0), side(n, 1.9, 3.0, 1.0)]
 }
 
-/// The same with every other point to one side: no bridge's lean is certain, and least area needs the whole grid.
+/// Returns the directrices of [`wavy`] with every other point moved to one side. For no bridge is it certain to which
+/// side it leans, so the path of least area needs the whole grid.
 fn zigzag(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     let mut strip = wavy(m, n);
     for side in &mut strip {
@@ -93,7 +94,7 @@ fn solve(strip: &[Vec<DVec3>; 2], closed: bool, objective: Objective) -> Vec<[u3
     solve_counting(strip, closed, objective).0
 }
 
-/// The path, and how many cells were visited for it.
+/// Returns the optimal path, and the number of grid cells that were visited to find it.
 fn solve_counting([p, q]: &[Vec<DVec3>; 2], closed: bool, objective: Objective) -> (Vec<[u32; 2]>, u64) {
     let strip = Strip::new(p.as_slice().into(), q.as_slice().into(), closed).expect("a valid strip");
     let execution = Execution::default();
@@ -129,14 +130,15 @@ fn measure(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Processor seconds of this thread where Linux tells them (other processes do not count then), else the clock's.
+/// Returns the processor time of this thread in seconds, which leaves other processes out. Where Linux does not provide
+/// it, returns the seconds since `started`.
 fn now(started: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let used = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
     used.map_or_else(|| started.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
-/// Seconds of one run. Many runs make one measurement: the kernel counts in ticks of some milliseconds.
+/// Returns the seconds of one run. It averages over many runs, because the kernel counts in ticks of some milliseconds.
 fn seconds(work: impl Fn() -> Vec<[u32; 2]>) -> f64 {
     let started = Instant::now();
     let before = now(started);
@@ -160,7 +162,8 @@ fn record() {
         if size == 1000 {
             cases.extend(OBJECTIVES.iter().map(|&o| ("ruled_strip_closed", &closed, true, o, f64::INFINITY)));
         }
-        // In turns, so that a busy neighbour slows both sides alike; the fastest run of each counts.
+        // The baseline and the cases run in turns, so that other load on the machine slows both alike. The fastest run
+        // of each counts.
         let mut baseline = f64::INFINITY;
         for _ in 0..rounds {
             baseline = baseline.min(seconds(|| scalar_area(&strip[0], &strip[1])));

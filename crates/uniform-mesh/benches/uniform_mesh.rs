@@ -1,10 +1,10 @@
-//! Uniform meshes of a square from 1,000 to 1,000,000 nodes, checks and statistics included, one core, beside spade's
-//! Delaunay triangulation of the finished mesh's own nodes, all known beforehand.
+//! Compares uniform meshes of a square with 1,000 to 1,000,000 nodes, including checks and statistics, with spade's
+//! Delaunay triangulation of the finished mesh's nodes, which knows all nodes beforehand. Both run on one core.
 //!
 //! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion; with `-- --record` it prints one
-//! JSON line a case for `benches/results.jsonl` instead (the fastest of several runs, `ratio` to spade's in the same
-//! run). `-- --case OBJECTIVE NODES` meshes once and says how many nodes came out: `benches/uniform_mesh_peers.py`
-//! compares its processor time with Triangle's.
+//! JSON line a case for `benches/results.jsonl` instead (the fastest of several runs; `ratio` is relative to spade's
+//! time in the same run). `-- --case OBJECTIVE NODES` meshes once and prints the number of nodes of the result;
+//! `benches/uniform_mesh_peers.py` compares the processor time of this with Triangle's.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_mesh::{DVec3, Execution};
@@ -13,7 +13,8 @@ use spade::{DelaunayTriangulation, Point2, Triangulation};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// A square that takes about so many nodes with edges of length 1: measured nodes for each unit of area.
+/// Returns a square whose mesh with edges of length 1 has about `nodes` nodes. The densities are measured, in nodes per
+/// unit of area.
 fn square(nodes: usize, objective: Objective) -> Domain {
     let density = match objective {
         Objective::FewestNodes => 0.68,
@@ -80,7 +81,7 @@ fn main() {
         return record();
     }
     let mut criterion = Criterion::default().configure_from_args();
-    // `--test` runs every case once: small ones will do.
+    // `--test` only checks that every case runs, so small cases suffice.
     let sizes: &[usize] = if std::env::args().any(|argument| argument == "--test") {
         &[300]
     } else {

@@ -41,9 +41,8 @@ pub async fn events(
     Ok(response)
 }
 
-/// Converts events to server-sent events. The reconnection time goes before them, so that every
-/// stream says something at once. A client that hears nothing knows that a proxy holds the stream
-/// back.
+/// Converts events to server-sent events. The reconnection time is sent before them, so that every stream delivers
+/// bytes at once. A client that receives nothing therefore knows that a proxy buffers the stream.
 fn written(events: Events) -> impl Stream<Item = Result<Event, Infallible>> {
     let opening = stream::once(async { Ok(Event::default().retry(RETRY)) });
     opening.chain(stream::unfold(events, |mut events| async move {

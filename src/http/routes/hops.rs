@@ -139,7 +139,7 @@ impl Run<'_> {
         if job.status.is_final() {
             return self.answer(job).await;
         }
-        // Hops keeps only answers with the status 200, so that this one is asked for again.
+        // Hops caches only answers with the status 200, so it requests this state again.
         Ok(respond(StatusCode::ACCEPTED, &Answer::of_job(self.component, &job, &Parts::default())))
     }
 
@@ -185,7 +185,7 @@ fn failed(error: &SolveError) -> Failure {
         return Failure::internal(detail);
     }
     let mut errors = error.errors.clone();
-    // The detail may say nothing but what the errors say.
+    // The detail is added only if it does not just repeat an error.
     let said = error.errors.iter().any(|one| error.detail.contains(&one.detail));
     if !said {
         errors.insert(0, FieldError::new("", detail));

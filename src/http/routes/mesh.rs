@@ -52,8 +52,8 @@ pub async fn mesh_file(
 
 const ORIGINS: [(&str, Origin); 2] = [("given", Origin::Given), ("local", Origin::Local)];
 
-/// Reads the choices beside the format. A choice that the format does not have is an error with the status 422, because
-/// each value alone is a valid one.
+/// Reads the choices beside the format. A choice that the format does not have is an error with the status 422 instead
+/// of 400, because each value is valid by itself.
 fn choices(
     format: MeshFormat,
     origin: Option<&str>,
@@ -90,7 +90,8 @@ fn choices(
     Ok(Choices { origin, lines: lines || !format.has_lines(), ascii, colors: None })
 }
 
-/// Reads what the mesh is to be coloured by. Whether the mesh has this quantity is known when the file is made.
+/// Reads the quantity by which the mesh is coloured, and the range of its scale. Whether the mesh has this quantity is
+/// checked when the file is made.
 fn colors(format: MeshFormat, quantity: Option<&str>, range: Option<&str>) -> Result<Option<Colors>, Failure> {
     let range = match range {
         None => None,
