@@ -38,7 +38,7 @@ const START_PATIENCE: Duration = Duration::from_secs(30);
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 /// Interval between two sweeps while the store refuses jobs or results.
 const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
-/// Time without a sweep after which another process takes it over.
+/// Time since the last sweep after which another process takes over the task of sweeping.
 const SWEEP_LEAD: Duration = Duration::from_secs(150);
 /// Size of the ballast file, whose space is given up on a full disk: 8 MiB for the results of accepted jobs, and 24 MiB
 /// for a sweep, which copies up to 16 MiB of the write-ahead log and writes a few megabytes.

@@ -173,7 +173,8 @@ impl Keys {
     }
 
     /// Reads the keys file again whenever its text changes, and never returns. An invalid file leaves the keys as they
-    /// were. A file that was mounted by itself and replaced outside of its mount never changes here, which is logged.
+    /// were. If the file itself is a mount and is replaced outside of the mount, this process keeps seeing the old
+    /// file, which is logged.
     pub async fn follow_file(&self) {
         let path = &self.config.keys_file;
         if path.as_os_str().is_empty() {
@@ -307,7 +308,8 @@ fn read_file(path: &Path) -> Result<String, String> {
     std::fs::read_to_string(path).map_err(|error| file_error(path, &error))
 }
 
-/// Returns true if the file has no name in any folder: its folder has another file by this name, or none.
+/// Returns true if the file that this path leads to was removed or replaced in its folder, so that its link count is 0.
+/// The path still leads to such a file if the file itself is mounted.
 fn is_detached(path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     std::fs::metadata(path).is_ok_and(|file| file.nlink() == 0)

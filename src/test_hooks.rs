@@ -127,7 +127,7 @@ pub(crate) enum FailurePoint {
 }
 
 thread_local! {
-    /// Last statement of this thread's transaction. It is empty at its beginning.
+    /// Text of the last statement of this thread's transaction. It is empty when the transaction begins.
     static PREVIOUS: RefCell<String> = const { RefCell::new(String::new()) };
 }
 

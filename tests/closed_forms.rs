@@ -1,11 +1,12 @@
-//! Tensile structures against closed forms, each at three meshes. The table of `docs/validation/closed-forms.md` has
-//! what this test found. It is written anew by
+//! Compares tensile structures with closed forms, each on three meshes. The table of `docs/validation/closed-forms.md`
+//! has the results of this test. It is written again by
 //!
 //! ```text
 //! PLATEAU_WRITE=1 cargo test --test closed_forms
 //! ```
 //!
-//! The order of a figure is that with which its error falls with the edge length, from the first mesh to the third.
+//! The order of a figure is the exponent p for which its error is proportional to the edge length to the power p, from
+//! the first mesh to the third.
 
 use plateau::config::LimitsConfig;
 use plateau::wire::incoming::Incoming;

@@ -73,7 +73,8 @@ fn named(text: &str, folders: &BTreeSet<&str>) -> BTreeSet<String> {
     words.flat_map(expanded).filter(is_path).collect()
 }
 
-/// Whether a path has a pattern's parts, in which `*` stands for any characters of one part.
+/// Returns true if each part of a path matches the same part of a pattern, in which `*` stands for any characters of
+/// one part.
 fn fits(path: &[&str], pattern: &[&str]) -> bool {
     let part = |(name, pattern): (&&str, &&str)| match pattern.split_once('*') {
         None => name == pattern,

@@ -24,7 +24,7 @@ thread_local! {
 }
 
 fn count(bytes: isize) {
-    // The thread's counter is gone while the thread ends.
+    // Access fails while the thread ends, because its counter may already have been dropped.
     let _ = ALLOCATED.try_with(|allocated| {
         let (now, peak) = allocated.get();
         allocated.set((now + bytes, peak.max(now + bytes)));

@@ -174,7 +174,7 @@ fn job_of(owner: &str, number: usize) -> NewJob {
     NewJob { owner: Some(owner.into()), ..job(number) }
 }
 
-/// Result that is long enough to be stored once, however often it is made.
+/// Bytes of a result that is large enough to be named by its hash alone, so that equal results are stored only once.
 static MANY_BYTES: [u8; 40_000] = [7; 40_000];
 
 fn success(artefact: &[u8]) -> Arc<Outcome> {
@@ -1124,7 +1124,7 @@ async fn a_full_disk_recovers_once_jobs_expire() {
             if store.check().await.is_ok() {
                 break;
             }
-            // Pause between two looks, in which the writer copies its log.
+            // The pause lets the writer copy its log before the next sweep.
             tokio::time::sleep(Duration::from_millis(50)).await;
         }
         store.check().await.unwrap();

@@ -16,8 +16,9 @@ fn limit_below(root: &Path) -> Option<u64> {
         let line = text.lines().find_map(|line| line.strip_prefix("MemTotal:"))?;
         Some(line.split_whitespace().next()?.parse::<u64>().ok()? * 1024)
     });
-    // Version 2 has one hierarchy, whose line is `0::PATH`; in version 1 the controller is named. Inside a container
-    // the path may lead outside of what is mounted, so every folder from the path up to the top is tried.
+    // Control groups of version 2 have one hierarchy, whose line is `0::PATH`. Those of version 1 have a line that
+    // names the memory controller. Inside a container the path may lead outside of what is mounted, so every folder
+    // from the path up to the top is tried.
     let groups = read("proc/self/cgroup").unwrap_or_default();
     let mut limits: Vec<u64> = machine.into_iter().collect();
     for line in groups.lines() {

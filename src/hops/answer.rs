@@ -69,7 +69,7 @@ impl Serialize for Tree<'_> {
 pub struct Parts<'a>(BTreeMap<&'static str, &'a RawValue>);
 
 impl<'a> Answer<'a> {
-    /// Returns an answer without a component, such as one to a message that names none.
+    /// Returns an answer with errors and without outputs, for example to a message that names no component.
     #[must_use]
     pub fn of_errors(errors: Vec<String>) -> Self {
         Self { errors, ..Self::default() }

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, HashMap};
 /// Distance up to which the ends of a curve count as equal, as a fraction of the curve's size.
 const CLOSED: f64 = 1e-9;
 /// Distance up to which an anchor counts as on a boundary, as a fraction of the boundary's size. An anchor on a smooth
-/// curve is not on the polyline that stands for it.
+/// curve lies beside the polyline that approximates the curve.
 const ON_BOUNDARY: f64 = 1e-3;
 
 /// A request that has not been checked yet.

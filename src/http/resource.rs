@@ -1,5 +1,5 @@
-//! A path of the server with its handlers. Those of the API have their entries in the API document beside them, so that
-//! neither can exist without the other.
+//! A path of the server with its handlers. A handler of the API is added together with its entry in the API document,
+//! so that neither can exist without the other.
 
 use crate::http::state::App;
 use axum::Router;

@@ -134,7 +134,7 @@ impl Attempt {
         metrics::histogram!(metric::SOLVE_SECONDS, "kind" => self.kind.clone()).record(elapsed.as_secs_f64());
     }
 
-    /// Solves the request on this thread. It must be a quick one, because its memory is not reserved.
+    /// Solves the request on this thread. The request must be `quick`, because its memory is not reserved.
     pub(super) fn solve(&self, request: &Request, request_hash: &[u8; 32]) -> Option<Outcome> {
         let _entered = self.span.enter();
         let ended = guarded(|| solve(&self.id, request, &self.line));
@@ -236,8 +236,8 @@ impl Attempt {
             match renewed {
                 Ok(Renewed::Held) => {}
                 Ok(Renewed::Cancelled | Renewed::Lost) => self.line.stop(),
-                // The solver goes on even if the lease runs out, because no other process may have noticed: the outage
-                // may be everywhere. If the job was taken over, the next renewal says so.
+                // The solver goes on even if the lease runs out, because the outage may affect all processes, so that
+                // none takes the job over. If one has taken it over, the next renewal says so.
                 Err(error) => tracing::warn!(%error, "cannot reach the store"),
             }
         }
@@ -245,7 +245,7 @@ impl Attempt {
 
     /// Stores an outcome. If the store cannot be written, the attempt holds the outcome, renews the claim and tries
     /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the
-    /// attempt's number. It also says whether an earlier try was stored although its answer was lost.
+    /// attempt's number. The store also says whether an earlier try was stored although its answer was lost.
     async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> End {
         let (store, lease) = (self.jobs.store(), self.lease());
         let status = outcome.status();

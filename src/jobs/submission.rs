@@ -35,7 +35,7 @@ pub enum Submitted<T> {
     Existing(T),
 }
 
-/// A job that was submitted, and what its client asked of it.
+/// A job that was submitted, and the options that concern the connection of its client.
 #[derive(Debug)]
 pub struct Accepted {
     pub submitted: Submitted<Job>,

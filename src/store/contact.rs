@@ -1,4 +1,4 @@
-//! How long this process has been in contact with the database without a break.
+//! Measures how long this process has been in contact with the database without a break.
 //!
 //! A lease that runs out says that a worker died only if the worker could have renewed it. After an outage of the
 //! database every lease has run out, and the workers need a moment to renew theirs. A process therefore counts a lease

@@ -609,7 +609,7 @@ pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &S
 /// the identifiers.
 fn supersede(tx: &mut Tx<'_>, owner: &str, series: &str, options: &StoreOptions) -> Result<Vec<JobRow>> {
     if tx.is_postgres() {
-        // Two submissions of a series at once would not see each other's job.
+        // Without this lock, two simultaneous submissions of a series would not see each other's job.
         let lock = "SELECT pg_advisory_xact_lock(hashtextextended($1, $2))";
         tx.rows(lock, &[format!("{owner}\n{series}").as_str().into(), SERIES_LOCKS.into()])?;
     }

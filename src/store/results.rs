@@ -62,8 +62,8 @@ fn read(row: &Row) -> Result<ResultRow> {
 }
 
 /// Largest size in bytes of results whose names begin with the time. Their names are in order of time, because an index
-/// over unordered names costs a page at a random place for each result. Larger results are named by their hash alone,
-/// so that equal ones are kept only once.
+/// over unordered names would write a page at a random place for each result. Larger results are named by their hash
+/// alone, so that equal ones are kept only once.
 const NAMED_BY_TIME_BYTES: usize = 32 << 10;
 
 /// Length in bytes of the time at the beginning of a name.

@@ -164,7 +164,7 @@ fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> 
     let mut orphans = BTreeSet::new();
     for row in choice.rows(tx, step)? {
         let id: String = row.get("id")?;
-        // The row is deleted first, because a full database has no space for the new row before that.
+        // The row is deleted before its identifier is stored, because a full database has no other space for that.
         let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else {
             continue;
         };

@@ -299,7 +299,7 @@ fn refused_batch(body: &Value) -> Result<(), Rejection> {
     Ok(())
 }
 
-/// Returns whether the types and the checks of a kind refuse a body for what is wrong at a place, without its schema.
+/// Returns true if the types and the checks of a kind, without its schema, refuse a body with an error at `place`.
 fn refused_by_type(kind: Kind, body: &Value, place: &str) -> bool {
     let mut rest = body.clone();
     if Envelope::take(&mut rest).is_err() {

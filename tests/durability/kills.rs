@@ -85,8 +85,9 @@ impl Load {
         self.accepted.lock().unwrap().clone()
     }
 
-    /// Waits until every job that was accepted so far has ended. A job may die five times, the default, and without
-    /// this the same one would be found at every kill, because it goes back to the head of the queue.
+    /// Waits until every job that was accepted so far has ended. By default a job fails after five lost leases. Without
+    /// this wait, every kill could hit the same job, because a job whose worker died goes back to the head of the
+    /// queue.
     pub async fn all_have_ended(&self, server: &Process) {
         let client = cluster::client();
         for id in self.accepted() {
@@ -203,7 +204,8 @@ pub async fn every_job_ended_once(server: &Process, accepted: &BTreeMap<String, 
     assert!(accepted.len() > kills(), "there must be more jobs than kills");
 }
 
-/// Number of kills after which every job may end.
+/// Number of kills after which a test waits until every job has ended. It is below the five lost leases after which a
+/// job fails.
 const KILLS_IN_A_ROW: usize = 4;
 
 pub fn hardened(database: Option<String>) -> Cluster {

@@ -38,7 +38,7 @@ async fn an_outage_everywhere_neither_stops_a_solver_nor_costs_an_attempt() {
         postgres.stop();
         tokio::time::sleep(LONGER_THAN_A_LEASE).await;
         postgres.start_again();
-        // Every process is back, and has the time to take the lease for lost.
+        // Every process reaches the database again, and has enough time to treat the lease as lost.
         tokio::time::sleep(LONGER_THAN_A_LEASE).await;
     }
     cluster.hold.release("first_progress");

@@ -74,7 +74,7 @@ pub async fn until(what: &str, condition: impl AsyncFn() -> bool) {
     let started = Instant::now();
     while !condition().await {
         assert!(started.elapsed() < Duration::from_secs(300), "never seen: {what}");
-        // Pause between two looks.
+        // Pause between two checks of the condition.
         tokio::time::sleep(Duration::from_millis(5)).await;
     }
 }

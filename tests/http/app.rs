@@ -107,8 +107,8 @@ impl TestApp {
         job
     }
 
-    /// Waits until the server has counted this number of submitted films. From then on it notices if the client of the
-    /// last one goes away.
+    /// Waits until the server has counted this number of submitted films. From then on the server notices if the client
+    /// that waits for the last film goes away.
     pub async fn submitted(&self, count: usize) {
         let line = format!("plateau_submissions_total{{kind=\"minimal_surface\",outcome=\"created\"}} {count}");
         let counted = async || self.get("/metrics").await.text().await.expect("text").lines().any(|one| one == line);

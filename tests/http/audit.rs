@@ -1,6 +1,7 @@
-//! The audit at the exit: a result whose stated figures are not those of its mesh fails the job, is logged and counted.
+//! The audit of results before they are stored: if the stated figures are not those of the mesh, the job fails, and the
+//! failure is logged and counted.
 //!
-//! An enlargement, a kind for tests, states a wrong area if it is asked to.
+//! The kind `enlargement`, which only builds for tests have, states a wrong area if the request asks for it.
 
 use crate::app::TestApp;
 use crate::sources::{ENLARGEMENTS, enlargement};

@@ -54,8 +54,8 @@ async fn the_net_of_jax_fdm_reaches_its_forces_and_lengths() {
     assert_eq!((&rim["name"], &rim["edges"]), (&json!("rim"), &json!(40)));
     assert_eq!((&inside["name"], &inside["edges"]), (&json!("inside"), &json!(180)));
     // jax_fdm reports forces of 19.998 to 20.002, lengths of 0.97 to 1.05 and a loss, the sum of the means of (F - 20)²
-    // and of (L - 1)², of 0.000804. Here a deviation of the forces counts 100 times as much, so the loss is an upper
-    // bound of that.
+    // and of (L - 1)², of 0.000804. In this example a deviation of the forces counts 100 times as much, so its
+    // objective value is an upper bound of the loss as jax_fdm defines it.
     assert!(number(&statistics["objective_value"]) < 0.000804, "{statistics}");
     assert!(number(&rim["force_min"]) >= 19.998 && number(&rim["force_max"]) <= 20.002, "{rim}");
     let lengths = &inside["edge_lengths"];

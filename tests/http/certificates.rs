@@ -1,4 +1,4 @@
-//! `certify`: the lower bound in the statistics, and its proof as a document that a program of its own confirms.
+//! `certify`: the lower bound in the statistics, and its proof as a document that an independent program confirms.
 
 use crate::app::{MINIMAL, TestApp, pointers, problem, root};
 use serde_json::{Value, json};

@@ -112,8 +112,8 @@ async fn a_silent_stream_is_kept_open_by_comments() {
     }
     drop(stream);
 
-    // A stream without a new event says at once when to reconnect: a client that hears nothing
-    // knows that no stream passes.
+    // A stream without a new event sends the reconnection time at once, so a client that receives nothing knows that a
+    // proxy buffers the stream.
     let seen = parse(&text).last().unwrap().id.clone();
     let events = app.request(Method::GET, job["links"]["events"].as_str().unwrap()).header("last-event-id", seen);
     let first = events.send().await.unwrap().bytes_stream().next().await.unwrap().unwrap();

@@ -1,4 +1,4 @@
-//! The hooks for tests (`src/test_hooks.rs`): what holds and delays a job, and that no release build has them.
+//! The hooks for tests (`src/test_hooks.rs`): they hold and delay jobs, and no release build has them.
 
 use crate::app::{MINIMAL, RULED, TestApp, example, root, small_film};
 use reqwest::Method;

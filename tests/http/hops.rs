@@ -453,7 +453,7 @@ async fn errors_name_the_input_and_every_output_is_there() {
     assert!(errors[0].starts_with("Anchors[0]: is ") && errors[1].starts_with("Anchors[1]: is "), "{errors:?}");
 }
 
-/// Returns the units of a component's job, as its mesh tells them.
+/// Returns the unit of length of a component's job, which its glTF file names.
 async fn units(app: &TestApp, answer: &Value) -> String {
     let id = output(answer, "Job")[0].as_str().unwrap().to_owned();
     let mesh = app.get_json(&format!("/v1/jobs/{id}/mesh?format=gltf")).await;

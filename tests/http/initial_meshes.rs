@@ -145,6 +145,6 @@ async fn a_boundary_that_crosses_itself_in_its_plane_fails_with_the_reason() {
     assert_eq!(job["status"], "failed");
     let error = job["error"].to_string();
     assert!(error.contains("self_intersecting_boundary") || error.contains("crosses"), "{error}");
-    // It says where: at the two sides that meet.
+    // The error points to the two sides that meet.
     assert_eq!(pointers(&job["error"]), ["/boundaries/0/0", "/boundaries/0/2"]);
 }

@@ -117,7 +117,7 @@ async fn a_source_that_is_missing_or_has_not_ended_is_named() {
     let refused = problem(app.post(ENLARGEMENTS, &request).await, 409).await;
     assert_eq!(pointers(&refused), ["/source/job"]);
     assert!(refused["errors"][0]["detail"].as_str().expect("a text").contains("must be of one that has succeeded"));
-    // The schema comes first, and the errors of a batch name the request.
+    // The schema is checked before the source is read, and the pointer of an error in a batch names the request.
     let wrong = json!({ "source": { "job": 7 }, "factor": 0 });
     let refused = problem(app.post(ENLARGEMENTS, &wrong).await, 422).await;
     assert_eq!(pointers(&refused), ["/factor", "/source/job"]);

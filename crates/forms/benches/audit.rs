@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 const LIMITS: Limits =
     Limits { points: 1_000_000, triangles: 1_000_000, grid_cells: 1 << 40, iterations: 10_000, memory_bytes: 1 << 40 };
 
-/// The tent of the examples.
+/// Returns the request for the film of the example `tent`, with about this number of triangles.
 fn tent(triangles: usize) -> Value {
     json!({
         "kind": "minimal_surface",
@@ -26,7 +26,7 @@ fn tent(triangles: usize) -> Value {
     })
 }
 
-/// A ruled strip of least area between two wavy directrices of this number of points each.
+/// Returns the request for a ruled strip of least area between two wavy directrices of this number of points each.
 fn strip(points: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         let wave = |k: usize| libm::sin(7.0 * k as f64 / points as f64 + phase);

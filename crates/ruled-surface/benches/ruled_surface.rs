@@ -26,8 +26,8 @@ fn wavy(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     [side(m, 0.3, 0.0, 0.0), side(n, 1.9, 3.0, 1.0)]
 }
 
-/// Returns the directrices of [`wavy`] with every other point moved to one side. For no bridge is it certain to which
-/// side it leans, so the path of least area needs the whole grid.
+/// Returns the directrices of [`wavy`] with every other point moved to one side. No bridge is certain to lean forward
+/// or back (see `graph/corridor.rs`), so the path of least area needs the whole grid.
 fn zigzag(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     let mut strip = wavy(m, n);
     for side in &mut strip {

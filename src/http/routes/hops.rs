@@ -107,7 +107,7 @@ impl Run<'_> {
         if job.status.is_final() {
             return self.answer(job).await;
         }
-        // Nobody else knows this job, so it ends if the client goes away.
+        // Only this client knows the job, so the job is cancelled if the client goes away.
         let abandoned = self.app.jobs.cancel_on_drop(&job.id, self.caller.owner());
         let wait_s = self.app.config.http.hops_wait_s;
         let job = self.app.jobs.wait(&job.id, self.caller.owner(), Duration::from_secs(wait_s)).await?;

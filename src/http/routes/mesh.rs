@@ -86,7 +86,7 @@ fn choices(
         Some("binary") => false,
         Some(_) => return Err(Failure::bad_query("encoding must be one of binary, ascii")),
     };
-    // A format without lines makes the same file whatever is asked of them.
+    // In a format without lines, both values of `lines` give the same file, so they share one entry of the cache.
     Ok(Choices { origin, lines: lines || !format.has_lines(), ascii, colors: None })
 }
 

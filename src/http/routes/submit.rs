@@ -57,7 +57,7 @@ async fn post(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) ->
     };
     let job = match wait_s {
         Some(wait_s) if !job.status.is_final() => {
-            // If the client goes away, this function is dropped in its wait.
+            // If the client goes away, this future is dropped during the wait, and the guard cancels the job.
             let guard = accepted.cancel_on_disconnect.then(|| app.jobs.cancel_on_drop(&job.id, caller.owner()));
             let job = app.jobs.wait(&job.id, caller.owner(), Duration::from_secs(wait_s)).await;
             guard.into_iter().for_each(CancelOnDrop::keep);
