@@ -10,10 +10,10 @@ use plateau_mesh::{DVec3, Execution};
 const FORCING: f64 = 1e-3;
 /// Below this residual the system is solved as far as the run's tolerance needs, because one step then ends the run.
 const LAST_STEP_BELOW: f64 = 2e-2;
-/// That far: this fraction of the tolerance.
+/// Fraction of the run's tolerance to which the system of the last step is solved.
 const LAST_STEP_GOAL: f64 = 0.2;
 
-/// The residuals of the linear system that are small enough for a Newton step from a state.
+/// Returns the test whether a residual of the linear system is small enough for a Newton step from `state`.
 pub(crate) fn accepts<F>(state: &State<F>, settings: &Settings, radius: f64) -> impl Fn(&[f64]) -> bool {
     let rest = LAST_STEP_GOAL * settings.tolerance;
     let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
