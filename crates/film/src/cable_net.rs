@@ -52,9 +52,9 @@ pub struct CableNet {
     pub reactions: Vec<DVec3>,
     /// The sum of all loads.
     pub loads: DVec3,
-    /// For each edge whether only the least density keeps a force in it.
+    /// For each edge whether the targets leave it almost no force, or no more than the least density gives.
     pub slack: Vec<bool>,
-    /// For each edge whether it misses a target by more than half.
+    /// For each edge whether its force or length deviates from a target by more than half of the target.
     pub missed: Vec<bool>,
     /// The sum of the reactions' magnitudes.
     pub magnitudes: f64,
@@ -193,9 +193,10 @@ fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
     refuse(Reason::SlackCable, detail, &slack, "would be slack")
 }
 
-/// Length of an edge above which a net runs away from its targets, as a multiple of the size of the net as it was
-/// given, with all target lengths added to it, and the relative deviation above which a target counts as missed then.
+/// Length of an edge above which a net runs away from its targets, as a multiple of the size of the given net plus the
+/// sum of all target lengths.
 const RUNAWAY: f64 = 20.0;
+/// Relative deviation above which a target counts as missed. A net that misses no target does not run away.
 const MISSED: f64 = 1e-3;
 
 /// The largest relative deviation of each edge from a target that counts.
@@ -229,15 +230,16 @@ pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
     options::check(net, options)
 }
 
-/// Number of bytes of memory per edge, and per entry of the factor of the equations with one unknown at a vertex. A
-/// step has six unknowns, so its factor has 36 numbers of 8 bytes in the place of one, or fewer where its order is
-/// better. Grids of squares, walls of bricks and grids in space take 70 % to 80 % of the sum.
+/// Number of bytes of memory per edge, and per entry of the factor of the equations with one unknown at a vertex. The
+/// system of a step has six unknowns at a vertex, so that its factor has 36 numbers of 8 bytes for each such entry, or
+/// fewer where its elimination order is better. Grids of squares, walls of bricks and grids in space take 70 % to 80 %
+/// of the sum.
 const BYTES_PER_EDGE: f64 = 5_600.0;
 const BYTES_PER_ENTRY: f64 = 330.0;
 
-/// Estimates the memory that solving takes, for a net that [`check`] accepts. A net has no triangles. The fill of the
-/// factor decides, which depends on how the edges join: a net in space takes twice as much per edge as one on a
-/// surface. It is found by ordering the equations, which takes far less time than solving them.
+/// Estimates the memory that solving takes, for a net that [`check`] accepts. A net has no triangles. The factor takes
+/// most of the memory, and its size depends on how the edges join: a net in space takes twice as much per edge as a net
+/// on a surface. The size is found by ordering the equations, which takes far less time than solving them.
 #[must_use]
 pub fn estimate(net: &Net) -> Estimate {
     let factor = shape::Shape::new(net).map(|shape| shape.factor_entries());

@@ -55,10 +55,10 @@ pub trait Term: fmt::Debug {
     /// is not among the blocks of [`add_second_derivative`](Self::add_second_derivative). Most terms have none.
     fn visit_rank_one_parts(&self, _at: &[DVec3], _add: &mut dyn FnMut(f64, &[DVec3])) {}
 
-    /// Calls `visit(v, w, k)` with springs between vertices. With ½ Σ k |d_w - d_v|² over the displacements d added to
-    /// the value and the slope at `at` they are a quadratic function that the energy touches at `at` and exceeds
-    /// nowhere, or nearly nowhere where the documentation says so. An energy that is linear or falls away from its
-    /// tangent has none. The form finding settles by them (`equilibrium::settling`).
+    /// Calls `visit(v, w, k)` with springs of stiffness k between vertices. Their energy ½ Σ k |d_w - d_v|², with the
+    /// displacements d, is added to the linear approximation of this energy at `at`. The sum is an upper bound of the
+    /// energy, and equal to it at `at`; documentation names exceptions. An energy that is linear or lies below its
+    /// tangent needs no springs. Form finding uses them to settle (`equilibrium::settling`).
     fn visit_springs(&self, _at: &[DVec3], _visit: &mut dyn FnMut(u32, u32, f64)) {}
 
     /// Whether all directions of the term, such as the one that points up, are unit vectors.
@@ -77,8 +77,8 @@ pub trait Term: fmt::Debug {
     fn visit_forces(&self, _at: &[DVec3], _visit: &mut dyn FnMut(f64)) {}
 
     /// Renews coefficients that are constant during one solve and depend on the equilibrium that the solve found (a
-    /// force density from a target force, a reference configuration). Returns the largest relative change; 0 ends the
-    /// renewing. Most terms have none.
+    /// force density from a target force, a reference configuration). Returns the largest relative change, or 0 if the
+    /// term has no such coefficients, like most terms.
     fn renew(&mut self, _at: &[DVec3]) -> f64 {
         0.0
     }

@@ -1,7 +1,7 @@
 //! Minimal surfaces: the least area, or another energy, among the meshes that span closed boundary polygons.
 //!
-//! [`solve`] is the front door: boundary polygons and a resolution in; a mesh, its measurements and the reason why the
-//! solver stopped out. The boundary never moves; everything else is the solver's to place.
+//! [`solve`] takes boundary polygons and a resolution, and returns a mesh, its measurements and the reason why the
+//! solver stopped. The boundary never moves; the solver places all other vertices.
 //!
 //! ```
 //! use plateau_film::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
@@ -83,8 +83,8 @@ use touching_boundaries::JoinedLoops;
 /// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
 /// arguments, to the byte on processors with the same vector instructions, and turns, moves and scales with them up to
 /// rounding. Neighbouring points that are equal, or nearer than 1e-9 of the boundary's radius, are merged, with the
-/// warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal surfaces, and which
-/// one comes out follows from the initial mesh. A surface whose solver did not meet its own rule is returned with
+/// warning `merged_points`. The minimum is a *local* one: a boundary may bound several minimal surfaces, and the
+/// initial mesh decides which of them is found. A surface whose solver did not meet its own rule is returned with
 /// `converged: false` and the warning `not_converged`, at a deadline too. A film of least area whose solver met its own
 /// rule above the tolerance carries the warning `not_minimal`.
 ///
@@ -119,7 +119,8 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         }
         // A coarser mesh skips points of the boundaries, and may skip those at which they touch.
         Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) if joined.is_none() => {
-            // A point that is held inside, and a mesh of the caller with several parts, are no part of the theorem.
+            // The theorem of the cone does not cover points that are held inside, nor meshes of the caller, which may
+            // have several parts.
             if options.constraints.is_empty()
                 && !matches!(options.initial_mesh, InitialMesh::Given(_))
                 && let Some(parted) = cone::part(boundaries, exec)?

@@ -102,8 +102,8 @@ const TOO_COARSE: f64 = 1.15;
 /// Largest factor by which a finer mesh has more triangles.
 const MOST_FINER: f64 = 4.0;
 
-/// Finds the shape on the mesh with which it begins. A film may become much larger than the boundaries let expect; if
-/// its edges are then longer than the given length, the shape is found once more on a finer mesh.
+/// Finds the shape on the initial mesh. A film may become much larger than its boundaries suggest; if its edges are
+/// then longer than the given length, the shape is found once more on a finer mesh.
 fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let find = |options: &Options, exec: &Execution| {
         let mut model = exec
@@ -123,7 +123,7 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
-/// Finds the shape on meshes that are renewed, from a coarse one on.
+/// Finds the shape on a sequence of meshes, beginning with a coarse one, which are remeshed while the structure moves.
 fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let count = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options)).triangles;
     let (start, share) = if count > travel::COARSE {
@@ -152,7 +152,7 @@ pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
     minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
 }
 
-/// Refuses forces that no catenary between two supports in the air has.
+/// Refuses cables through the air between two supports, for whose given value there is no catenary.
 fn check_catenaries(structure: &Structure) -> Result<(), Error> {
     let hubs: Vec<DVec3> = structure.rings.iter().filter_map(|ring| ring.hub).collect();
     let joined = |end: &DVec3| {
@@ -197,7 +197,8 @@ fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: 
     }
 }
 
-/// The error of the initial mesh with the cables across the film at their own places.
+/// Translates the places in an error of the initial mesh, where cables across the film are constraint polylines, to the
+/// places of these cables in the structure.
 fn placed(structure: &Structure, mut error: Error) -> Error {
     let across = |cable: &(usize, &Cable)| matches!(cable.1.course, Course::Across(_));
     let numbers: Vec<usize> = structure.cables.iter().enumerate().filter(across).map(|(k, _)| k).collect();

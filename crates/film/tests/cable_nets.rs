@@ -85,9 +85,9 @@ fn lifted(cells: u32) -> Net {
 
 #[test]
 fn the_net_of_jax_fdm_reaches_its_targets() {
-    // Its loss is the mean of (F - 20)² over the rim and of (L - 1)² inside, so the relative deviation of the forces
-    // counts 400 times. It reports forces of 19.998 to 20.002, lengths of 0.97 to 1.05 and a loss of 0.000804, with no
-    // density below 0.1.
+    // The loss of jax_fdm is the mean of (F - 20)² over the rim and of (L - 1)² inside, so the relative deviation of
+    // the forces counts 400 times. jax_fdm reports forces of 19.998 to 20.002, lengths of 0.97 to 1.05 and a loss of
+    // 0.000804, with no density below 0.1.
     let net = lifted(10);
     let options = Options { force_weight: 400.0, least_density: 0.1, tolerance: 1e-9, ..Options::default() };
     let result = found(&net, &options);
@@ -203,7 +203,7 @@ fn targets_that_are_met_from_the_start_need_no_step() {
 
 #[test]
 fn scales_of_lengths_and_forces_change_nothing() {
-    // By powers of two, so that every product is exact and each step is the same.
+    // The scales are powers of two, so that every product is exact and each step is the same.
     let net = lifted(6);
     let options = Options { least_density: 1e-3, ..Options::default() };
     let reference = found(&net, &options);

@@ -87,7 +87,7 @@ fn crossings(given: &[Vec<DVec3>]) -> Vec<String> {
     }
 }
 
-/// Turned about a skew axis and moved.
+/// Returns the points turned about a skew axis and moved by the offset.
 fn moved(points: &[DVec3], offset: DVec3) -> Vec<DVec3> {
     let turn = glam::DQuat::from_axis_angle(at(1.0, 2.0, -0.7).normalize(), 1.1);
     points.iter().map(|&p| turn * p + offset).collect()

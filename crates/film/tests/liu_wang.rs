@@ -152,8 +152,8 @@ fn nine_sets_of_scherks_surface() {
 fn the_membrane_of_nine_points_with_four_inside_becomes_nearly_minimal() {
     let [_, surface] = liu_wang(&membrane(), 4, 1);
     assert!(surface.statistics.objective_value < 1e-6);
-    // Their H, which is normal, vanishes. The reported curvature has a tangential part too, which the layout of the
-    // four points decides. The fairing spreads them evenly, not so that it vanishes.
+    // Liu and Wang's H, which has no tangential part, vanishes. The reported curvature has one, which depends on the
+    // layout of the four points. The fairing spreads the points evenly, which does not make this part vanish.
     assert!(surface.statistics.mean_curvature.mean < 1.5e-2);
 }
 
@@ -176,7 +176,7 @@ fn motions_change_nothing() {
         .map(|k| f64::from(k) * 2.0 * PI / 24.0)
         .map(|t| DVec3::new(2.0 * t.cos() + 0.2 * (2.0 * t).sin(), t.sin(), 0.3 * (3.0 * t + 0.4).cos()))
         .collect();
-    // With the default ε: where only rounding is left, the number of steps hangs on it.
+    // The default tolerance is used, because with a smaller one rounding decides the number of steps.
     let run = |boundary: Vec<DVec3>| solve(&[boundary], &options(20, 5), &Execution::default()).unwrap();
     let reference = run(boundary.clone());
     let motion = |p: DVec3| p.rotate_x(0.3).rotate_y(1.1).rotate_z(-0.7) + DVec3::new(1e7, -2e7, 3e7);

@@ -57,14 +57,14 @@ fn converges(
         let error = (surface.statistics.area - exact_area).abs() / exact_area;
         errors.push((surface.statistics.triangles as f64, error, mean_square.sqrt(), far));
     }
-    // Order in triangles: 1 is h².
+    // The order with respect to the number of triangles: 1 stands for h².
     let order = |coarse: f64, fine: f64, ratio: f64| (coarse / fine).ln() / ratio.ln();
     for pair in errors.windows(2) {
         let ratio = pair[1].0 / pair[0].0;
         assert!(order(pair[0].1, pair[1].1, ratio) > 0.85, "{name}: area {errors:?}");
         assert!(order(pair[0].2, pair[1].2, ratio) > 0.85, "{name}: distance {errors:?}");
     }
-    // The largest distance depends on single vertices and scatters, so over the whole range.
+    // The largest distance depends on single vertices and scatters, so its order is taken over the whole range.
     assert!(order(errors[0].3, errors[2].3, errors[2].0 / errors[0].0) > 0.7, "{name}: largest distance {errors:?}");
     assert!(errors[2].1 < 1e-3 && errors[2].3 < 1e-2, "{name}: {errors:?}");
     println!("{name} (triangles, error of area, rms distance, largest distance): {errors:?}");
@@ -169,7 +169,7 @@ fn the_five_reference_polygons() {
     for (name, polygons, limit) in references {
         let areas = [2000, 8000, 32000].map(|triangles| {
             let statistics = solved(&polygons, &options(triangles)).statistics;
-            // The service's own extrapolation, wherever there is one.
+            // The extrapolated area in the statistics, if there is one.
             assert!(statistics.extrapolated_area.is_some() || triangles > 10_000, "{name}");
             if let Some(extrapolated) = statistics.extrapolated_area {
                 assert!((extrapolated.area / limit - 1.0).abs() < 1e-4, "{name} {triangles}: {extrapolated:?}");

@@ -32,8 +32,8 @@ fn solved(boundary: &[DVec3]) -> Statistics {
     surface.statistics
 }
 
-/// Areas in units of `scale²`: the mesh's own to within what another mesh of the size would change, its limit more
-/// closely.
+/// Compares areas in units of `scale²`: the area of the mesh within the difference that another mesh of the size makes,
+/// and its extrapolated limit more closely.
 fn same(moved: &Statistics, plain: &Statistics, scale: f64, tolerance: f64) -> Result<(), TestCaseError> {
     prop_assert_eq!(moved.converged, plain.converged);
     let ratio = moved.area / (scale * scale) / plain.area;

@@ -251,7 +251,7 @@ struct Compared {
     unstable: u32,
 }
 
-/// `right`, or what is wrong.
+/// Returns the word `right`, or the fault of a result in words.
 fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared: &mut Compared) -> String {
     let surface = match solved {
         Ok(surface) => surface,
@@ -264,7 +264,7 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
     compared.crossed += u32::from(crossed);
     let check = self_intersections::check(&surface.mesh, Order::Spatial, usize::MAX, &Execution::default());
     let (_, warning) = check.expect("nobody interrupts");
-    // The judge of this test does not look at triangles that only touch.
+    // `is_crossed` does not count triangles that only touch.
     if crossed && warning.is_none() {
         return format!("crosses itself: {crossed}, which is not said");
     }
@@ -281,7 +281,8 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
         vertices: surface.mesh.vertices.iter().map(|&p| p - centre).collect(),
         triangles: surface.mesh.triangles.clone(),
     };
-    // Coordinates far from the origin are rounded to its distance, and a residual is that over the square of an edge.
+    // The rounding of coordinates is proportional to the distance from the origin, and the error of a residual is this
+    // rounding over the square of an edge length.
     let far = given.iter().flatten().map(|p| p.length()).fold(0.0, f64::max) > 1e3 * radius;
     let allowed = if far { FAR_RESIDUAL } else { 1e-5 };
     let own = residual(&centred, &fixed, radius);

@@ -192,7 +192,7 @@ fn an_edge_between_fixed_points_meets_a_plane_at_a_given_angle() {
     assert!((least.to_degrees() - 130.0).abs() < 0.1 && (most.to_degrees() - 130.0).abs() < 0.1);
     let area = length * height / degrees.to_radians().sin();
     assert!((result.statistics.area / area - 1.0).abs() < 1e-9, "{} {area}", result.statistics.area);
-    // The supports bear the pull of both sides, and what holds the angle.
+    // The supports bear the pull of both sides and the forces that hold the angle.
     let balance = result.statistics.balance.unwrap();
     assert!(balance.reactions.length() < 1e-9, "{balance:?}");
 }
@@ -213,7 +213,7 @@ fn floor(cells: u32, slope: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// The unit sphere as an icosahedron whose triangles are divided into four so many times.
+/// The unit sphere as an icosahedron whose triangles are divided into four `times` times.
 fn icosphere(times: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let mut vertices = Vec::new();

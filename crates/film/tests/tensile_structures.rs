@@ -179,7 +179,7 @@ impl Delaunay {
     }
 }
 
-/// Where a rising or falling function vanishes, by bisection.
+/// The zero of a monotone function between two places, by bisection.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let rising = f(high) > f(low);
     for _ in 0..60 {
@@ -266,14 +266,16 @@ fn a_heavy_cable_hangs_in_a_catenary() {
             let scaled = (segments * edge_length / 10.0).powi(2);
             println!("{} {} {} {} of {length} {sag} {end}", mode.name(), cable.length, cable.sag, cable.force);
             errors.push(((cable.length - length).abs() + (cable.sag - sag).abs()) * scaled);
-            // The largest force is that of a segment; the end's is half a segment's rise above it.
+            // The largest force is that of the middle of a segment. The force at the end of the cable is larger by the
+            // weight of half that segment's rise.
             let largest = cable.segment_forces.iter().copied().fold(0.0, f64::max);
             let reaction = result.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
             assert!((reaction - end).abs() < 0.01 * end && largest < end, "{mode:?} {largest} {reaction} {end}");
             ends.push((reaction - end).abs() * scaled);
         }
         println!("{errors:?} {} {ends:?} {}", order(&errors), order(&ends));
-        // Where the weights are those of the found segments, the end's force is exact but for what the solver leaves.
+        // In modes where the weights are those of the found segments, the force at the end is exact up to the error
+        // that the solver leaves.
         let exact = ends.iter().all(|error| *error < 1e-5 * end);
         assert!(order(&errors) > 1.9 && (exact || order(&ends) > 1.9), "{mode:?} {errors:?} {ends:?}");
         assert!(errors[2] < 5e-3, "{mode:?} {errors:?}");
@@ -573,10 +575,9 @@ fn found_woven(structure: &Structure, edge_length: f64) -> TensileStructure {
     result
 }
 
-/// The conic membrane whose hoop stress is half the meridional one: (r s)' = s / 2 makes the meridional stress s fall
-/// as
-/// 1 / √r, and the vertical force 2 π r s sin φ is constant. Hence z = 2 c √(r - c²). Here c = 1, between the rings of
-/// radius 1.25 and 4.
+/// The conic membrane whose hoop stress is half the meridional stress s. With the radius r and the slope φ of the
+/// meridian, (r s)' = s / 2 makes s fall as 1 / √r, and the vertical force 2 π r s sin φ is constant. Hence the height
+/// is z = 2 c √(r - c²). Here c = 1, between the rings of radius 1.25 and 4.
 fn conic_membrane(points: usize, hold: WeaveHold) -> Structure {
     let ring = |count: usize, radius: f64| circle(count, radius, 2.0 * (radius - 1.0).sqrt());
     let mut inner = ring(points, 1.25);

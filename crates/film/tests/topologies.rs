@@ -58,7 +58,7 @@ fn area_of(comparison: &SpanningComparison, films: &[&[usize]]) -> Option<f64> {
     found.unwrap_or_else(|| panic!("{films:?} is not among them")).area
 }
 
-/// Of two regular 48-gons inscribed in circles of radius 10.
+/// The area of two regular 48-gons inscribed in circles of radius 10.
 const TWO_DISCS: f64 = 626.525_722_656_247_7;
 
 #[test]
@@ -103,7 +103,8 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert_eq!(comparison.topologies[0].films, [[0], [1]]);
     assert_eq!(area_of(comparison, &[&[0, 1]]), None);
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
-    // 0.6627 of the diameter over a gap of 0.7; the polygons and the mesh move it by a few thousandths.
+    // The limit for circles is 0.6627 diameters, and the gap is 0.7 diameters. The polygons and the mesh change the
+    // fraction by a few thousandths.
     let fraction = comparison.largest_gap_fraction.unwrap();
     assert!((fraction - 0.6627 / 0.7).abs() < 0.004, "{fraction}");
     let told = surface.warnings.iter().find(|warning| warning.code == "no_connected_film").unwrap();

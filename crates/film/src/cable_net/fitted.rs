@@ -4,7 +4,8 @@ use plateau_mesh::codes::Reason;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Progress};
 
-/// Damping at the start, as a multiple of the loss, and its range. A smaller start takes steps that are refused.
+/// Damping at the start (as a multiple of the loss in a net without struts), and the range of the damping. With a
+/// smaller value the first steps are refused.
 pub const DAMPING: f64 = 1e-2;
 pub const LEAST_DAMPING: f64 = 1e-12;
 pub const LARGEST_DAMPING: f64 = 1e12;
@@ -13,7 +14,7 @@ pub const RELAXED: f64 = 0.2;
 pub const TIGHTENED: f64 = 3.0;
 /// Largest change of a logarithm of a density in one step: a factor of e².
 pub const LARGEST_STEP: f64 = 2.0;
-/// Steps in a row that must lower the loss by less than the tolerance.
+/// Fitting ends after this number of steps in a row that each lower the loss by less than the tolerance.
 pub const QUIET_STEPS: u32 = 3;
 
 /// Why fitting ended.

@@ -17,9 +17,9 @@
 //! The forces of a fine net's inner cables may add up to many times what the targets let its rim bear. From such
 //! densities the net is drawn together, and steps from there end in a net with cables of almost no length. If the given
 //! densities miss a target by far, each density is therefore first multiplied a few times by F* / F and by ℓ / L*, as
-//! far as there are targets, each time for the shape that the densities before give. Fitting begins with those of the
-//! densities whose loss was the lowest. If the result misses a target by far or leaves a cable slack, fitting begins
-//! once more with the given densities, and the better result counts.
+//! far as there are targets, each time with the forces F and lengths ℓ of the previous densities. Fitting begins with
+//! the densities whose loss was the lowest. If the result misses a target by far or leaves a cable slack, fitting
+//! begins once more with the given densities, and the better result counts.
 //!
 //! # A step
 //!
@@ -68,9 +68,9 @@ use super::step::{Change, Damping, Factor, Member, Step, WORK_PER_EDGE, gradient
 use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
-/// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
-/// one, as a fraction of it. Fitting never reaches zero: where the targets
-/// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
+/// Force below which a cable counts as slack, as a fraction of the mean force. A density also counts as slack if it
+/// exceeds the least density by less than this fraction of it. Fitting never reaches a force of zero: where the targets
+/// leave a cable no force, its density falls until the change of the loss is below the tolerance.
 const SLACK: f64 = 1e-3;
 /// Ratio of the loss's fall to the predicted one above which the damping is relaxed, and the ratio below which it is
 /// tightened.
@@ -85,12 +85,13 @@ const LARGEST_ACCELERATION: f64 = 0.75;
 /// Largest number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
 /// Number of shapes from which densities for the start are made. With 13 every target of the nets of
-/// `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More are better for the finest of
-/// these nets, and let those of 50 cells a side end at a loss that is higher by 8 %.
+/// `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More shapes improve the finest of
+/// these nets, but raise the final loss of those of 50 cells a side by 8 %.
 const ROUNDS: u32 = 13;
 /// Largest factor by which a density changes for one target from a shape to the next.
 const LARGEST_FACTOR: f64 = 2.0;
-/// Smallest density of the start over the given one. Densities below about a tenth of this value count as slack.
+/// Smallest density with which fitting begins, as a fraction of the given density. Densities below about a tenth of
+/// this fraction count as slack.
 const LEAST_SHARE: f64 = 0.01;
 
 /// For each edge whether the targets leave it no force.
@@ -109,8 +110,8 @@ struct Fit {
     value: f64,
 }
 
-/// The densities with the lowest loss among the given ones and those that follow from them by the targets alone. They
-/// are the given ones if these miss no target by far.
+/// Returns the densities of the lowest loss among the given ones and those that a few multiplications by the targets
+/// make of them ("The start" above). If the given densities miss no target by far, they are returned.
 ///
 /// # Errors
 /// A cancel.

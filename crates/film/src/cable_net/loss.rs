@@ -137,8 +137,8 @@ impl<'a> Loss<'a> {
         densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at).loss).sum()
     }
 
-    /// The derivative of half the loss by each logarithm s, by the adjoint equations: with D λ = ∂/∂x it is
-    /// g_s - p ℓ u·Δλ.
+    /// The derivative of half the loss by each logarithm s, by the adjoint equations: it is g_s - p ℓ u·Δλ, where D λ
+    /// is the derivative of half the loss by the positions (notation of [`fitting`](super::fitting)).
     pub fn gradient(&self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<Vec<f64>, LinearError> {
         let mut by_positions = vec![DVec3::ZERO; at.len()];
         let sums: Vec<Sums> = densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at)).collect();
@@ -166,8 +166,9 @@ pub(super) fn unit([a, b]: [u32; 2], at: &[DVec3]) -> DVec3 {
     (at[b as usize] - at[a as usize]).normalize_or_zero()
 }
 
-/// The densities with which fitting begins: given ones, then those of the target forces at the present lengths, then
-/// the mean of these; 1 if there are none. Those of struts are negative.
+/// The densities with which fitting begins. An edge has its given density, or else its target force over its target
+/// length (or its present length). Edges without either have the mean of these densities, or 1 if there are none. The
+/// densities of struts are negative.
 pub(super) fn start(net: &Net, options: &Options) -> Vec<f64> {
     let given = |edge: &Edge| {
         let length = length(edge.ends, &net.vertices).max(f64::MIN_POSITIVE);

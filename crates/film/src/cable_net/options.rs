@@ -48,7 +48,8 @@ pub struct Options {
     pub least_density: f64,
     /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
     pub tolerance: f64,
-    /// Largest number of steps. `None` stands for 200, and 200 more if fitting begins a second time.
+    /// Largest number of steps. `None` stands for 200, and 200 more if fitting begins a second time; for a net with
+    /// struts it stands for 1000.
     pub max_iterations: Option<u32>,
 }
 
@@ -174,8 +175,8 @@ fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
     }
 }
 
-/// Names the vertices that move freely because a single cable and no load acts on them, also after others like them are
-/// taken away.
+/// Names the vertices that move freely because a single cable and no load acts on them. The cable of a named vertex no
+/// longer counts at its other end, so that a whole loose chain is named.
 fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     let count = net.vertices.len();
     let mut cables: Vec<Vec<u32>> = vec![Vec::new(); count];

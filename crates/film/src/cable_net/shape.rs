@@ -4,8 +4,8 @@
 //! Σ q (x_j - x_i) + f_i = 0          at every free vertex i, over the edges to its neighbours j
 //! ```
 //!
-//! The matrix D of the free vertices is the graph's Laplacian with the weights q. It is positive definite, because all
-//! densities are positive and every vertex is joined to a support, and the same for the three coordinates.
+//! The matrix D of the free vertices is the graph's Laplacian with the weights q, the same for the three coordinates.
+//! It is positive definite if all densities are positive, because every vertex is joined to a support.
 
 use super::options::Net;
 use plateau_mesh::DVec3;

@@ -117,7 +117,7 @@ impl Step {
             positions += sums.h_ll - sums.h_sl * sums.h_sl / own + damping.positions;
             multipliers += by_s * by_s / own;
         }
-        // The ratio of the two has the unit 1 / (length force)².
+        // positions / multipliers has the unit 1 / (length force)².
         let edges = members.len() as f64;
         let least = REGULARISATION * edges * edges / (squared_lengths * squared_forces);
         let scale = (positions / multipliers).max(least).sqrt();
@@ -182,8 +182,8 @@ impl Factor<'_> {
         self.inner.into_storage()
     }
 
-    /// The changes for a gradient: the derivatives of half the loss by the logarithm and by the length of each edge,
-    /// and the forces on the vertices that are not balanced, if there are any.
+    /// Solves for the changes of a step. `gradients` are the derivatives of half the loss by the logarithm and by the
+    /// length of each edge; `unbalanced` are the forces on the vertices that are not balanced, if there are any.
     pub fn change(
         &self,
         members: &[Member],

@@ -84,7 +84,7 @@ impl State {
     }
 }
 
-/// A change for the present state, with this damping.
+/// Computes the step from a state with this damping. `None` if its system cannot be solved.
 fn change(
     state: &State,
     members: &[Member],
@@ -187,7 +187,7 @@ fn descend(
 }
 
 /// Removes the forces that are not balanced, and returns the largest derivative of the loss along a change that keeps
-/// the equilibrium: by a logarithm, or by a position over the mean length.
+/// the equilibrium: by a logarithm, or by a position that is measured in mean edge lengths.
 ///
 /// # Errors
 /// A cancel; forces that cannot be balanced near this state.

@@ -18,17 +18,17 @@
 //! N_i · ∂²A/∂x_i∂x_j · N_j  = α_i α_j e_i·e_j / (2 |m|) + ½ n · (N_i × N_j)          j = i + 1
 //! ```
 //!
-//! The first part is the cotangent Laplacian of [`dirichlet`](super::dirichlet), weighted; it is positive semidefinite
-//! triangle by triangle, so adding a multiple of it is the natural shift where the whole is indefinite. The second part
-//! carries the curvature.
+//! The first part is the cotangent Laplacian of [`dirichlet`](super::dirichlet) with the weights α_i α_j. It is
+//! positive semidefinite triangle by triangle, so that a multiple of it is added where the whole matrix is indefinite.
+//! The second part comes from the curvature.
 //!
 //! Sources: the gradient is section 2 of Pinkall, Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates*
 //! (1993); the second variation is worked out here and checked against finite differences.
 //!
 //! Two evaluations share the formulas of one triangle (`Facet`): the term [`Area`] gives a block of 3 × 3 numbers for
-//! each pair of corners; the fast path for films, `first_variation` and `Pattern::second_variation`, gives one number
-//! for each pair, with every free vertex moving along one direction. One scalar system of the Laplacian's own size is
-//! all that a Newton step then needs.
+//! each pair of corners; the fast path for films, `first_variation` and `second_variation`, gives one number for each
+//! pair, because every free vertex moves along one direction. A Newton step then solves one scalar system with as many
+//! unknowns as the Laplacian has.
 
 use super::Term;
 use super::volume::cross_matrix;
@@ -37,13 +37,14 @@ use plateau_mesh::DVec3;
 use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
-/// Least double area of a triangle in every formula, as a fraction of its longest edge squared. A smaller one is raised
-/// to this, so that no weight is infinite. It lies below the limit at which
-/// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle (1e-10), so that no valid mesh is changed.
+/// Least double area of a triangle in every formula, as a fraction of its longest edge squared. A smaller area is
+/// raised to this, so that no weight is infinite. The fraction lies below the limit of 1e-10 at which
+/// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle, so that valid meshes are not affected.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 
-/// Least double area of a triangle in the springs, as a fraction of the sum of its squared edges. Without it a needle
-/// would be held by springs that differ by more than rounding allows.
+/// Least double area of a triangle in the springs, as a fraction of the sum of its squared edges. It bounds the
+/// stiffness of a thin triangle's springs, because rounding spoils a system of springs that differ by too large a
+/// factor.
 const LEAST_SPRUNG_AREA: f64 = 1e-6;
 
 /// A triangle: the edges opposite to its corners, its unit normal and double area (never zero).
@@ -90,7 +91,8 @@ pub struct Area {
     pub tension: f64,
 }
 
-/// The springs of the Dirichlet energy of triangles with the tension `tension(t)` in triangle t.
+/// Calls `visit(v, w, k)` with the springs of the Dirichlet energy (stiffness k between the vertices v and w) of
+/// triangles with the tension `tension(t)` in triangle t.
 pub(crate) fn visit_springs(
     triangles: &[[u32; 3]],
     at: &[DVec3],
@@ -133,8 +135,9 @@ impl Term for Area {
         }
     }
 
-    // A map of singular values σ₁, σ₂ has the area σ₁ σ₂ and the Dirichlet energy ½ (σ₁² + σ₂²). Single cotangents may
-    // be negative; a triangle's three together are semidefinite.
+    // The Dirichlet energy bounds the area from above: a map of singular values σ₁, σ₂ has the area σ₁ σ₂ and the
+    // energy ½ (σ₁² + σ₂²). Single cotangents may be negative; the three springs of a triangle together are
+    // semidefinite.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         visit_springs(&self.triangles, at, |_| self.tension, visit);
     }

@@ -1,7 +1,7 @@
-//! A cable: segments in a row that carry one force, which varies along the cable only with the cable's own weight.
+//! A cable: segments in a row that carry the same force. Only the cable's own weight makes the force vary along it.
 //!
 //! With the length L of the whole cable, the length ℓ_k of segment k, the height z_k of its middle above the origin and
-//! the weight w per length of the found shape:
+//! the weight w per length of the shape in equilibrium:
 //!
 //! ```text
 //! E = Φ(L) + w Σ ℓ_k z_k          force in segment k:  Φ'(L) + w z_k
@@ -17,9 +17,9 @@
 //! has a part of rank one ([`Term::visit_rank_one_parts`]).
 //!
 //! A heavy cable hangs in a catenary because the potential energy of its weight per *found* length makes its force grow
-//! with the height: T = τ + w z (any text on cables). Nothing in the energy holds the constant τ if the cable's mean
-//! force, its sag or its horizontal component is given instead of its length. It is then the multiplier of the length,
-//! and an [`Equation`] determines it.
+//! with the height: T = τ + w z (any text on cables). If the cable's mean force, its sag or its horizontal component is
+//! given instead of its length, no term of the energy determines the constant τ. It is then the multiplier of the
+//! length, and an [`Equation`] determines it.
 //!
 //! Sources: Schek, *The force density method for form finding* (1974) for the densities; Hooke's law with engineering
 //! strain for the elastic cable; derivatives by [`super::length`].
@@ -108,7 +108,7 @@ impl Cable {
         self.lowest(at).map_or(0.0, |lowest| lowest.distance.length())
     }
 
-    /// The part of the first segment's direction that is across the vertical.
+    /// The horizontal part of the first segment's unit vector, as a length from 0 to 1.
     #[must_use]
     pub fn level_part(&self, at: &[DVec3]) -> f64 {
         self.segments.first().map_or(0.0, |&segment| across(segment, self.up, at).0)
@@ -186,7 +186,8 @@ impl Term for Cable {
         if self.weight == 0.0 {
             return;
         }
-        // The derivative of w ℓ up / 2 by the length, and of w z t by the height; ∂ℓ/∂b = t = -∂ℓ/∂a.
+        // With the unit vector t of the segment and ∂ℓ/∂b = t = -∂ℓ/∂a, the gradient w ℓ up / 2 is derived by the
+        // length ℓ, and the gradient w z t by the height z.
         for &[a, b] in &self.segments {
             let unit = (at[b as usize] - at[a as usize]).normalize_or_zero();
             let half = 0.5 * self.weight * DMat3::from_cols(self.up * unit.x, self.up * unit.y, self.up * unit.z);
@@ -208,7 +209,8 @@ impl Term for Cable {
         }
     }
 
-    // Φ(L) = T L is concave in L², and Φ = q L² / 2 has L² ≤ Σ ℓ² L / ℓ_k by Cauchy and Schwarz.
+    // The springs bound the energy from above: Φ(L) = T L is concave in L², and for Φ = q L² / 2 the inequality of
+    // Cauchy and Schwarz gives L² ≤ Σ ℓ² L_0 / ℓ_k with the present lengths L_0 of the cable and ℓ_k of its segments.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         for (k, &segment) in self.segments.iter().enumerate() {
             visit(segment[0], segment[1], (self.force(k, at) / length::length(segment, at)).max(0.0));
@@ -240,30 +242,30 @@ fn add_length_gradient(segments: &[[u32; 2]], at: &[DVec3], factor: f64, gradien
     length::add_gradient(segments, at, gradient, |_, _| Stretch { energy: 0.0, force: factor, stiffness: 0.0 });
 }
 
-/// The error of an elastic cable's force is measured against the force at this strain. Cables in use are strained by
-/// 1e-4 to 1e-2.
+/// The error of an elastic cable's force is measured against the force at this strain. In built structures cables have
+/// strains of 1e-4 to 1e-2.
 const SMALL_STRAIN: f64 = 1e-4;
 
 /// The equation that determines the multiplier τ of a cable's length, if the length is not given. The force in segment
 /// k is τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Equation {
-    /// The mean force is this.
+    /// The mean force has this value.
     MeanForce(f64),
-    /// The force at the first end is this.
+    /// The force at the first end has this value.
     EndTension(f64),
-    /// The part of the first segment's force that is across the vertical is this.
+    /// The horizontal part of the first segment's force has this magnitude.
     HorizontalComponent(f64),
-    /// The mean force is this times the length.
+    /// The mean force over the length of the cable has this value.
     ForceDensity(f64),
     /// The mean force is EA (L / L0 - 1).
     Elastic {
-        /// L0.
+        /// L0, the length of the whole cable without force.
         unstressed: f64,
-        /// EA.
+        /// EA, a force.
         stiffness: f64,
     },
-    /// The largest distance from the chord between the ends is this.
+    /// The largest distance of a vertex from the chord between the ends has this value.
     Sag(f64),
 }
 
@@ -360,7 +362,7 @@ impl Condition for CableCondition {
     }
 }
 
-/// The part of a segment's direction that is across the vertical, and its derivative by the second end.
+/// The horizontal part of a segment's unit vector, as a length from 0 to 1, and its derivative by the second end.
 fn across([a, b]: [u32; 2], up: DVec3, at: &[DVec3]) -> (f64, DVec3) {
     let edge = at[b as usize] - at[a as usize];
     let (length, level) = (edge.length().max(f64::MIN_POSITIVE), edge.reject_from_normalized(up));

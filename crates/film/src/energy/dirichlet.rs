@@ -27,8 +27,8 @@ pub(crate) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[
     triangles.iter().map(energy).sum()
 }
 
-/// The cotangent Laplacian L of the free vertices, and -L_free,fixed p_fixed in `right_hand_side` (x, then y, then
-/// z).
+/// Fills `matrix` with the cotangent Laplacian L of the free vertices, and `right_hand_side` with -L_free,fixed p_fixed
+/// for the positions p_fixed of the fixed vertices (x of all free vertices, then y, then z).
 pub(crate) fn laplacian(
     pattern: &Pattern,
     vertices: &[DVec3],

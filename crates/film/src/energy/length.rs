@@ -25,7 +25,7 @@ pub struct Stretch {
     pub stiffness: f64,
 }
 
-/// The vector from the first end of a segment to the second, its length (never zero) and its unit vector.
+/// The length of a segment (never zero) and the unit vector from its first end to the second.
 fn along([a, b]: [u32; 2], at: &[DVec3]) -> (f64, DVec3) {
     let vector = at[b as usize] - at[a as usize];
     let length = vector.length().max(f64::MIN_POSITIVE);
@@ -84,7 +84,8 @@ pub fn add_shares(segments: &[[u32; 2]], at: &[DVec3], shares: &mut [f64], force
     }
 }
 
-/// E = T Σ L: line elements of one constant tension, such as a cable of given force. With tension 1 the total length.
+/// E = T Σ L: line elements of one constant tension, such as a cable of given force. With tension 1 the energy is the
+/// total length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Length {
     /// Pairs of vertices.
@@ -112,8 +113,8 @@ impl Term for Length {
         add_second_derivative(&self.segments, at, shift, add, |_, length| self.stretch(length));
     }
 
-    // The square root is concave: ℓ ≤ ½ (ℓ² / ℓ_k + ℓ_k). A negative tension gives the negative springs, for the
-    // constraint of a length whose multiplier decides on the sign.
+    // The square root is concave: ℓ ≤ ½ (ℓ² / ℓ_k + ℓ_k) with the present length ℓ_k. A negative tension gives negative
+    // springs: in a constraint on a length they are multiplied by the multiplier, which may make them positive.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         self.segments.iter().for_each(|&segment| visit(segment[0], segment[1], self.tension / length(segment, at)));
     }

@@ -1,4 +1,4 @@
-//! A film and lines whose stress is given on a reference shape: the update reference strategy, and force densities.
+//! A film and lines whose stress is given on a reference shape: the updated reference strategy, and force densities.
 //!
 //! On a triangle with edges a_k of the reference shape, opposite to the corners k, area A_ref and the second
 //! Piola-Kirchhoff stress S = σ_w w wᵀ + σ_f f fᵀ (a force per length) along two unit vectors w and f of its plane that
@@ -115,7 +115,7 @@ impl Term for Prestress {
         self.edges(|a, b, coefficient| add_edge(gradient, at, [a, b], coefficient));
     }
 
-    // The three edges of a triangle together are semidefinite.
+    // The sum over the three edges of a triangle is positive semidefinite, so the shift multiplies all of it.
     fn add_second_derivative(&self, _at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         self.edges(|a, b, coefficient| add_blocks(add, [a, b], (1.0 + shift) * coefficient));
     }

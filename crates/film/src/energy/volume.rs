@@ -5,16 +5,16 @@
 //! ```
 //!
 //! (the divergence theorem, triangle by triangle; corners a, b, c in the triangle's order). For a closed surface this
-//! is the volume inside wherever the origin is. For a surface with a boundary it is the volume of the cone over it,
-//! with the apex at the origin: as long as the boundary does not move its derivatives are those of the volume under the
-//! surface, and if the boundary slides on a plane through the origin too.
+//! is the volume inside wherever the origin is. For a surface with a boundary it is the volume of the cone over the
+//! surface with the apex at the origin. Its derivatives are those of the volume under the surface, if the boundary does
+//! not move or slides on a plane through the origin.
 
 use super::Term;
 use glam::DMat3;
 use plateau_mesh::DVec3;
 
-/// E = -p V: a pressure p on the side that the triangles' normals point away from. With p = -1 the volume itself, to
-/// constrain it.
+/// E = -p V: a pressure p on the side that the triangles' normals point away from. With p = -1 the energy is the volume
+/// itself, which a constraint needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Volume {
     /// The triangles of the chamber's wall, oriented alike.

@@ -1,4 +1,4 @@
-//! The weight of a film per area of its found shape.
+//! The weight of a film, given per area of the shape in equilibrium.
 //!
 //! With a triangle's area A, the height z of its centroid above the datum, the weight w per area and the unit vector
 //! up:
@@ -68,7 +68,7 @@ impl Term for Weight {
         }
     }
 
-    // The part that the area's tension would make semidefinite changes its sign with the height, so no part is raised.
+    // The factor w z of the area's semidefinite part changes its sign with the height, so the shift multiplies nothing.
     fn add_second_derivative(&self, at: &[DVec3], _shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         for triangle in &self.triangles {
             let single = Area { triangles: vec![*triangle], tension: self.tension(triangle, at) };
@@ -83,7 +83,8 @@ impl Term for Weight {
         }
     }
 
-    // Where the weight lowers the tension the film's own springs alone stand, which are stiffer than both together.
+    // Where the weight lowers the tension, it gets no springs: those of the film's own tension alone are stiff enough,
+    // because the tension with the weight is smaller.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         let more = |t: usize| self.tension(&self.triangles[t], at).max(0.0);
         super::area::visit_springs(&self.triangles, at, more, visit);

@@ -37,7 +37,7 @@ pub struct Body {
     /// Quantities of the whole body that keep their values.
     pub constraints: Vec<Constraint>,
     triangles: Vec<[u32; 3]>,
-    /// Edges where sheets end or meet, each with the surface tension there (of three sheets their mean).
+    /// Edges where sheets end or meet, each with the mean of the surface tensions of its sheets.
     curves: Vec<([u32; 2], f64)>,
 }
 
@@ -366,14 +366,14 @@ pub struct Report {
     pub outcome: Outcome,
     /// The sum of all terms.
     pub energy: f64,
-    /// Dimensionless.
+    /// The dimensionless residual, which the tolerance bounds.
     pub residual: f64,
     /// Per constraint its multiplier: for a volume the pressure, for a length the force.
     pub multipliers: Vec<f64>,
     /// `None` where the body has no unknowns, did not converge, or is too degenerate to factorise.
     pub stability: Option<Stability>,
-    /// The displacement of each vertex in the mode of the lowest eigenvalue, the largest of length 1. `None` where the
-    /// stability is unknown.
+    /// The displacement of each vertex in the mode of the lowest eigenvalue, scaled so that the largest has length 1.
+    /// `None` where the stability is unknown.
     pub lowest_mode: Option<Vec<DVec3>>,
 }
 
@@ -385,7 +385,7 @@ impl Report {
     }
 }
 
-/// The equations of a body: as many unknowns at each vertex as it may move in directions.
+/// The equations of a body. Each vertex has one unknown for each independent direction in which it may move.
 #[derive(Debug)]
 pub(crate) struct Motion<'a> {
     body: &'a Body,
@@ -401,7 +401,7 @@ pub(crate) struct Frame {
     pub directions: Vec<DVec3>,
     /// Per vertex the gradient of the Lagrangian.
     pub gradient: Vec<DVec3>,
-    /// Per vertex the share against which its residual is measured.
+    /// Per vertex the share by which its force is divided for the [`residual`](super::residual).
     pub shares: Vec<f64>,
 }
 
@@ -462,7 +462,8 @@ impl<'a> Motion<'a> {
         directions
     }
 
-    /// The parts of one vector per vertex along the directions.
+    /// Projects one vector per vertex on the directions of the unknowns. Returns one number per unknown; the unknown of
+    /// a group sums over its vertices.
     fn components(&self, directions: &[DVec3], vectors: &[DVec3]) -> Vec<f64> {
         let mut components = vec![0.0; directions.len()];
         for (v, vector) in vectors.iter().enumerate() {
@@ -471,7 +472,8 @@ impl<'a> Motion<'a> {
         components
     }
 
-    /// The displacement of each vertex in a motion given as one number per unknown, the largest of length 1.
+    /// The displacement of each vertex in a motion given as one number per unknown, scaled so that the largest has
+    /// length 1.
     fn displacements(&self, state: &State<Frame>, motion: &[f64]) -> Vec<DVec3> {
         let of = |v: usize| self.unknowns(v as u32).map(|k| motion[k] * state.frame.directions[k]).sum();
         let moved: Vec<DVec3> = (0..self.body.vertices.len()).map(of).collect();
@@ -479,7 +481,8 @@ impl<'a> Motion<'a> {
         moved.into_iter().map(|d| d / largest).collect()
     }
 
-    /// The part of the gradient along each vertex's directions, with its share: what the residual is made of.
+    /// For each vertex that can move: its number, the length of the gradient's part along its directions, and its
+    /// share. The residual is computed from the last two.
     pub fn unbalanced_forces<'s>(&'s self, state: &'s State<Frame>) -> impl Iterator<Item = (usize, f64, f64)> + 's {
         // The unknowns of a group belong to its first vertex, whose share is that of the whole group.
         let free = (0..state.frame.shares.len()).filter(|&v| !self.pattern.unknowns(v as u32).is_empty());
@@ -642,7 +645,7 @@ impl Equations for Motion<'_> {
     }
 
     fn work(&self) -> u64 {
-        // The blocks of a triangle cost about as much as forty visits.
+        // Assembling the 3 × 3 blocks of a triangle takes about as long as visiting forty triangles.
         40 * self.body.triangles.len() as u64
     }
 }

@@ -38,7 +38,8 @@ const CLEARANCE: f64 = 16.0;
 /// A quantity of the whole body that keeps its value.
 #[derive(Debug)]
 pub struct Constraint {
-    /// The quantity: any energy, with coefficient 1. For the volume that is a pressure of -1.
+    /// The quantity, given as an energy. The volume is the energy of a pressure of -1, and the negated length that of a
+    /// tension of -1; their multipliers are the pressure and the force.
     pub quantity: Box<dyn Term>,
     /// The condition that determines its multiplier.
     pub by: Determined,
@@ -50,12 +51,12 @@ pub enum Determined {
     /// The value that the quantity keeps; not zero.
     Value(f64),
     /// A value that yields to the multiplier λ: the quantity is `value` - `compliance` · λ. The energy of the yielding,
-    /// ½ `compliance` λ², belongs to the body's. Example: the length of an elastic cable, whose force is the
-    /// multiplier. A stiff one is solved as easily as one of given length.
+    /// ½ `compliance` λ², counts in the energy of the body. Example: the negated length of an elastic cable, whose
+    /// force is the multiplier. A stiff cable is then as easy to solve as a cable of given length.
     Yielding {
         /// The value at which the multiplier is 0. It must not be 0.
         value: f64,
-        /// Positive.
+        /// The fall of the quantity per unit of λ. It must be positive.
         compliance: f64,
     },
     /// Another equation; the quantity's value follows.
@@ -122,8 +123,8 @@ pub(crate) struct Bordered<'a> {
     conditioned: Option<Lu>,
     /// Number of negative eigenvalues of S.
     negative: usize,
-    /// Number of rank-one parts of negative stiffness, each of which lets the count of `negative` exceed its share by
-    /// one.
+    /// Number of rank-one parts of negative stiffness. Each raises the index by one, because its entry -d of the border
+    /// is positive and adds no negative eigenvalue.
     softening: usize,
 }
 
@@ -171,7 +172,7 @@ impl<'a> Bordered<'a> {
     ///
     /// The inertia of K is certain if no eigenvalue of K x = λ Δ x lies between -1 and 1, where Δ is the
     /// [bound on the errors](Factorisation::rounding). Inverse iteration estimates the least one, for K and for K on
-    /// the tangent space. The errors of K change S by at most Yᵀ Δ Y, and its sums are rounded, too.
+    /// the tangent space. The errors of K change S by at most Yᵀ Δ Y, and the sums in S are rounded, too.
     ///
     /// # Errors
     /// The interruption.

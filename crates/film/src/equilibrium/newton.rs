@@ -4,19 +4,20 @@
 //!    energy's gradient along them, the residual. Stop at the tolerance.
 //! 2. The second variation in these directions, factorised as L D Lᵀ. Its inertia, on the constraints' tangent space if
 //!    there are constraints, is the Morse index at that moment.
-//! 3. If it is indefinite, add the energy's semidefinite part once more, and more, until it is positive definite: the
-//!    step then goes down in energy. (When a stationary point is followed whatever its index, take the step as it is.)
-//! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. When a stationary
-//!    point is followed, or an equation determines a multiplier, the residual must decrease instead.
+//! 3. If it is indefinite, add growing multiples of the energy's positive semidefinite part until it is positive
+//!    definite: the step then goes down in energy. (With [`Aim::Stationary`] the step is taken as it is.)
+//! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. With
+//!    [`Aim::Stationary`], or where an equation determines a multiplier, the residual must decrease instead.
 //!
 //! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
 //! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
 //!
 //! Inside a sheet vertices move along normals only. Sliding vertices within the surface hardly changes the area, so the
-//! full 3n x 3n matrix is nearly singular, and minimising over all coordinates buys the last digits with triangles of
-//! 1e-10 degrees. Heights keep the quality of the mesh. In exchange the tangential part of the gradient does not
-//! vanish; it is reported as `residual_full`. Since the normals turn with the surface, the iteration is Newton's method
-//! only in the limit of a fine mesh. The observed rate is three to four digits a step.
+//! full 3n x 3n matrix is nearly singular, and minimising over all coordinates lowers the last digits of the area by
+//! making triangles with angles of 1e-10 degrees. Motion along the normals keeps the quality of the mesh. In exchange
+//! the tangential part of the gradient does not vanish; it is reported as `residual_full`. Since the normals turn with
+//! the surface, the iteration is Newton's method only in the limit of a fine mesh. The observed rate is three to four
+//! digits a step.
 
 use super::constraint::{Bordered, ConstraintState};
 use plateau_mesh::measure;
@@ -86,7 +87,7 @@ pub(crate) struct State<F> {
     /// The directions of the unknowns.
     pub frame: F,
     pub energy: f64,
-    /// The sum of the absolute values of the energies whose sum is the energy: the scale of its rounding error.
+    /// The sum of the absolute values of the energy's terms, which is the scale of the energy's rounding error.
     pub magnitude: f64,
     /// Derivative of the energy by each unknown; with constraints that of the Lagrangian.
     pub gradient: Vec<f64>,
@@ -110,9 +111,10 @@ impl<F> State<F> {
 /// The goal of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
-    /// To lower energy, and to a state of Morse index 0 or to none.
+    /// A minimum: every step descends in energy, so that the iteration moves away from saddles. A start that already
+    /// meets the tolerance is kept, whatever its index.
     Minimum,
-    /// To the nearest stationary state, whatever its index.
+    /// The nearest stationary state, whatever its index.
     Stationary,
 }
 
@@ -283,7 +285,8 @@ fn search<E: Equations>(
     let slope = along - unmet;
     let before = state.merit(&weights);
     let rounding = ENERGY_ROUNDING * (state.magnitude + (before - state.energy));
-    // A condition leads to no minimum of the energy under the constraints' present values.
+    // Under a condition the equilibrium is no minimum of the energy at the present values of the constraints, so the
+    // residual decides.
     let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
     let mut fraction = 1.0;
     while fraction >= LEAST_STEP {
@@ -308,7 +311,7 @@ fn search<E: Equations>(
     Err(Outcome::Stalled)
 }
 
-/// Whether no triangle turns over (by more than a right angle) or vanishes on the way from one position to another.
+/// Whether no triangle turns by a right angle or more, or vanishes, between two positions of the vertices.
 pub(crate) fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec3]) -> bool {
     triangles.iter().all(|&triangle| {
         let area_vector = |at: &[DVec3]| measure::double_area_vector(triangle.map(|v| at[v as usize]));
@@ -445,7 +448,7 @@ mod tests {
 
     #[test]
     fn the_critical_gap_of_two_rings() {
-        // gap / diameter = 0.66274: the catenoid whose waist is 0.55243 of the rings' radius is the last.
+        // The largest gap / diameter is 0.66274, where the waist of the catenoid is 0.55243 of the rings' radius.
         let holds = |n: usize, gap: f64| {
             let mut film = cylinder(n, n / 6, gap);
             for vertex in &mut film.vertices {

@@ -11,8 +11,9 @@ use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
 /// A force on a vertex of a film counts as zero below this many units of rounding of R. Coordinates are of the order of
 /// R, and each of the about six triangles at a vertex rounds its force by a few units. Divided by a share of the area
-/// of 1e-12 R², beside two boundary points that nearly coincide, that is a residual of 1e-4 which no position of the
-/// vertex takes away. In films whose edges are longer than 1e-4 R it is a residual of at most 1e-7.
+/// of 1e-12 R², beside two boundary points that nearly coincide, such errors make a residual of 1e-4 or more at every
+/// position of the vertex. In films whose edges are longer than 1e-4 R the threshold is a residual of about 2e-7 or
+/// less.
 const ROUNDING: f64 = 16.0;
 
 /// The state of a film: its frame holds the vertex normals, those of fixed vertices included.

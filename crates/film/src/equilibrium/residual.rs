@@ -1,10 +1,11 @@
 //! The residual: how far a body is from equilibrium. The same function ends Newton's iteration and is reported.
 //!
-//! A vertex of a film is compared with the mean curvature: |g·n| R / (2 A_h), with A_h its share of the area (of
-//! tension times area) and R the body's radius. In general g is the part of the energy's gradient along the vertex's
-//! directions, and A_h the vertex's share of tension times size. On a curve where sheets end or meet, the forces that
-//! must balance are σ per length, so the share is at least σ ℓ R / 2, with ℓ the length of the curve that belongs to
-//! the vertex; the residual there is the unbalanced part of the sheets' tension.
+//! At a vertex of a film the residual is the mean curvature times the body's radius R: |g·n| R / (2 A_h), with the
+//! energy's gradient g, the unit normal n and the vertex's share A_h of tension times area. In general the part of g
+//! along all directions of the vertex takes the place of g·n, and A_h is a share of tension times size. On a curve
+//! where sheets end or meet, the forces that must balance are σ per length, so the share is at least σ ℓ R / 2, with ℓ
+//! the length of the curve that belongs to the vertex; the residual there is the unbalanced part of the sheets'
+//! tension.
 
 /// |force| / (2 share), in 1/unit: mean curvature, for a film. A vertex whose whole ring has no area is as far from
 /// equilibrium as can be.

@@ -3,14 +3,16 @@
 //! At the present shape every energy is replaced by springs (`Term::visit_springs`) that touch it there and exceed it
 //! elsewhere: for a film the cotangent Laplacian of the present triangles, for a segment of a cable of force F and
 //! length ℓ the spring F / ℓ. The step d solves H d = -∇E with the springs' matrix H, and ω d lowers E on any mesh for
-//! 0 < ω < 2. A chain of springs F / ℓ has the stiffness F / L of its whole length, so corners travel spans in few
-//! rounds, and every vertex slides freely: along its cable, along its support, within the film.
+//! 0 < ω < 2. A chain of springs F / ℓ has the stiffness F / L of its whole length L, so that a corner moves by a whole
+//! span within a few rounds. Every vertex slides freely: along its cable, along its support, within the film.
 //!
-//! - Where nothing slides on a support, x, y and z do not meet, and one scalar factor serves three right-hand sides.
-//! - On a curved support the positive part of its curvature stiffens the step.
-//! - A constraint is a row of a border. An elastic cable is a row that yields.
+//! - If no vertex slides on a support, the equations of x, y and z are not coupled, and one scalar factorisation serves
+//!   the three right-hand sides.
+//! - On a curved support the positive part of its curvature is added to H.
+//! - A constraint adds a row to the system. The row of an elastic cable has a compliance.
 //! - A step that breaks a triangle is halved: any fraction lowers the energy.
-//! - While the energy falls and the mesh holds, the step is doubled. Near the end the directions are conjugate.
+//! - While the energy falls and no triangle breaks, the step is doubled. Near the equilibrium the directions are those
+//!   of conjugate gradients.
 //!
 //! Sources: majorisation and minimisation (Hunter, Lange, *A tutorial on MM algorithms*, 2004); for a film alone the
 //! iteration is that of Pinkall and Polthier (1993).
@@ -24,11 +26,11 @@ use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::sparse::pattern::BlockPattern;
 use plateau_mesh::sparse::{LinearError, Symbolic};
 
-/// A step may turn no triangle by more than the angle of this cosine. From 30° to 80° random structures are found
-/// equally often.
+/// A step may turn no triangle by more than the angle of this cosine. With any angle from 30° to 80° the solver finds
+/// the equilibria of random structures equally often.
 const LEAST_COSINE: f64 = 0.5;
-/// A step may not make a triangle's quality 4 √3 A / Σ ℓ² fall below this and below half of what it is. From 0.05 to
-/// 0.3 random structures are found equally often.
+/// A step may not make the quality 4 √3 A / Σ ℓ² of a triangle (area A, edges ℓ) fall both below this and below half of
+/// its value. With any value from 0.05 to 0.3 the solver finds the equilibria of random structures equally often.
 const LEAST_QUALITY: f64 = 0.15;
 /// A step must lower the energy by this fraction of what its slope promises (Armijo).
 const LEAST_GAIN: f64 = 1e-4;
@@ -39,17 +41,17 @@ const LEAST_FRACTION: f64 = 1e-3;
 /// Largest number of fractions of a step that are tried. Halving from 1 to [`LEAST_FRACTION`] takes ten, and a longer
 /// step one more.
 const MOST_FRACTIONS: u32 = 16;
-/// Directions are conjugate below this step, in edges.
+/// Directions are made conjugate while the largest motion of a vertex in the whole step is below this, in edge lengths.
 const CONJUGATE_BELOW: f64 = 0.5;
-/// Largest factor of a lengthened step.
+/// A step is doubled only while its multiple of the springs' step is below this.
 const LONGEST_FACTOR: f64 = 30.0;
 /// Added to the diagonal, as a fraction of its largest entry, for vertices that nothing holds.
 const LEAST_STIFFNESS: f64 = 1e-12;
 
-/// How the rounds go on.
+/// Limits of the steps, and whether they are accelerated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pace {
-    /// ω.
+    /// ω, the multiple of the springs' step that is tried first.
     pub relaxation: f64,
     /// Largest motion of a vertex in a round, in edges.
     pub longest: f64,
@@ -67,19 +69,19 @@ impl Pace {
 /// The result of a round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Round {
-    /// The largest motion of a vertex in the whole step.
+    /// The largest motion of a vertex in the whole step of the springs.
     pub step: f64,
-    /// The fraction of it that was taken; 0 if none keeps the mesh.
+    /// The fraction of the direction that was taken; 0 if no fraction keeps the mesh and lowers the energy.
     pub fraction: f64,
-    /// The largest motion of a vertex.
+    /// The largest motion of a vertex in the part that was taken.
     pub moved: f64,
     pub energy: f64,
 }
 
-/// The multipliers and the last direction, from round to round.
+/// The multipliers and the last direction, which each round hands to the next.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Settler {
-    /// Per constraint its multiplier; filled with those of the start by the caller.
+    /// The multiplier of each constraint. The caller sets those of the start.
     pub multipliers: Vec<f64>,
     last: Option<Last>,
 }
@@ -91,7 +93,7 @@ struct Last {
     direction: Vec<DVec3>,
 }
 
-/// A row of the border.
+/// The row that a constraint adds to the system.
 struct Row {
     gradient: Vec<DVec3>,
     compliance: f64,
@@ -104,11 +106,11 @@ impl Settler {
         self.last = None;
     }
 
-    /// Moves the body's vertices by one round. `edge` is the length of an edge. Constraints of the body keep their
-    /// value or yield; those with a condition have no place here.
+    /// Moves the body's vertices by one round. `edge` is the edge length of the mesh. The constraints of the body keep
+    /// their value or yield; those that are determined by a condition are left out.
     ///
     /// # Errors
-    /// The linear solver's, if the springs hold nothing.
+    /// The linear solver's error, if the matrix of the springs and constraints is singular.
     pub fn round(&mut self, body: &mut Body, edge: f64, pace: Pace) -> Result<Round, LinearError> {
         let at = body.vertices.clone();
         self.multipliers.resize(body.constraints.len(), 0.0);
@@ -179,7 +181,8 @@ impl Settler {
         Ok(Round { step, fraction: 0.0, moved: 0.0, energy: before })
     }
 
-    /// The step of the springs, and the changes of the multipliers of the rows.
+    /// Solves the system of the springs and rows. Returns the displacement of each vertex, and for each row the amount
+    /// by which its multiplier falls.
     fn direction(
         &self,
         body: &Body,
@@ -291,10 +294,11 @@ impl Settler {
 
 /// The directions of the unknowns of a settling body.
 struct Basis {
-    /// Every vertex that moves does so in all directions, and has one unknown for the three.
+    /// Whether every vertex that moves does so in all directions. It then has one unknown, which is solved for x, y and
+    /// z with the same factor.
     scalar: bool,
     counts: Vec<u8>,
-    /// For each vertex the one whose unknowns it has.
+    /// For each vertex the vertex whose unknowns it shares: itself, or the first vertex of its group.
     owner: Vec<u32>,
     start: Vec<u32>,
     directions: Vec<DVec3>,
@@ -339,7 +343,7 @@ impl Basis {
     }
 }
 
-/// The entries (0, 0), (0, 1) and (1, 1) of the positive part of a symmetric matrix of these entries.
+/// The entries (0, 0), (0, 1) and (1, 1) of the positive part of the symmetric matrix with these entries a, b and c.
 fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
     let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
     let (low, high) = (mean - half, mean + half);
@@ -347,7 +351,7 @@ fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
         let whole = f64::from(u8::from(low >= 0.0));
         return [whole * a, whole * b, whole * c];
     }
-    // high times the projector (M - low) / (high - low).
+    // The positive part is high times the projector (M - low) / (high - low) on the eigenvector of high.
     let factor = high.max(0.0) / (high - low);
     [factor * (a - low), factor * b, factor * (c - low)]
 }
@@ -380,8 +384,9 @@ fn moved(body: &Body, at: &[DVec3], direction: &[DVec3], fraction: f64) -> Vec<D
     body.freedoms.iter().zip(at).zip(direction).map(one).collect()
 }
 
-/// The longest of the fraction, its half and so on that keeps the mesh and lowers the energy, lengthened while `may`
-/// allows it and the energy falls. Returns the places, the fraction and the energy there.
+/// Halves the fraction `first` until the step keeps the mesh and lowers the energy (with `constrained` the mesh alone
+/// decides). Then doubles the fraction while `may_lengthen` allows it and the energy falls. Returns the positions, the
+/// fraction and the energy there, or `None` if no fraction is good enough.
 #[expect(clippy::too_many_arguments, reason = "a line search: everything it has is needed at each step")]
 fn search(
     body: &Body,
@@ -402,7 +407,8 @@ fn search(
             let after = energy(body, &places);
             if constrained || after <= before - LEAST_GAIN * fraction * slope + ROUNDING * before.abs() {
                 let mut best = (places, fraction, after);
-                // At most 16 passes, because the fraction doubles until a vertex would move by an edge.
+                // At most 16 passes, because the fraction doubles from LEAST_FRACTION or more, and only while it is
+                // below LONGEST_FACTOR.
                 while may_lengthen(best.1) {
                     let places = moved(body, at, direction, 2.0 * best.1);
                     if !keeps_mesh(body.triangles(), at, &places) {

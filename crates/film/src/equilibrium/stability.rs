@@ -18,7 +18,7 @@
 //! the lowest eigenvalue does not agree with the index, the index is undecided.
 //!
 //! The index counts motions of the vertices. It says nothing about changes of topology: a point where eight junctions
-//! meet may be stable under every motion, and still be left by splitting the point.
+//! meet may be stable under every motion although splitting the point lowers the energy.
 
 use super::constraint::{Bordered, ConstraintState, add_rank_one_products};
 use super::newton::{Direct, Equations, State};
@@ -45,8 +45,8 @@ const COUNT_SHIFT_GROWTH: f64 = 32.0;
 const MAX_COUNT_SHIFTS: usize = 4;
 /// Rounding error of a quadratic form, relative to the sum of the absolute values of its terms.
 const FORM_ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// The iteration has missed the lowest mode if an eigenvalue is lower by this fraction of it (or of 1/1000 of 1/R²),
-/// which is far above the [`EIGENVALUE_TOLERANCE`] of the iteration.
+/// The iteration has missed the lowest mode if an eigenvalue lies below its result by more than this fraction of the
+/// result (or of 1/1000 of 1/R²). The fraction is far above the [`EIGENVALUE_TOLERANCE`] of the iteration.
 const SAME_EIGENVALUE: f64 = 1e-6;
 /// A start whose projection on the tangent space is smaller than this fraction of itself consists of rounding errors,
 /// because the constraints leave no motion.
@@ -59,7 +59,8 @@ pub(crate) struct Mode {
     pub vector: Vec<f64>,
 }
 
-/// Bounds on the number of negative eigenvalues. They are equal unless rounding does not decide the sign of one.
+/// Bounds on the number of negative eigenvalues. They differ only if rounding leaves the sign of an eigenvalue
+/// undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct MorseIndex {
     pub least: usize,
@@ -76,8 +77,8 @@ impl MorseIndex {
         (self.least == self.most).then_some(self.least)
     }
 
-    /// The index with a lower bound of 0 and an upper bound above 0, unless the sign of the lowest eigenvalue agrees
-    /// with it. The eigenvalue is known up to `rounding`.
+    /// Returns this index if the sign of the lowest eigenvalue agrees with it, and otherwise an undecided one with a
+    /// lower bound of 0 and an upper bound of 1 or more. The eigenvalue is known up to ±`rounding`.
     pub fn checked_against(self, lowest: f64, rounding: f64) -> Self {
         if self.agrees_with(lowest, rounding) { self } else { Self { least: 0, most: self.most.max(1) } }
     }
@@ -101,24 +102,24 @@ pub(crate) struct SecondVariation {
 /// The second variation K is the difference of a positive semidefinite part D, which resists stretching, and a part
 /// that the curvature makes. The margin is the least of xᵀ K x / xᵀ D x over all motions x: 1 for a flat film, 0 at the
 /// edge of stability. It has no unit and no scale. A thin neck has the same margin whatever the size of the film around
-/// it, where the lowest eigenvalue is that of the whole film. Between two coaxial rings of any radii it is about
-/// 1.94 √(1 - d) at the fraction d of the largest distance of a catenoid.
+/// it, whereas the lowest eigenvalue depends on that size. Between two coaxial rings of any radii the margin is about
+/// 1.94 √(1 - d), where d is the distance of the rings over the largest distance that a catenoid spans.
 #[derive(Clone, Debug)]
 pub(crate) struct Margin {
     pub value: f64,
-    /// The motion of the margin.
+    /// The motion x for which the ratio is the least.
     pub motion: Vec<f64>,
 }
 
 /// Bound on the inverse iterations of a margin.
 const MARGIN_ITERATIONS: usize = 8;
-/// They end when the margin changes by less than this fraction.
+/// Inverse iterations end when the margin changes by less than this fraction of itself.
 const MARGIN_TOLERANCE: f64 = 1e-3;
 
 impl Margin {
-    /// Computes it by inverse iteration from a motion: x becomes K⁻¹ D x. Near the edge of stability the second lowest
-    /// ratio is many times the lowest, so that two or three iterations suffice. `solve` applies the inverse of K in
-    /// place and says whether it could.
+    /// Computes the margin by inverse iteration from a motion: x becomes K⁻¹ D x. Near the edge of stability the second
+    /// lowest ratio is many times the lowest, so that two or three iterations suffice. `solve` applies the inverse of K
+    /// in place and returns whether it succeeded. `None` if it fails or the margin is not finite.
     ///
     /// # Errors
     /// The interruption.
@@ -263,8 +264,8 @@ pub(crate) fn morse_index(
     }
 }
 
-/// Morse index by inertia and lowest mode at a position, in the storage of `direct`. `None` for a body that cannot
-/// move: without unknowns, or with as many constraints.
+/// Computes the Morse index by inertia and the lowest mode at a position, in the storage of `direct`. `None` for a body
+/// that cannot move because it has no unknowns, or because its constraints leave no motion.
 ///
 /// # Errors
 /// See [`Unknown`].
@@ -359,7 +360,7 @@ enum Start {
 }
 
 impl Start {
-    /// Its projection on the constraints' tangent space; `None` if nothing is left.
+    /// Returns the start vector projected on the constraints' tangent space; `None` if the constraints leave no motion.
     fn on_tangent_space(self, bordered: &Bordered, mass: &[f64]) -> Option<Vec<f64>> {
         let mut random = SplitMix64::new(1);
         let mut start: Vec<f64> = match self {
@@ -373,8 +374,8 @@ impl Start {
     }
 }
 
-/// The warnings about a state that is not known to be stable. `unstable` makes the detail of an unstable one from the
-/// words for its index.
+/// The warnings about a state that is not known to be stable. `unstable` makes the text of the warning about an
+/// unstable state from words such as "Morse index 2".
 pub(crate) fn stability_warnings(
     morse_index: Option<usize>,
     least_index: usize,
@@ -489,7 +490,8 @@ impl Vector {
         self.product.iter_mut().zip(&other.product).for_each(|(value, other)| *value += weight * other);
     }
 
-    /// Twice is enough (Kahan). Becomes not finite if nothing is left.
+    /// Makes the vector orthogonal to the basis and of length 1 in the inner product. Two passes are enough (Kahan). If
+    /// nothing is left of the vector, its values become NaN.
     fn orthonormalise(&mut self, basis: &[Self], inner: impl Fn(&[f64], &[f64]) -> f64) {
         for _ in 0..2 {
             for other in basis {
@@ -502,7 +504,8 @@ impl Vector {
     }
 }
 
-/// The lowest eigenvalue and unit vector of the leading `size` rows of a symmetric matrix, by Jacobi's rotations.
+/// The lowest eigenvalue of the leading `size` rows and columns of a symmetric matrix, and its unit eigenvector, by
+/// Jacobi's rotations.
 fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
     let mut vectors = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for _sweep in 0..12 {
@@ -598,7 +601,7 @@ mod tests {
 
     #[test]
     fn an_index_is_decided_if_rounding_cannot_change_it() {
-        // Two heights, of which only the difference resists, and a third part of the size `stiffness`.
+        // A spring of stiffness 1 between two heights, and a spring of stiffness `stiffness` that holds the second one.
         let index = |stiffness: f64| {
             let matrix = SymmetricMatrix {
                 row_start: vec![0, 2, 4],

@@ -367,7 +367,8 @@ fn force_densities_that_are_renewed_between_solves_reach_the_target_force() {
     assert!(residual < 1e-8, "{residual}");
 }
 
-/// A spherical cap over the unit circle: the sphere's radius and the angle from its pole to the rim.
+/// The body and the triangles of a spherical cap over the unit circle, with `angle` from its pole to the rim. All
+/// heights are raised by the fraction `bulge`.
 fn cap(rings: u32, angle: f64, bulge: f64) -> (Body, Vec<[u32; 3]>) {
     let sphere = 1.0 / libm::sin(angle);
     let (body, _) = disc_body(rings, |radius, azimuth| {
@@ -396,7 +397,8 @@ fn a_pressure_makes_a_cap_of_the_sphere_whose_radius_is_twice_the_tension_over_i
         errors[2].push(Volume { triangles, pressure: -1.0 }.value(&body.vertices) - volume);
     }
     errors[1..].iter().for_each(|errors| assert_second_order(errors));
-    // The height is that of one vertex, among six triangles where all others have their own surroundings.
+    // The height is that of the centre vertex alone. Its error need not be of second order, because the triangles
+    // around it differ from those around all other vertices.
     assert!(errors[0].windows(2).all(|pair| pair[1].abs() < 0.5 * pair[0].abs()) && errors[0][2].abs() < 1e-4 * height);
 }
 
@@ -465,8 +467,9 @@ fn energies_that_cancel_do_not_stall_a_body() {
 
 #[test]
 fn the_index_of_a_film_that_moves_freely_is_undecided_at_every_size() {
-    // A plane film whose edge moves along its normals moves as a whole without resistance. In the second film a vertex
-    // has less than 2e-3 of R² as its share of area, and a pivot that vanishes is not mended by a trace of mass.
+    // A plane film whose edge moves along its normals moves as a whole without resistance. In the finer film the share
+    // of area of a vertex is below 2e-3 R², so that a small multiple of the mass does not make up for a pivot that
+    // vanishes.
     for n in [4, 32] {
         for size in [1e-3, 1.0, 1e3] {
             let film = patch(n, n, |u, v| size * DVec3::new(u, v, 0.3 * u));
@@ -668,8 +671,7 @@ fn junctions_of_a_complex_may_move_across_their_curve() {
     assert_eq!(body.freedoms[1], Freedom::Across([0, 2]));
     assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
     assert!(body.vertices[1].distance(DVec3::Z) < 1e-9);
-    // Twice the tension in one sheet, of three equal ones, more than balances the others' at 120°: the line goes to its
-    // side.
+    // With the tension 1.5 a sheet pulls harder than the two others together do at 120°: the line moves to its side.
     let mut body = Body::new(vertices, &complex, &[1.5, 1.0, 1.0]);
     relaxed(&mut body);
     assert!(body.vertices[1].x > 0.05 && body.vertices[1].y.abs() < 1e-9);

@@ -13,7 +13,7 @@ const LAST_STEP_BELOW: f64 = 2e-2;
 /// The residual of the linear system of this last step, as a fraction of the run's tolerance.
 const LAST_STEP_GOAL: f64 = 0.2;
 
-/// The residuals of the linear system that are small enough for a Newton step from a state.
+/// Returns the test whether a residual of the linear system is small enough for a Newton step from `state`.
 pub(crate) fn accepts<F>(state: &State<F>, settings: &Settings, radius: f64) -> impl Fn(&[f64]) -> bool {
     let rest = LAST_STEP_GOAL * settings.tolerance;
     let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };

@@ -40,13 +40,13 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The surface along a mesh whose triangles are oriented alike. It rounds the mesh's edges within the length
-    /// `rounding` of them.
+    /// The surface along a mesh whose triangles are oriented alike. Edges and corners of the mesh are rounded within the
+    /// length `rounding` of them.
     ///
     /// # Errors
     /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is
-    /// not finite, a number of no vertex, a triangle without area, an edge that two triangles run along in the same
-    /// direction, and a rounding that is not above 0.
+    /// not finite or too large, the number of a vertex that does not exist, a triangle without area, an edge that two
+    /// triangles run along in the same direction, or a rounding that is not a finite number above 0.
     pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<Self, InputError> {
         let (surface, origin) = Surface::new(vertices, triangles, rounding)?;
         Ok(Self { surface: Arc::new(surface), origin })
@@ -231,8 +231,9 @@ impl Surface {
         count
     }
 
-    /// The point of the surface below or above `x`, along the gradient of f. It differs from the nearest one by terms
-    /// of third order in the distance. Beyond the rounding the nearest point of the mesh takes the place of `x`.
+    /// The point of the surface that is reached from `x` along the gradient of f. It differs from the nearest point of
+    /// the surface by terms of third order in the distance. If `x` is farther from the mesh than the rounding, the
+    /// search starts at the nearest point of the mesh.
     fn nearest(&self, x: DVec3) -> DVec3 {
         let mut p = x;
         for _ in 0..MOST_STEPS {
@@ -349,7 +350,8 @@ impl Surface {
     }
 }
 
-/// A triangle and an earlier one that run along an edge in the same direction. Vertices at equal places are one.
+/// A triangle and an earlier one that run along an edge in the same direction, if there are any. Vertices at equal
+/// places count as the same vertex.
 fn opposed(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Option<(usize, usize)> {
     let mut first_at = BTreeMap::new();
     let number: Vec<usize> =
