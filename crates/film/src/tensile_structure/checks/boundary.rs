@@ -1,4 +1,4 @@
-//! Checks of what takes parts of the boundaries: cables, supports on which edges slide, and rings.
+//! Checks of cables, sliding supports and rings, which occupy parts of the boundaries.
 
 use super::requirement::{COORDINATE, UNIT_VECTOR, is_usable, require};
 use crate::equilibrium::Support;
@@ -263,7 +263,7 @@ fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[
     for &point in sliders {
         let place = || Place::field("boundaries").at(boundary).at(point);
         if let Support::Mesh { surface, origin } = &sliding.on {
-            // The distance of a point with coordinates that are no numbers is none either.
+            // The distance of a point with coordinates that are not numbers is NaN.
             let distance = surface.distance(points[point] - origin);
             if distance.is_nan() || distance > surface.rounding() {
                 let detail = format!(
