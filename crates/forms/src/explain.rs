@@ -56,7 +56,7 @@ struct Number {
 struct Object {
     members: BTreeMap<String, Schema>,
     required: Vec<String>,
-    /// Schema of the members that are not in `members`. They are not allowed without one.
+    /// Schema of the members that are not in `members`. If there is none, these members are not allowed.
     others: Option<Box<Schema>>,
     count: Count,
 }

@@ -165,8 +165,8 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
 
 /// The part of a result that follows a drag.
 pub(crate) trait Kept: std::fmt::Debug {
-    /// Moves to the places that another request has. Returns `None`, and stays, if that request differs in more than
-    /// the places or if the mesh cannot follow.
+    /// Moves to the places that another request has. Returns `None` and leaves the vertices as they are if that request
+    /// differs in more than the places or if the mesh cannot follow.
     ///
     /// # Errors
     /// Returns the interruptions of `exec`.

@@ -530,7 +530,7 @@ impl Run<'_> {
         }
     }
 
-    /// The ending of the attempt if the present shape shows that there is no way on; `None` if the attempt goes on.
+    /// The ending of the attempt if the present shape shows that it cannot succeed; `None` if the attempt goes on.
     fn ending(&self, watch: &mut Watch, edge: f64) -> Option<Ending> {
         let at = self.model.vertices();
         let place = |p: DVec3| {
