@@ -44,7 +44,7 @@ pub struct Input {
     pub field: Option<&'static str>,
 }
 
-/// Value of an input that is left alone.
+/// Value of an input for which the user gives none.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Preset {

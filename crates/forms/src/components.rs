@@ -86,7 +86,7 @@ fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator))
 
 /// Rewrites a schema and every schema inside it, the inner ones first.
 fn plain(schema: &mut Schema) {
-    // Whether an object may have other members is said by a boolean too, which stays.
+    // `additionalProperties` may be a boolean instead of a schema. The rewriting must not change it then.
     let others = schema.get("additionalProperties").filter(|others| others.is_boolean()).cloned();
     transform_subschemas(&mut plain, schema);
     if let Some(others) = others {

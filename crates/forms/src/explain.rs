@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::OnceLock;
 
-/// Schemas that refer to each other by their names, and what was compiled of them. Most values need few of them.
+/// Schemas that refer to each other by their names. Each is compiled when it is first needed, because most values need
+/// few.
 #[derive(Debug)]
 pub struct Schemas<'a>(BTreeMap<&'a str, (&'a Value, OnceLock<Schema>)>);
 
@@ -55,7 +56,7 @@ struct Number {
 struct Object {
     members: BTreeMap<String, Schema>,
     required: Vec<String>,
-    /// Schema of the members that are not in `members`. They are not allowed without one.
+    /// Schema of the members that are not in `members`. If there is none, these members are not allowed.
     others: Option<Box<Schema>>,
     count: Count,
 }
@@ -216,8 +217,7 @@ impl fmt::Display for Pointer<'_> {
     }
 }
 
-/// Longest name of a member that is not known and to which an error points. An error of a longer
-/// one points to the object.
+/// Longest name of an unknown member to which an error points. If the name is longer, the error points to the object.
 const MAX_NAME: usize = 200;
 
 impl<'s> Schemas<'s> {
@@ -337,7 +337,7 @@ impl<'s> Schemas<'s> {
         lacks_level.then(|| format!("lacks a level of brackets: it must be {}", form_of_list(wanted)))
     }
 
-    /// Returns what the elements of a list are.
+    /// Returns the noun for an element of a list, such as "point".
     fn noun(&self, list: &Schema) -> &'static str {
         match self.levels(list) {
             2 => "point",
@@ -393,7 +393,7 @@ impl<'s> Schemas<'s> {
         }
     }
 
-    /// Returns what a value must be that is of no type that a schema is for.
+    /// Returns the phrase that names what a schema takes, for a value whose JSON type it does not take.
     fn expected(&self, schema: &Schema) -> String {
         let (mut names, mut forms) = (Vec::new(), Vec::new());
         self.alternatives(schema, &mut names, &mut forms);
@@ -541,7 +541,7 @@ fn levels(value: &Value) -> Option<usize> {
     }
 }
 
-/// Returns what a list is by its levels of points.
+/// Returns the phrase for a list with this number of levels of points.
 fn form_of_list(levels: usize) -> &'static str {
     match levels {
         0 => "a list",

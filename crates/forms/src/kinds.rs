@@ -1,5 +1,5 @@
-//! The table of the kinds of requests. Each kind is a folder with its types, its checks, its way to the solver and its
-//! words, and one line here, in the table. The service and the command line offer every kind of the table.
+//! The table of the kinds of requests. Each kind is a folder with its types, its checks, its call of the solver and its
+//! texts, and one line in the table here. The service and the command line offer every kind of the table.
 
 use crate::kind::{Kind, Objective};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

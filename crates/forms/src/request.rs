@@ -211,8 +211,9 @@ pub struct Drag {
 }
 
 impl Drag {
-    /// Moves to the places that another request has, and returns the figures there. Returns `None`, and stays, if that
-    /// request differs in more than the places or if the mesh cannot follow. That request has to be solved.
+    /// Moves to the places that another request has, and returns the figures there. Returns `None` and leaves the
+    /// vertices as they are if that request differs in more than the places or if the mesh cannot follow. That request
+    /// has to be solved.
     ///
     /// # Errors
     /// Returns the cancel.

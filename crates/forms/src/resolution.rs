@@ -50,7 +50,7 @@ impl Resolution {
         limits::check_number("/resolution/interior_vertices", vertices, limits.triangles / 2)
     }
 
-    /// Converts a resolution to the geometry's type, or returns the default for boundaries with so many points.
+    /// Converts a resolution to the geometry's type, or returns the default for boundaries with this number of points.
     #[must_use]
     pub fn or_default(resolution: Option<Self>, boundary_points: usize) -> geometry::Resolution {
         match resolution {

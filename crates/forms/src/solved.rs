@@ -150,11 +150,11 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
     /// Returns the error of the solver.
     fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error>;
 
-    /// Compares every figure that the statistics state with the arrays that leave.
+    /// Compares every figure that the statistics state with the arrays of the result.
     fn audit(&self, audit: &mut Audit);
 
-    /// Keeps of a result what can follow a drag. Returns `None` if every request of this kind or with these options is
-    /// solved anew.
+    /// Keeps the part of a result that can follow a drag. Returns `None` if every request of this kind or with these
+    /// options is solved anew.
     ///
     /// # Errors
     /// Returns the interruptions of `exec`, or that the memory does not suffice.
@@ -165,8 +165,8 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
 
 /// The part of a result that follows a drag.
 pub(crate) trait Kept: std::fmt::Debug {
-    /// Moves to the places that another request has. Returns `None`, and stays, if that request differs in more than
-    /// the places or if the mesh cannot follow.
+    /// Moves to the places that another request has. Returns `None` and leaves the vertices as they are if that request
+    /// differs in more than the places or if the mesh cannot follow.
     ///
     /// # Errors
     /// Returns the interruptions of `exec`.

@@ -38,7 +38,8 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
 
 /// Reads a value that [`json::parse`] made, or returns `None` if `T` refuses it.
 pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
-    // A page has no second reader of each type for this, because its module is downloaded.
+    // Without `stored`, as in a web page, both readings share one reader, because a second reader of each type would
+    // make the module that is downloaded larger.
     #[cfg(feature = "stored")]
     let read = T::deserialize(Strict(value)).ok();
     #[cfg(not(feature = "stored"))]

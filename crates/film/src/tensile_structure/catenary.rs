@@ -1,4 +1,4 @@
-//! The curve of a heavy cable between two points, from what is given of it.
+//! The catenary of a heavy cable between two points, from the quantity that the cable's mode prescribes.
 //!
 //! With the horizontal component H of the force, the weight w per length and a = H / w the cable is
 //!
@@ -87,8 +87,8 @@ pub(super) struct TooSmall {
 }
 
 impl Catenary {
-    /// The tautest catenary of a cable between two points. `None` if the points are one above the other, or if the
-    /// cable's value is beyond all catenaries in a way that [`TooSmall`] does not describe.
+    /// The tautest catenary of a cable between two points. `None` if the cable has no weight, if the points are one
+    /// above the other, or if the cable's value is beyond all catenaries in a way that [`TooSmall`] does not describe.
     pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, TooSmall> {
         let span = ends[1] - ends[0];
         let across = span.reject_from_normalized(up);
@@ -100,7 +100,7 @@ impl Catenary {
             let x0 = a * libm::asinh(rise / (2.0 * a * libm::sinh(0.5 * width / a))) - 0.5 * width;
             Self { first: ends[0], level: across / width, up, weight: cable.weight, a, x0, width, rise }
         };
-        // Rises with a where the cable is taut.
+        // The function that equals `value` on the wanted curve. It rises with a where the cable is taut.
         let value = cable.mode.value();
         let measure = |curve: &Self| match cable.mode {
             CableMode::Force(_) => curve.mean_force(),

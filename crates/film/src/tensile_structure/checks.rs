@@ -106,7 +106,8 @@ fn check_weave(weave: &Weave, errors: &mut Vec<InputError>) {
     }
 }
 
-/// A warp at a smaller angle to the normal of a plane film, in radians, has no direction on it that is sure.
+/// Least angle between the warp and the normal of a plane film, in radians. Below it the direction of the warp's
+/// projection onto the film is not reliable.
 const ALONG_THE_NORMAL: f64 = 0.02;
 
 /// Refuses a warp that runs along the normal of boundaries in one plane.
@@ -127,7 +128,7 @@ fn check_warp(structure: &Structure, errors: &mut Vec<InputError>) {
     );
 }
 
-/// Fewest cables and masts that can hold a joint: one mast between two cables, or three cables.
+/// Fewest cables and masts that can hold a joint. Two hold it on the line between their other ends.
 const FEWEST_AT_JOINT: usize = 2;
 
 fn check_joints(structure: &Structure, errors: &mut Vec<InputError>) {

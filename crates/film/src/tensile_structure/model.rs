@@ -50,7 +50,8 @@ pub(super) struct Model {
     pub free: Vec<u32>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
-    /// The volume between fans from each boundary to its mean and the origin, which closes that of the last layer.
+    /// Signed volume between the origin and the fan of each boundary (the triangles from its edges to its mean). It is
+    /// the part that the surface integral over the last layer lacks, because nothing closes the last layer below.
     pub cap_volume: f64,
     /// The surfaces on which vertices slide, and the freedom of each vertex that does.
     pub supports: Vec<Arc<dyn Support>>,
@@ -63,14 +64,14 @@ pub(super) struct Model {
     pub forces_by: Vec<ForceBy>,
     /// The force of each cable with which form finding begins.
     pub start_forces: Vec<f64>,
-    /// For each cable the last changes of that force.
+    /// For each cable, the damping of the changes of that force.
     swings: Vec<Swing>,
     /// Mean length of the edges of the initial mesh.
     start_edge: f64,
     /// The stresses of a woven film.
     pub stress_field: Option<StressField>,
-    /// For each cable and each of its segments what the pull of a woven film along the cable adds to the force; empty
-    /// for other films and for cables in the air.
+    /// For each cable and each of its segments, the force that the pull of a woven film along the cable adds; empty for
+    /// other films and for cables in the air.
     pub further_forces: Vec<Vec<f64>>,
     pub warnings: Vec<Warning>,
 }
@@ -78,9 +79,10 @@ pub(super) struct Model {
 /// A layer with its own mesh. All layers begin as copies of one mesh and share the vertices of their boundaries.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
-    /// Its vertices have numbers of their own.
+    /// The mesh of the layer, with its own vertex numbers.
     pub film: Film,
-    /// The number in the model of each vertex of the film. Those of the first layer keep their numbers.
+    /// For each vertex of the film its number in the model. The vertices of the first layer have the same number in
+    /// both.
     pub numbers: Vec<u32>,
 }
 
@@ -102,22 +104,22 @@ pub(super) struct MovingRing {
 /// The rule by which a renewal chooses the stresses of a woven film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Renewal {
-    /// Those of the required ratio that come nearest to the balance within the film.
+    /// The stresses of the required ratio that come nearest to the balance of forces within the film.
     Balance,
-    /// They stay as they are.
+    /// The present stresses.
     Keep,
-    /// The required ones, constant over the film.
+    /// The required stresses, constant over the film.
     Required,
 }
 
-/// For what a body is made.
+/// The purpose of a body, which decides how its cables act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// The rounds from far away: an elastic cable is a constraint that yields; a cable whose length is given or whose
-    /// force an equation determines has the force densities and the loads of its present shape.
+    /// The first rounds, far from the equilibrium. An elastic cable is a constraint that yields. A cable whose length
+    /// is given, or whose force an equation determines, has the force densities and the loads of its present shape.
     Settling,
-    /// The rounds on a mesh that stays: every cable has the force densities and the loads of its present shape and of a
-    /// force that comes near the required one.
+    /// The rounds on a mesh that stays. Every cable has the force densities and the loads of its present shape and of a
+    /// force near the required one.
     Reference,
     /// The equilibrium itself.
     Exact,
@@ -137,8 +139,8 @@ pub(super) enum ForceBy {
         /// EA.
         stiffness: f64,
     },
-    /// An equation in place of the constraint's value: the cable is heavy, or its sag or its horizontal component is
-    /// given.
+    /// An equation that replaces a given length in the constraint: the cable is heavy, or its sag or its horizontal
+    /// component is given.
     Equation(Equation),
 }
 
@@ -249,7 +251,7 @@ impl Model {
         matches!(self.forces_by[k], ForceBy::Length(_) | ForceBy::Elastic { .. })
     }
 
-    /// Whether the length of a cable is a constraint of the rounds from far away.
+    /// Whether the length of a cable is a constraint already in [`Stage::Settling`].
     pub fn constrains_length(&self, k: usize) -> bool {
         match self.forces_by[k] {
             ForceBy::Length(_) => self.cables[k].segments.len() <= 1,
@@ -258,7 +260,8 @@ impl Model {
         }
     }
 
-    /// The corners of the film at which an edge that moves ends, each with its boundary and its point.
+    /// The points of the boundaries at which cables end but through which no cable passes, without those of edges that
+    /// slide; each as its vertex, the index of its boundary and its index among the points of that boundary.
     pub fn corners(&self) -> Vec<(u32, usize, usize)> {
         let mut moves = vec![false; self.films];
         for chain in &self.chains {
@@ -292,7 +295,7 @@ impl Model {
         self.forces_by[k] == ForceBy::Law && self.cables[k].law == Law::Force(0.0)
     }
 
-    /// Adds a copy of the first layer with vertices of its own inside.
+    /// Adds a copy of the first layer that shares the vertices of the boundaries and has inner vertices of its own.
     fn add_layer(&mut self) {
         let film = self.layers[0].film.clone();
         let mut on_boundary = vec![false; film.vertices.len()];
@@ -368,8 +371,9 @@ impl Model {
         (0..=count).map(|k| rim[(first + k) % rim.len()]).collect()
     }
 
-    /// The vertices of a cable across the film, which is the only layer, with those that were added between its points.
-    /// Its edges stay.
+    /// The vertices of a cable across the film from its first point to its last, with those that meshing added in
+    /// between; `None` if no edges connect its points. Locks these edges and fixes these vertices. The film has only
+    /// one layer then.
     fn across(&mut self, points: &[u32]) -> Option<Vec<u32>> {
         let film = &mut self.layers[0].film;
         let mut chain = vec![*points.first()?];
@@ -446,7 +450,7 @@ impl Model {
         let mut chain = vec![first];
         for k in 1..pieces {
             let share = k as f64 / pieces as f64;
-            // Without a catenary the cable starts from a sag of a tenth of its length, so that it has a curvature.
+            // Without a catenary the cable starts with a sag of a tenth of its chord, so that it has a curvature.
             let sag = 0.4 * straight * share * (1.0 - share) * structure.up;
             chain.push((self.films + self.air.len()) as u32);
             self.air.push(ends[0] - self.centre + share * (ends[1] - ends[0]) - sag);
@@ -480,8 +484,8 @@ impl Model {
         }
     }
 
-    /// Adjusts the forces at the start that follow from the shape to the present one. A shape that answers a larger
-    /// force by one that asks for a smaller force would let it swing to and fro, so the swing is damped.
+    /// Computes the start forces that follow from the shape anew from the present shape. Because the shape depends on
+    /// these forces in turn, they may oscillate; their changes are damped therefore.
     pub fn renew_start_forces(&mut self, structure: &Structure) {
         let at = self.vertices();
         for (k, cable) in structure.cables.iter().enumerate() {
@@ -504,7 +508,8 @@ impl Model {
         }
     }
 
-    /// `tension` is that of the film, for an edge with a given angle.
+    /// Lets a part of the boundary slide on a surface and moves its vertices onto it. `tension` is the film's tension,
+    /// which the energy of an edge with a contact angle needs.
     fn slide(&mut self, sliding: &Sliding, tension: f64) {
         let number = self.supports.len() as u32;
         let on = sliding.on.moved(-self.centre);
@@ -558,7 +563,8 @@ impl Model {
         walls
     }
 
-    /// The volume that closes the one of the walls of the space below a layer.
+    /// The volume to add to the surface integral over the [`walls`](Self::walls) of the space below a layer: that space
+    /// is open below the last layer.
     fn cap(&self, below: usize) -> f64 {
         if below + 1 == self.layers.len() { self.cap_volume } else { 0.0 }
     }
@@ -568,8 +574,8 @@ impl Model {
         Volume { triangles: self.walls(below), pressure: -1.0 }.value(vertices) + self.cap(below)
     }
 
-    /// The body with the terms of the structure, first those of the layers. `grown` is the part of the chambers' given
-    /// volumes that they are to have.
+    /// The body with the terms of the structure, first those of the layers. `grown` is the fraction of the given
+    /// volumes that the chambers have in this body.
     pub fn body(&self, structure: &Structure, grown: f64, stage: Stage) -> Result<Body, Error> {
         let invalid = |defect| Error::no_result(Reason::InvalidMesh, format!("the film's mesh is damaged: {defect}"));
         let complex =
@@ -617,7 +623,8 @@ impl Model {
             body.terms.push(Box::new(contact.clone()));
         }
         if structure.has_heavy_layers() {
-            // The stresses of a woven film are what its field says, so its weight only loads it.
+            // The stress field alone determines the stresses of a woven film, so its weight is a load and changes no
+            // stress.
             if self.stress_field.is_some() {
                 body.terms.push(Box::new(Load { forces: self.film_loads(structure, &body.vertices) }));
             } else {
@@ -688,7 +695,7 @@ impl Model {
         Ok(body)
     }
 
-    /// Adds a cable as it is at the start.
+    /// Adds a cable to the body with its start force in place of the condition that determines its force.
     fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
         let cable = &self.cables[k];
         if self.forces_by[k] == ForceBy::Law {
@@ -756,8 +763,8 @@ impl Model {
         loads
     }
 
-    /// Lets the stresses of a woven film, and the forces of its cables from segment to segment, follow from the balance
-    /// of forces within the film. Returns the largest relative change of a stress; 0 for other films.
+    /// Renews the stresses of a woven film by the given rule, and then the forces that its pull adds to the segments of
+    /// its cables. Returns the largest relative change of a stress; 0 for other films.
     pub fn renew_stresses(&mut self, structure: &Structure, renewal: Renewal) -> Result<f64, LinearError> {
         let at = self.vertices();
         let loads = self.film_loads(structure, &at);
@@ -786,8 +793,8 @@ impl Model {
         Ok(change)
     }
 
-    /// The unknowns of the rounds of a woven film: the coordinates of all vertices, and ln m of each vertex of the film
-    /// times the length of an edge, so that both count alike.
+    /// The unknowns of the rounds of a woven film: the coordinates of all vertices, then ln m of each vertex of the
+    /// film (m: the factor of its stresses) times an edge length, so that all unknowns are lengths.
     pub fn unknowns(&self) -> Vec<f64> {
         let mut unknowns: Vec<f64> = self.vertices().iter().flat_map(|p| p.to_array()).collect();
         let edge = self.start_edge;
@@ -795,8 +802,8 @@ impl Model {
         unknowns
     }
 
-    /// Takes what [`unknowns`](Self::unknowns) returned, or a combination of several, in which vertices that slide are
-    /// taken back to their supports.
+    /// Sets the values that [`unknowns`](Self::unknowns) returned, or a combination of several. Vertices that slide are
+    /// moved back to the nearest points of their supports.
     pub fn set_unknowns(&mut self, unknowns: &[f64]) {
         let count = self.films + self.air.len();
         let mut vertices: Vec<DVec3> = unknowns[..3 * count].chunks_exact(3).map(DVec3::from_slice).collect();
@@ -844,7 +851,7 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
                 })
             })
         });
-        // Turned so that the chords are the first sides.
+        // Rotate the corners so that the sides that are chords come first.
         let count = middle.iter().flatten().count();
         let turn = (0..3).find(|turn| (0..count).all(|k| middle[(turn + k) % 3].is_some())).unwrap_or(0);
         let [a, b, c] = [0, 1, 2].map(|k| triangle[(turn + k) % 3]);
@@ -875,7 +882,7 @@ impl Default for Swing {
 }
 
 impl Swing {
-    /// Changes count as swinging if a change is opposite to the last one and larger than this fraction of it.
+    /// A change opposite to the last one counts as an oscillation if it is above this fraction of the last one.
     const LASTS: f64 = 0.7;
     /// Smallest part of a change that is made.
     const LEAST_SHARE: f64 = 0.1;
@@ -890,17 +897,18 @@ impl Swing {
     }
 }
 
-/// The least part of a chord across the vertical that a start uses to estimate the force from its horizontal component.
+/// Least horizontal part of a chord, as a fraction of its length, by which a start force divides a horizontal
+/// component.
 const LEAST_ACROSS: f64 = 0.1;
 /// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may
 /// be far from those of an equilibrium, where no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
 
-/// Half angle of the flattest arc with which a cable of given length begins. Its force is the largest one of the rounds
-/// from far away, in which the ends may stand further apart than the cable is long.
+/// Half angle, in radians, of the flattest arc with which a cable of given length begins. It limits the force in
+/// [`Stage::Settling`], where the ends may stand further apart than the cable is long.
 const FLATTEST: f64 = 0.05;
 
-/// The radius of an arc of the given length over a chord; that of the flattest arc if the chord is not shorter.
+/// The radius of an arc of the given length over a chord; the radius of the flattest arc if the chord is not shorter.
 fn arc_radius(chord: f64, length: f64) -> f64 {
     if chord >= length {
         return 0.5 * length / FLATTEST;
@@ -941,8 +949,8 @@ fn law(cable: &Cable) -> (Law, ForceBy) {
     }
 }
 
-/// A force near the one that a cable will have, from its present shape. A cable of given length or sag has that of an
-/// arc under a load across it.
+/// Estimates the force of a cable from its present shape. The estimate for a cable of given length or sag is that of a
+/// circular arc under a uniform load across it.
 fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32; 2]], at: &[DVec3]) -> f64 {
     let (Some(&[first, _]), Some(&[_, last])) = (segments.first(), segments.last()) else { return 0.0 };
     let span = at[last as usize] - at[first as usize];

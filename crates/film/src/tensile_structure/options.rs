@@ -26,7 +26,7 @@ pub struct Structure {
     pub rings: Vec<Ring>,
     /// Points in the air at which cables and masts end and which no support holds.
     pub joints: Vec<DVec3>,
-    /// The closed spaces behind layers. Every space between two layers is one, or the layers would touch.
+    /// The closed spaces behind layers. Every space between two layers is a chamber, or the layers would touch.
     pub chambers: Vec<Chamber>,
     /// The unit vector that points up. Weights pull against it.
     pub up: DVec3,
@@ -171,8 +171,8 @@ pub enum SlidingPart {
     Point(BoundaryPoint),
 }
 
-/// A boundary that is a rigid ring, guided along an axis without friction. It bears every other force and turns
-/// nowhere.
+/// A boundary that is a rigid ring, guided along an axis without friction. The guide bears all other forces and keeps
+/// the ring from turning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
     /// The number of the boundary.
@@ -223,7 +223,7 @@ impl Structure {
         self.layers.iter().map(FilmStress::mean).sum()
     }
 
-    /// The weave of the film, which is its only layer then.
+    /// The weave of a woven film, which is the only layer of its structure.
     #[must_use]
     pub fn weave(&self) -> Option<&Weave> {
         self.layers.first().and_then(FilmStress::weave)
@@ -371,7 +371,8 @@ pub(super) fn layer_place(structure: &Structure, k: usize) -> Place {
     if structure.layers.len() > 1 { Place::field("layers").at(k) } else { Place::field("film") }
 }
 
-/// The place of what holds the pressure in a chamber. That of a single film stands in the request itself.
+/// The place in a request of the pressure or volume of a chamber; for a single film it is a field of the request
+/// itself.
 pub(super) fn chamber_place(structure: &Structure, k: usize) -> Place {
     let name = structure.chambers[k].holds.name();
     if structure.layers.len() > 1 { Place::field("chambers").at(k).then(name) } else { Place::field(name) }

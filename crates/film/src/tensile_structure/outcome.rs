@@ -20,7 +20,7 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 /// below, and every force that holds an edge of the film is above 1/2.
 const SLACK: f64 = 1e-9;
 
-/// The names of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
+/// The errors of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
 fn weak_cables(structure: &Structure) -> Vec<InputError> {
     let [FilmStress { prestress: FilmPrestress::Isotropic(tension), .. }] = structure.layers[..] else {
         return Vec::new();
@@ -61,7 +61,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
             );
             Error::NoResult { reason: Reason::EquilibriumNotFound, detail, places }
         }
-        // The form finding on a mesh that stays gives no evidence but that of cables that are too weak.
+        // Form finding on a mesh that stays has no ending; weak cables are its only evidence that there is no shape.
         None if !places.is_empty() => named("the film pulls the edge cables in without end", None),
         None => {
             let detail = "no shape in equilibrium was found, which does not say that there is none; try larger cable \
@@ -71,7 +71,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
     }
 }
 
-/// A cable of given length or shape that would have to push.
+/// The error of the first cable that would have to push, or that is slack at its given length.
 fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec3]) -> Option<Error> {
     let mean = |(term, &further): (&crate::energy::Cable, &f64)| forces(term, further, at).0;
     let is_cable = |k: &usize| !structure.cables[*k].course.is_mast();
@@ -88,7 +88,7 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
     Some(Error::NoResult { reason: Reason::SlackCable, detail, places: vec![place] })
 }
 
-/// A film of one tension whose weight takes more tension from its lowest point than it has. A film cannot push.
+/// The error of the first layer whose weight takes more tension from its lowest point than it has. A film cannot push.
 fn pushing_film(structure: &Structure, layers: &[LayerResult]) -> Option<Error> {
     let least = |layer: &LayerResult| layer.stress.map_or(f64::INFINITY, |stress| stress.min);
     let k = layers.iter().position(|layer| least(layer) < 0.0)?;

@@ -19,7 +19,7 @@ use plateau_mesh::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A pond shallower than this fraction of the film's radius is one of rounding.
+/// A pond shallower than this fraction of the film's radius is attributed to rounding and does not count.
 const ROUNDING: f64 = 1e-6;
 
 /// The water that stands on a film after rain.
@@ -48,15 +48,16 @@ pub(super) struct Roof<'a> {
     pub up: DVec3,
 }
 
-/// In place of the number of a pond: the vertex stays dry.
+/// The number in place of a pond's at a vertex that stays dry.
 const DRY: u32 = u32::MAX;
 
 /// The ponds on a roof; `None` if all water runs off.
 ///
-/// A pond counts if it is deeper than what the mesh could feign: in a sloping valley whose lowest line runs between the
-/// vertices, a vertex may be lower than all its neighbours by up to κ h² / 2 with the curvature κ of the film and the
-/// length h of its edges, which is h θ / 2 with the angle θ between the two triangles of an edge. Where film lies above
-/// the deepest place no rain falls, so what stands there does not count either: the inside of a chamber, for example.
+/// A pond counts if it is deeper than a false one that the mesh alone can make: in a sloping valley whose lowest line
+/// runs between the vertices, a vertex may be lower than all its neighbours by up to κ h² / 2 with the curvature κ of
+/// the film and the length h of its edges, which is h θ / 2 with the angle θ between the two triangles of an edge. A
+/// pond whose deepest place lies below another part of the film does not count either, because no rain falls there:
+/// inside a chamber, for example.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`]. After a deadline the search goes on, because it is short.
@@ -205,7 +206,7 @@ fn levels(roof: &Roof, neighbours: &Neighbours, heights: &[f64]) -> Vec<f64> {
 struct Pond {
     depth: f64,
     deepest: u32,
-    /// The depth that the mesh could feign.
+    /// The largest depth h θ / 2 that the mesh alone can make ([`find`]).
     mesh_error: f64,
 }
 
@@ -239,7 +240,8 @@ fn ponds(neighbours: &Neighbours, heights: &[f64], levels: &[f64]) -> (Vec<u32>,
     (pond_of, ponds)
 }
 
-/// For each edge between two triangles without a fold its ends and h θ / 2.
+/// For each edge between two triangles that is no fold, its ends and the depth h θ / 2 that it alone can make
+/// ([`find`]).
 fn errors_of_edges<'a>(
     roof: &'a Roof,
     sides: &'a [(u32, u32, u32)],

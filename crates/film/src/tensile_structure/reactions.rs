@@ -39,7 +39,7 @@ pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
     holds
 }
 
-/// For each ring the part of the forces on it along its axis, in equal shares for its vertices: what is not balanced.
+/// For each ring the force along its axis that is not balanced, divided by the number of its vertices.
 fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
     let of = |ring: &MovingRing| {
         let along: f64 = ring.vertices.iter().map(|&v| balance.forces[v as usize].dot(ring.axis)).sum();

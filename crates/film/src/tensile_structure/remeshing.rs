@@ -1,8 +1,8 @@
 //! The mesh of a structure that travels: remeshed while its corners and edges move.
 //!
 //! A vertex of the boundary is kept where the film is held, where two parts of the boundary meet, where a cable ends
-//! and where a point moves by itself. All others move along their stretch. A point of the input inside a stretch is any
-//! vertex of it, because nothing but the order tells them apart.
+//! and where a point moves by itself. All others move along their stretch. Any vertex inside a stretch may become the
+//! vertex of an input point there, because only their order distinguishes the input points of a stretch.
 
 use super::model::Model;
 use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
@@ -205,7 +205,8 @@ impl Model {
         Ok(neck)
     }
 
-    /// Replaces the film. `number` gives the new number of every vertex that has a name.
+    /// Replaces the film by the remeshed one. `number` gives the new number of every old vertex that the model refers
+    /// to.
     fn take(&mut self, structure: &Structure, moving: MovingFilm, number: impl Fn(u32) -> Option<u32>) {
         let (old, new) = (self.films as u32, moving.film.vertices.len() as u32);
         let renumbered = |v: u32| if v >= old { v - old + new } else { number(v).unwrap_or(0) };
@@ -307,17 +308,17 @@ impl Model {
     }
 }
 
-/// Whether the form finding may renew the mesh: one film of the same tension in all directions. A woven film has no
-/// energy that falls from round to round, and the layers of a cushion share their edges. An edge that meets its support
-/// at a given angle has an energy that no springs exceed. These keep the mesh with which they begin.
+/// Whether the form finding may renew the mesh: one film of the same tension in all directions. The others keep the
+/// mesh with which they begin: a woven film has no energy that falls from round to round, the layers of a cushion share
+/// their edges, and no springs bound the energy of an edge with a contact angle from above.
 pub(super) fn may_travel(structure: &Structure) -> bool {
     let at_no_angle = |sliding: &Sliding| sliding.contact_angle.is_none();
     structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
 }
 
 /// Whether the form finding begins on a coarse mesh: an edge, a corner or a ring moves, or a tube has a given volume. A
-/// film whose edges are held keeps the mesh of its start, whose errors fall more evenly with its edges, as long as that
-/// leads to a shape.
+/// film whose edges are held keeps the mesh of its start as long as that leads to a shape, because the error on this
+/// mesh falls more evenly with the edge length.
 pub(super) fn travels(structure: &Structure) -> bool {
     let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
     let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));

@@ -30,13 +30,14 @@ impl Deformed {
         Self { images, reference: stress, stretch: images[0].cross(images[1]).length() }
     }
 
-    /// The stress across a line at right angles to a unit vector of the triangle's plane.
+    /// The normal stress in the direction of a unit vector of the triangle's plane.
     fn along(&self, direction: DVec3) -> f64 {
         let [w, f] = self.images.map(|image| image.dot(direction));
         (self.reference.along * w * w + self.reference.across * f * f) / self.stretch
     }
 
-    /// The least and the largest principal stress. Their product is that of the reference stress's.
+    /// The least and the largest principal stress. Their product is that of the principal stresses in the reference
+    /// shape.
     fn principal(&self) -> (f64, f64) {
         let PlaneStress { along, across, .. } = self.reference;
         let [w, f] = self.images.map(DVec3::length_squared);
@@ -82,8 +83,9 @@ pub(super) fn of_all(layers: &[LayerResult]) -> Option<Stress> {
     layers.iter().filter_map(|layer| layer.stress).reduce(widen)
 }
 
-/// The stresses of a layer of the balanced shape, all required stresses those of the reference shape but of an
-/// isotropic film the given tension. `first` is the number of the layer's first triangle.
+/// The stresses of a layer of the balanced shape, and their deviation: of a woven film from the stresses that are
+/// required in the reference shape, of an isotropic film from the given tension. `first` is the number of the layer's
+/// first triangle.
 pub(super) fn stress(
     balance: &Balance,
     film: &FilmStress,

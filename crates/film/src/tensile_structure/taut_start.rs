@@ -9,7 +9,7 @@
 //! ring around the hub towards its other edges with at most its tension around the ring. A ring that begins lower than
 //! it ends leads to the film, because a film that is drawn too high pinches off at the ring.
 //!
-//! A mast on a support can lean to several sides. Another start has such masts upright, however they are drawn.
+//! A mast on a support can lean to several sides. In a second start these masts stand upright, however they are drawn.
 //!
 //! A corner that stands too far out closes, because its sides are long arcs whose ends turn towards each other. In a
 //! third start the film pulls too, and each free corner begins drawn in. The film beside a corner counts as the
@@ -22,7 +22,7 @@ use plateau_mesh::DVec3;
 use plateau_mesh::polyline::{length, mean, position_key, radius};
 use std::collections::BTreeMap;
 
-/// Passes over all points. Corners of the examples stand within 1e-3 of their span after 50.
+/// Number of passes over all points. Corners of the examples stand within 1e-3 of their span after 50.
 const SWEEPS: u32 = 300;
 /// Shortest cable, as a fraction of the radius, that leaves a start from which a film can be found.
 const SHORTEST: f64 = 1e-2;
@@ -141,7 +141,7 @@ impl<'a> Network<'a> {
         }
     }
 
-    /// The number of a point; one that is not known yet is fixed.
+    /// Returns the number of the point at a place, and adds a fixed point if there is none.
     fn at(&mut self, place: DVec3) -> usize {
         let next = self.places.len();
         let number = *self.number.entry(position_key(place)).or_insert(next);
@@ -157,7 +157,7 @@ impl<'a> Network<'a> {
         self.holds[number] = hold;
     }
 
-    /// Sets the free tops of masts upright on their supports, where they stay. Returns whether there is one.
+    /// Sets the free tops of masts upright above their feet on supports, and fixes them. Returns whether there is one.
     fn set_masts_upright(&mut self) -> bool {
         let up = self.structure.up;
         let mut any = false;
@@ -211,7 +211,7 @@ impl<'a> Network<'a> {
         0.5 * self.structure.pull() * a.distance(b) * (a - here).reject_from(b - a).normalize_or_zero()
     }
 
-    /// Passes over all points once.
+    /// Moves each point that is not fixed once.
     fn sweep(&mut self) {
         for v in 0..self.places.len() {
             if self.holds[v] == Hold::Fixed {
@@ -266,7 +266,7 @@ impl<'a> Network<'a> {
         self.fly();
     }
 
-    /// Moves each mast of given length between two points that move as a whole, by the step of the cables at both ends.
+    /// Moves each mast of given length whose two ends can move: as a whole, by the step of the cables at both ends.
     fn fly(&mut self) {
         let moving = |v: usize| matches!(self.holds[v], Hold::Free | Hold::Guided(_));
         let flies = |link: &&Link| link.length.is_some() && link.ends.into_iter().all(moving);
@@ -294,7 +294,8 @@ impl<'a> Network<'a> {
         }
     }
 
-    /// Whether all cables have a length. The pulls on rings, which come after them, may have none.
+    /// Whether no cable has shrunk to almost nothing. The links of pulls on rings come after the cables and may be
+    /// short.
     fn is_open(&self) -> bool {
         self.links.iter().take(self.structure.cables.len()).all(|link| {
             let [a, b] = link.ends.map(|v| self.places[v]);
@@ -303,8 +304,8 @@ impl<'a> Network<'a> {
     }
 }
 
-/// The point of the line through `place` along the axis that has the distance `length` from another point, on the side
-/// on which it is; `place` itself if the line is too far away.
+/// The point of the line through `place` along the axis that has the distance `length` from `other`, on the side of
+/// `other` on which `here` is; `place` itself if the line is too far away.
 fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length: f64) -> DVec3 {
     let (across, along) = ((place - other).reject_from_normalized(axis), axis.dot(here - other));
     let squared = length * length - across.length_squared();

@@ -42,26 +42,27 @@ const SETTLED: f64 = 0.05;
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// A mesh with an angle above this one (in radians: 137°) is renewed once Newton's method has converged on the mesh.
 const WORN: f64 = 2.4;
-/// A cable of given force counts as shrinking if it is shorter than [`SHORT`] times the span and, after a round,
-/// shorter than [`SHRINKS`] times its length before the round. While a cable shrinks there is no balance of forces, so
-/// that a failure of Newton's method says nothing about the structure.
+/// A cable of given force counts as shrinking only below this length, in spans. Its forces cannot balance before it has
+/// shrunk to nothing or found its length, so a failure of Newton's method on the way is not counted.
 const SHORT: f64 = 0.2;
+/// A cable counts as shrinking if a round leaves it shorter than this fraction of its length before.
 const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
-/// After n failures of Newton's method it is tried again n + 1 times this number of rounds later. The pause grows,
-/// because a round of a structure with constraints takes away only a few per cent of the distance to the equilibrium.
+/// Newton's method is tried again after this number of rounds times one more than the number of failures so far, among
+/// which those while a cable shrinks do not count. The pause grows because a round of a structure with constraints takes
+/// away only a few per cent of the distance to the equilibrium.
 const WAIT: u32 = 2;
 /// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;
-/// Rounds in which a corner or a strait goes on closing before it counts as closed.
+/// Consecutive rounds in which a corner or a narrow place goes on closing before it counts as closed.
 const CLOSING: u32 = 10;
-/// A corner may be closing if its angle is below [`CLOSES`] degrees. It is closed if its angle stays below [`CLOSED`]
-/// degrees for [`STAYS_CLOSED`] rounds; a corner that is sharp for fewer rounds may open again.
+/// A corner below this angle, in degrees, may be closing. Sharp corners open again, so the angle alone decides nothing.
 const CLOSES: f64 = 3.0;
+/// A corner counts as closed if it stays below this angle, in degrees, for [`STAYS_CLOSED`] rounds.
 const CLOSED: f64 = 0.2;
 const STAYS_CLOSED: u32 = 3;
-/// The attempts. Those from a taut start and those with growing tension are made without pressure only.
+/// The attempts. Those from a taut start and those with growing tension are made only for structures without chambers.
 const ATTEMPTS: [Attempt; 6] = [
     Attempt { from: None, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
     Attempt { from: Some(Held::UprightMasts), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
@@ -75,26 +76,26 @@ const FAR: f64 = 20.0;
 /// Largest number of kicks along an unstable mode, and their length in edges.
 const MAX_KICKS: u32 = 3;
 const KICK: f64 = 0.3;
-/// Newton's method may fail this often in an attempt.
+/// Failures of Newton's method that an attempt may have. Remeshing a converged shape counts as three.
 const MAX_FAILURES: u32 = 12;
-/// Largest number of remeshings for the number of triangles on the last level.
+/// Largest number of remeshings that adjust the number of triangles on the last level.
 const CALIBRATIONS: u32 = 4;
 /// The number of triangles is met within this fraction.
 const COUNT_TOLERANCE: f64 = 0.05;
 
-/// How an attempt goes on.
+/// The start and the pace of an attempt.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
     /// The taut start from which the attempt begins; `None` for the given one.
     from: Option<Held>,
     pace: Pace,
-    /// First part of the film's tension, and the rounds in which it grows to all of it.
+    /// Fraction of the film's tension at the start, and the number of rounds in which it grows to 1.
     first_tension: f64,
     tension_rounds: u32,
 }
 
 impl Attempt {
-    /// The part of the tension in a round.
+    /// The fraction of the film's tension in a round.
     fn tension(self, round: u32) -> f64 {
         if round >= self.tension_rounds {
             return 1.0;
@@ -103,7 +104,7 @@ impl Attempt {
     }
 }
 
-/// Figures that the rounds of an attempt watch.
+/// Figures that an attempt follows from round to round to see whether a part closes or shrinks to nothing.
 struct Watch {
     centre: DVec3,
     radius: f64,
@@ -135,7 +136,8 @@ struct Strait {
 }
 
 impl Run<'_> {
-    /// The searches of all attempts. The model begins and ends with every attempt that fails as it was.
+    /// Makes the attempts until one finds a shape. If none does, `found` gets the ending and the model the last shape
+    /// of the first attempt, or of the first one that leaves open whether there is a shape.
     pub fn search(&mut self, coarse: Coarse, found: &mut Found) -> Result<(), Stop> {
         let start = self.model.clone();
         self.check_side()?;
@@ -169,7 +171,7 @@ impl Run<'_> {
             };
             worn = worn.or(watch.worn);
             let ending = self.judged(ending);
-            // An attempt without an ending leaves open whether there is a shape.
+            // An attempt that ends with `NotFound` leaves open whether there is a shape.
             let leaves_open =
                 |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));
             if first.as_ref().is_none_or(leaves_open) {
@@ -178,7 +180,8 @@ impl Run<'_> {
         }
         let is_open = first.as_ref().is_none_or(|(ending, _)| matches!(ending, Ending::NotFound(_)));
         if is_open && let Some(worn) = worn {
-            // A better mesh of the shape was sought in vain: a film that hardly opens at a corner has no even mesh.
+            // Remeshing this shape led to no result, because a film that hardly opens at a corner has no even mesh. The
+            // shape is solved once more on the mesh that it had.
             *self.model = worn;
             self.model.order_input_first(self.structure);
             self.more_solves();
@@ -210,7 +213,7 @@ impl Run<'_> {
     }
 
     /// A part that closes is evidence only if the cables alone have a single equilibrium, from which the taut attempts
-    /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is near.
+    /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is found.
     fn judged(&self, ending: Ending) -> Ending {
         let structure = self.structure;
         let flat = |sliding: &Sliding| sliding.on.is_flat();
@@ -228,7 +231,7 @@ impl Run<'_> {
         }
     }
 
-    /// Refuses a volume on the other side of a tube's loops.
+    /// Fails if the film between several loops encloses a volume of the opposite sign to the one that is required.
     fn check_side(&self) -> Result<(), Stop> {
         let own = self.model.volume(0, &self.model.vertices());
         for chamber in &self.structure.chambers {
@@ -355,7 +358,8 @@ impl Run<'_> {
                     let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
                     let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
                     if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
-                        // Newton's method moves vertices along the normals, which wears triangles out.
+                        // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is
+                        // renewed.
                         failures += 3;
                         if is_last && !unstable && watch.last_neck.is_none() {
                             watch.worn = Some(self.model.clone());
@@ -370,7 +374,7 @@ impl Run<'_> {
                         continue;
                     }
                     if let Some(neck) = watch.last_neck {
-                        // A tube of three edges around is held by the mesh alone.
+                        // A neck that is only three edges around is held open by the mesh alone.
                         return Ok(Some((self.pinched(neck), self.model.clone())));
                     }
                     self.model.order_input_first(self.structure);
@@ -401,7 +405,8 @@ impl Run<'_> {
         old.iter().zip(&new).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
     }
 
-    /// The body of a round and whether it has all of its volume.
+    /// The body of a round, and whether all volumes have their required values in it. A round changes a volume by at
+    /// most half an edge length times the film's area.
     fn settling_body(&self, tension: f64, edge: f64) -> Result<(Body, bool), Stop> {
         let mut scaled;
         let structure = if tension < 1.0 {
@@ -449,14 +454,15 @@ impl Run<'_> {
             watch.worn = None;
         }
         watch.last_neck = neck;
-        // A coarse mesh has more triangles than are wanted where the boundary is finer.
+        // Only the last level is calibrated: a coarse mesh has more triangles than are wanted where the boundary is
+        // finer.
         if is_last && self.misses_count(size) {
             self.calibration = (self.calibration * self.count_ratio(size).sqrt()).clamp(0.7, 1.5);
         }
         Ok(())
     }
 
-    /// The number of triangles over that of equilateral ones of a size.
+    /// The number of triangles over the number of equilateral triangles of edge length `size` with the same area.
     fn count_ratio(&self, size: f64) -> f64 {
         let wanted = 4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * size * size);
         self.model.layers[0].film.triangles().len() as f64 / wanted
@@ -527,7 +533,7 @@ impl Run<'_> {
         }
     }
 
-    /// The ending that the present shape shows.
+    /// The ending of the attempt if the present shape shows that it cannot succeed; `None` if the attempt goes on.
     fn ending(&self, watch: &mut Watch, edge: f64) -> Option<Ending> {
         let at = self.model.vertices();
         let place = |p: DVec3| {
@@ -611,7 +617,7 @@ impl Run<'_> {
         )
     }
 
-    /// Whether the film closes at a corner.
+    /// The ending of a film that closes at a corner; `None` if it does not close.
     fn corner(&self, watch: &mut Watch, at: &[DVec3], place: &dyn Fn(DVec3) -> String) -> Option<Ending> {
         let mut angles = vec![0.0; at.len()];
         for triangle in self.model.layers[0].film.triangles() {
@@ -661,7 +667,7 @@ impl Run<'_> {
         }
     }
 
-    /// Finds the narrowest chord between two sides.
+    /// Finds the narrowest chord between two sides and follows its width in `watch`.
     fn narrowest(&self, watch: &mut Watch, at: &[DVec3], edge: f64) {
         let topology = &self.model.layers[0].film.topology;
         let kept: Vec<DVec3> = self.model.corners().iter().map(|corner| at[corner.0 as usize]).collect();

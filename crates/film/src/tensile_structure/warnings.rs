@@ -23,8 +23,8 @@ const MOVES: f64 = 0.5;
 /// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
 const DEVIATES: f64 = 0.05;
 
-/// An edge counts as beyond its mesh if a vertex is further from the mesh than this fraction of its rounding. The
-/// rounding of a right-angled edge takes a vertex 0.14 of it away.
+/// An edge counts as beyond the mesh of its support if a vertex is further from the mesh than this fraction of the
+/// mesh's rounding. The rounding of a right angle of the mesh alone takes a vertex 0.14 times the rounding away.
 const BEYOND: f64 = 0.5;
 
 /// Number of points that a message lists.
@@ -148,7 +148,7 @@ fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
     model.supports.iter().enumerate().filter_map(beyond).collect()
 }
 
-/// The stresses of a woven film that differ from the required ones.
+/// The message about stresses of a woven film that differ from the required ones.
 fn deviating_stress(weave: &WeaveStress, structure: &Structure) -> String {
     let required = |of: fn(&Weave) -> f64| structure.weave().map_or(0.0, of);
     let (warp, weft) = (required(|weave| weave.warp), required(|weave| weave.weft));
@@ -173,7 +173,7 @@ fn deviating_stress(weave: &WeaveStress, structure: &Structure) -> String {
     )
 }
 
-/// Which points move freely.
+/// The message about a mechanism, which lists the points that move freely.
 fn mechanism(model: &Model, found: &Found) -> String {
     let mode = found.lowest_mode.as_deref().unwrap_or_default();
     let moves = |v: u32| mode.get(v as usize).is_some_and(|d| d.length() > MOVES);

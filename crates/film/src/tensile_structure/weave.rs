@@ -41,7 +41,8 @@ pub(super) struct StressField {
     weave: Weave,
     /// ln m of each vertex.
     pub factors: Vec<f64>,
-    /// A vertex of each connected part of the film, at which the Poisson equation holds δ before m is scaled.
+    /// A vertex of each connected part of the film. The Poisson equation determines δ up to a constant in each part, so
+    /// δ is set to 0 at these vertices. Then m is scaled.
     anchors: Vec<u32>,
 }
 
@@ -85,8 +86,9 @@ impl StressField {
         Prestress::plane(triangles, |t| self.required(&triangles[t], at), at)
     }
 
-    /// Lets m follow from the balance of the film at these positions, with `loads` on its vertices. `inside` says which
-    /// vertices only the film and the loads pull. Returns the largest change of ln m.
+    /// Renews m from the balance of the film at these positions, with `loads` on its vertices. `inside` marks the
+    /// vertices that only the film and the loads pull. Returns the largest change of ln m that the balance asks for,
+    /// which may exceed the change that is made.
     ///
     /// # Errors
     /// A [`LinearError`] for a degenerate film.
@@ -155,15 +157,15 @@ impl StressField {
         Ok(found)
     }
 
-    /// Lets every m be 1 again: the stresses of warp and weft are the given ones.
+    /// Sets every m to 1, so that the stresses of warp and weft are the given ones.
     pub fn make_constant(&mut self) {
         self.factors.fill(0.0);
     }
 }
 
-/// For each segment of a cable what the film's pull along the cable adds to its force. `pull` is the derivative of the
-/// film's energy and loads by each vertex. The mean over the cable's length is zero, or the first value where the
-/// cable's mode is about its first end.
+/// The force that the film's pull along a cable adds in each segment. `pull` is the derivative of the film's energy and
+/// loads by each vertex. The mean of the added forces over the cable's length is 0. Where the cable's mode prescribes
+/// the force at the first end, that of the first segment is 0 instead.
 pub(super) fn pulls_along(chain: &[u32], mode: CableMode, pull: &[DVec3], at: &[DVec3]) -> Vec<f64> {
     let place = |k: usize| at[chain[k] as usize];
     let mut forces = vec![0.0];
@@ -183,7 +185,7 @@ pub(super) fn pulls_along(chain: &[u32], mode: CableMode, pull: &[DVec3], at: &[
     forces.into_iter().map(|force| force - mean).collect()
 }
 
-/// The lowest vertex of each connected part of the film.
+/// The vertex with the lowest number in each connected part of the film.
 fn one_of_each_part(triangles: &[[u32; 3]], vertices: usize) -> Vec<u32> {
     let mut lowest: Vec<u32> = (0..vertices as u32).collect();
     let find = |lowest: &mut Vec<u32>, mut v: u32| {

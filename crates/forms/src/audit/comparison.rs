@@ -20,11 +20,11 @@ pub(crate) struct Fault {
 /// The comparison of one result with what it states.
 #[derive(Debug)]
 pub(crate) struct Audit<'a> {
-    /// The arrays that leave.
+    /// The arrays of the result.
     pub contents: &'a Contents,
     /// Codes of the warnings of the result.
     warnings: Vec<&'a str>,
-    /// The statistics that leave.
+    /// The statistics of the result.
     statistics: &'a Value,
     /// Rounding of a coordinate: 8 units in the last place of the largest one, in the mesh's unit.
     pub step: f64,
@@ -46,8 +46,8 @@ impl<'a> Audit<'a> {
         if self.is_cancelled { Err(Interruption::Cancelled) } else { Ok(self.faults) }
     }
 
-    /// Looks at the signal after a pass over so many items. Returns whether the audit goes on: a deadline does not end
-    /// it, because no result leaves without it.
+    /// Checks for a cancel after a pass over this number of items. Returns whether the audit goes on. A deadline does
+    /// not end it, because no result is returned without an audit.
     #[must_use]
     pub fn goes_on(&mut self, items: usize) -> bool {
         self.is_cancelled |= self.exec.look(items as u64) == Err(Interruption::Cancelled);

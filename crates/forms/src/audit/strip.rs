@@ -5,7 +5,8 @@ use plateau_mesh::DVec3;
 
 /// A cross product below this fraction of the product of the lengths counts as zero.
 const PARALLEL: f64 = 1e-14;
-/// Cross products from the reciprocal of this to this multiple of [`PARALLEL`] may count or not, as rounding decides.
+/// Rounding may decide whether a cross product counts if it lies between 1 / `UNDECIDED` and `UNDECIDED` times the
+/// limit [`PARALLEL`].
 const UNDECIDED: f64 = 100.0;
 /// Angle in radians by which a convexity tolerance may be missed.
 const CONVEXITY: f64 = 1e-9;
@@ -20,7 +21,7 @@ pub(crate) struct Rail<'a> {
     pub normals: Vec<DVec3>,
 }
 
-/// A strip as it leaves. Bridges are pairs of positions on the two rails.
+/// A strip of a result. Bridges are pairs of positions on the two rails.
 #[derive(Clone, Debug)]
 pub(crate) struct Strip<'a> {
     pub at: &'a [DVec3],
@@ -205,7 +206,7 @@ impl Strip<'_> {
                 let across = offset - offset.dot(axis) * axis;
                 let distance = across.length();
                 if distance <= self.step {
-                    // A neighbour this near to the bridge's line has no direction, or any.
+                    // Rounding decides about the direction of a neighbour this near to the bridge's line.
                     undecided |= distance > 0.0;
                     continue;
                 }

@@ -162,7 +162,8 @@ fn every_fault_in_strips_is_found() {
     ];
     let mut request = strips();
     finds(&request, &faults);
-    // An archive of open strips refuses bridges that do not fit its triangles, one of closed strips does not look.
+    // An archive of open strips refuses bridges that do not fit its triangles; an archive of closed strips does not
+    // check.
     request["directrices"] =
         json!([[[0, 0, 0], [2, 0, 0], [1, 2, 0]], [[0, 0, 1], [2, 0, 1.2], [2, 2, 1], [0, 2, 1.1]]]);
     request["closed"] = json!(true);

@@ -1,4 +1,4 @@
-//! Checks of what takes parts of the boundaries: cables, supports on which edges slide, and rings.
+//! Checks of cables, sliding supports and rings, which occupy parts of the boundaries.
 
 use super::requirement::{COORDINATE, UNIT_VECTOR, is_usable, require};
 use crate::tensile_structure::options::{
@@ -262,7 +262,7 @@ fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[
     for &point in sliders {
         let place = || Place::field("boundaries").at(boundary).at(point);
         if let Some(extent) = sliding.on.extent() {
-            // The distance of a point with coordinates that are no numbers is none either.
+            // The distance of a point with coordinates that are not numbers is NaN.
             let distance = extent.distance(points[point]);
             if distance.is_nan() || distance > extent.rounding() {
                 let detail = format!(

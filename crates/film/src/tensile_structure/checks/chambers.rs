@@ -69,7 +69,7 @@ fn check_chamber(structure: &Structure, k: usize, errors: &mut Vec<InputError>) 
     }
 }
 
-/// The chamber below a layer; for the space in front of the first one `None`, as for one that is not closed.
+/// The chamber below a layer; `None` if the space is not closed, as in front of the first layer (`layer` is `None`).
 fn chamber_below(structure: &Structure, layer: Option<usize>) -> Option<usize> {
     structure.chambers.iter().position(|chamber| Some(chamber.below) == layer)
 }

@@ -129,7 +129,7 @@ impl SolverInput {
         }
     }
 
-    /// Compares the reactions and what is not balanced.
+    /// Compares the reactions and the forces that are not balanced.
     fn compare_balance(&self, audit: &mut Audit, on_vertices: &mut [Forces], largest_force: f64) {
         let loads: DVec3 = (0..on_vertices.len()).map(|v| self.net.load(v)).sum();
         let load_scale: f64 = (0..on_vertices.len()).map(|v| self.net.load(v).length()).sum();
@@ -159,7 +159,8 @@ impl SolverInput {
         self.compare_loss(audit);
     }
 
-    /// Compares the loss, unless it has the load path relative to that of a start which does not leave with the net.
+    /// Compares the loss unless it contains the load path, which is relative to that of a start that the result does
+    /// not contain.
     fn compare_loss(&self, audit: &mut Audit) {
         let options = &self.options;
         if options.load_path_weight > 0.0 {

@@ -69,7 +69,7 @@ static ENTRY: Entry = Entry {
     types: Types::of::<CableNetRequest>(),
 };
 
-/// Name of the cable to which the edges that no cable lists belong.
+/// Name of the group of edges that no cable lists.
 const OTHER_EDGES: &str = "other";
 
 /// A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.

@@ -79,7 +79,7 @@ const LARGE_GAP: f64 = 0.05;
 /// Largest fraction of the bound by which rounding, and points that were merged, can make an area less than the bound.
 const ROUNDED: f64 = 1e-6;
 
-/// How far an area is above a bound; `None` for a bound of 0.
+/// Returns the excess of an area over a bound, relative to the bound; `None` for a bound of 0.
 ///
 /// # Errors
 /// [`Error::NoResult`] if the area is below the bound. Either the bound or the area is wrong then, and neither may

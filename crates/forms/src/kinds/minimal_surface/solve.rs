@@ -25,7 +25,8 @@ pub(super) struct SolverInput {
 }
 
 /// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
-/// vertices of a converged film of usual resolution are below it, so that its discretisation is no rainbow.
+/// vertices of a converged film of usual resolution are below it, so that its discretisation error does not use the
+/// whole scale.
 const LEAST_RANGE: f64 = 0.01;
 /// Share of the vertices that are within the default colour scale of the mean curvature, so that the few largest
 /// values, at the corners of the boundary, do not decide about the colours of all others.

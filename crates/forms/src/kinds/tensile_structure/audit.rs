@@ -233,7 +233,8 @@ fn compare_balance(audit: &mut Audit) {
             count += 1;
         }
     }
-    // A part that slides lists its whole force, of which that along its support is not borne.
+    // The force that is listed for a sliding part includes the component along its support, which the support does not
+    // bear.
     let unbalanced =
         audit.stated("/balance/residual_force").unwrap_or(f64::NAN) * audit.contents.mesh.vertices.len() as f64;
     let off = (sum - reactions).length();
