@@ -24,8 +24,8 @@ pub(super) struct JoinedLoops {
 }
 
 impl JoinedLoops {
-    /// Joins boundaries that touch. `None` if the boundaries do not lie in one plane or do not touch, or if the initial
-    /// mesh is not a plane one.
+    /// Joins boundaries that touch. `None` if the boundaries do not lie in one plane or do not touch, or if the options
+    /// ask for an initial mesh other than `auto` and `planar`.
     ///
     /// # Errors
     /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to

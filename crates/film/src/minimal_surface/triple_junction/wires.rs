@@ -117,8 +117,8 @@ impl Rim {
         Self(edges)
     }
 
-    /// The vertices that the mesh has on the segment between two of its vertices, in order. Empty if these edges do not
-    /// lead from one end to the other along the segment.
+    /// The vertices that the mesh has on the segment between two of its vertices, in order. Empty if no path of these
+    /// edges leads from one end to the other along the segment.
     pub fn between(&self, mesh: &Mesh, from: u32, to: u32) -> Vec<u32> {
         let (a, b) = (mesh.vertices[from as usize], mesh.vertices[to as usize]);
         let along = b - a;
