@@ -1,7 +1,7 @@
 //! Minimal surfaces: the least area, or another energy, among the meshes that span closed boundary polygons.
 //!
-//! [`solve`] takes boundary polygons and a resolution, and returns a mesh, its measurements and the reason why the
-//! solver stopped. The boundary never moves; the solver places all other vertices.
+//! The main function is [`solve`]. It takes boundary polygons and a resolution, and returns a mesh with its
+//! measurements and the reason why the solver stopped. The boundary never moves; the solver places all other vertices.
 //!
 //! ```
 //! use plateau_film::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
@@ -119,8 +119,8 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         }
         // A coarser mesh skips points of the boundaries, and may skip those at which they touch.
         Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) if joined.is_none() => {
-            // The theorem of the cone does not cover points that are held inside, nor meshes of the caller, which may
-            // have several parts.
+            // The theorem of the cone does not cover films with fixed points inside, nor a mesh of the caller, which
+            // may have several parts.
             if options.constraints.is_empty()
                 && !matches!(options.initial_mesh, InitialMesh::Given(_))
                 && let Some(parted) = cone::part(boundaries, exec)?
@@ -152,12 +152,12 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     Ok(surface)
 }
 
-/// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is
-/// that of the boundary itself.
+/// Residual above which a film that has not converged is not near a minimal surface: its radius of curvature is then as
+/// small as the boundary.
 const LOST: f64 = 1.0;
 
-/// Refuses the remains of a film that had to connect several boundaries and found no minimal surface that does: it has
-/// collapsed, folded over, or stopped far from any.
+/// Refuses the mesh that is left when the film had to connect several boundaries but the solver found no minimal
+/// surface that does: the mesh has collapsed, folded over, or stopped far from any minimal surface.
 fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     let ended = match statistics.stop_reason {
         StopReason::Collapsed => "collapsed",

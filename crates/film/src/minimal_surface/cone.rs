@@ -12,10 +12,11 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
 /// sinh τ, the slope of the cone's sides, for the solution τ = 1.1996786402577337 of τ tanh τ = 1.
 const SLOPE: f64 = 1.508_879_561_538_319_7;
-/// Largest number of points of a boundary that are examined. The boundary is enlarged by the largest distance of the
-/// others from these.
+/// Largest number of points of a boundary that are examined. The boundary is enlarged by the largest distance of a
+/// point that is left out from the examined point before it.
 const MOST_POINTS: usize = 64;
-/// Largest number of boundaries, because every way to part them is tried: 2ⁿ⁻¹ - 1 for n.
+/// Largest number n of boundaries that are examined, because each of the 2ⁿ⁻¹ - 1 ways to divide them into two parts is
+/// tried.
 const MOST_BOUNDARIES: usize = 6;
 /// First and last step of the search for a cone, as fractions of the radius of all boundaries.
 const FIRST_STEP: f64 = 0.25;
@@ -45,8 +46,9 @@ impl Outline {
 /// Numbers of the boundaries of one part and of the other, which a cone separates.
 pub(crate) type Parted = [Vec<usize>; 2];
 
-/// Parts the boundaries (each with at least one point) by a cone beyond which no connected minimal surface spans them.
-/// `None` if no such cone is found, which proves nothing. More than six boundaries are not looked at.
+/// Looks for a double cone that holds some of the boundaries in one half and the others in the other half, so that no
+/// connected minimal surface spans them. Each boundary must have at least one point. Returns the two parts, or `None`
+/// if no such cone is found, which proves nothing. More than six boundaries are not examined.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -143,8 +145,9 @@ fn distance_apart(parts: &[Vec<&Outline>; 2], origin: DVec3, axis: DVec3) -> f64
             let height = from.dot(axis);
             sense * height - (from - height * axis).length() / SLOPE
         });
-        // A motion towards the nearest point of the cone's side changes this height by at most its length over the
-        // cosine of the side's angle.
+        // The points that are left out lie within `within` of an examined one. Their heights differ from those of the
+        // examined points by at most `within` times sqrt(1 + 1 / sinh² τ), the length of the gradient of
+        // z - r / sinh τ.
         heights.fold(f64::INFINITY, f64::min) - outline.within * (1.0 + SLOPE.powi(-2)).sqrt()
     };
     let least =

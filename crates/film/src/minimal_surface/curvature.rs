@@ -14,11 +14,11 @@ pub struct Curvature {
     pub mean_curvature: Vec<f64>,
     /// See [`Statistics::residual`](super::statistics::Statistics::residual).
     pub residual: f64,
-    /// The residual by which solvers end: forces that are rounding count as zero.
+    /// The residual by which solvers end. Forces of the size of rounding errors count as zero in it.
     pub(super) residual_felt: f64,
     /// See [`Statistics::residual_full`](super::statistics::Statistics::residual_full).
     pub residual_full: f64,
-    /// The residual of those vertices at which it is more than rounding.
+    /// The residual over the vertices at which the force exceeds the rounding that [`force_rounding`] allows.
     pub(super) residual_beyond_rounding: f64,
 }
 

@@ -18,8 +18,8 @@ const BYTES_PER_TRIANGLE_OF_LEAST_SQUARES: f64 = 8_000.0;
 /// Estimates the triangles of the result and the memory that solving takes. O(points).
 ///
 /// The number of triangles is exact if the request is for a number of triangles. For an edge length it is the area of
-/// the fans from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least a
-/// number for each boundary point. It is right within a small factor unless the boundaries are far apart.
+/// the fans from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least 12
+/// for each boundary point. This is right within a small factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate(boundaries: &[Vec<DVec3>], options: &Options) -> Estimate {
     let triangles = triangles(boundaries, options);

@@ -2,13 +2,13 @@
 //! extrapolation).
 //!
 //! If the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the
-//! area of the surface by a multiple of h². With every edge halved the excess is a quarter. The limit is therefore
+//! area of the surface by a multiple of h². Halving every edge divides the excess by four. The limit is therefore
 //! A_fine - (A_coarse - A_fine) / 3, and the error estimate is the whole correction of the finer area.
 //!
 //! At a corner of the polygon where the film has an angle ω above 180° the surface behaves like r^(π/ω), and the excess
-//! tends to fall with h^(2π/ω) only. The limit is then taken in the middle between that of this order and that of h².
-//! The error estimate is twice the correction, because the order can be lower still before it settles (0.9 was seen
-//! where 1.15 is due).
+//! tends to fall with h^(2π/ω) only. The limit is then the mean of the two extrapolations with h^(2π/ω) and with h².
+//! The error estimate is twice the correction, because on coarse meshes the order can be lower still (0.9 was seen
+//! where the theory gives 1.15).
 
 use super::run::ExtrapolatedArea;
 use crate::equilibrium::NormalMotion;
@@ -50,18 +50,18 @@ pub(in crate::minimal_surface) fn order(film: &Film) -> f64 {
     if widest > PI + RE_ENTRANT { TAU / widest } else { 2.0 }
 }
 
-/// The film with every edge halved.
+/// Figures from the film with every edge halved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::minimal_surface) struct Finer {
     pub area: ExtrapolatedArea,
-    /// Its [`Margin`], if it is asked for.
+    /// The [`Margin`] of that film, if it was asked for and could be computed.
     pub margin: Option<f64>,
 }
 
 impl Finer {
     /// Halves the edges of a converged stable film, corrects that mesh, and extrapolates. The top level of `hierarchy`
-    /// is the second variation at the film. `motion` is that of the film's margin, where the finer film's is wanted.
-    /// `None` if the finer mesh cannot be corrected in a few steps.
+    /// is the second variation at the film. `motion` is the motion that gives the film's margin, or `None` if the
+    /// margin of the finer film is not wanted. Returns `None` if the finer mesh cannot be corrected in a few steps.
     ///
     /// # Errors
     /// The interruption.
@@ -99,8 +99,8 @@ impl Finer {
     }
 }
 
-/// The margin at the finest of nested levels, by conjugate gradients over the levels below. `None` if these do not
-/// converge, or if the second variation is not positive definite.
+/// The margin at the finest of nested levels, computed from the estimate `start` of its motion by conjugate gradients
+/// over the levels below. `None` if these do not converge, or if the second variation is not positive definite.
 ///
 /// # Errors
 /// The interruption.

@@ -74,8 +74,8 @@ impl InitialMeshKind {
 }
 
 /// A film between the boundaries (centred, without equal neighbours), and how it was made. Its triangles run along the
-/// first boundary in the direction of the boundary. The point with which the list of a boundary begins only decides the
-/// numbers of its vertices.
+/// first boundary in the direction of the boundary. The point with which the list of a boundary begins affects only the
+/// numbers of the vertices.
 ///
 /// Three and more boundaries of a film in space can be laid out in the plane in several ways, of which `arrangement`
 /// asks for one by its number. Without a number the initial mesh of least area is taken among those that do not cross
@@ -106,8 +106,8 @@ pub(super) fn build(
     Ok((start, kind))
 }
 
-/// Meshes the boundaries. `as_given` are the same boundaries with the first points of the input, whose numbers errors
-/// name.
+/// Meshes the boundaries. `as_given` are the same boundaries as the caller numbers their points; errors name these
+/// numbers.
 fn spanning(
     boundaries: &[Vec<DVec3>],
     as_given: &[Vec<DVec3>],
@@ -169,9 +169,9 @@ pub(super) fn arrangements(boundaries: &[Vec<DVec3>]) -> usize {
     if boundaries.len() > 2 { Shape::arrangements(boundaries).len() } else { 0 }
 }
 
-/// Meshes a disc, an annulus or a sphere with holes and maps it into space. Of the ways to lay out the boundaries the
-/// one that is asked for is taken, or the most trusted of those whose mesh has about the least area without crossing
-/// itself.
+/// Meshes a disc, an annulus or a sphere with holes and maps it into space. If no `arrangement` is asked for, the
+/// layout of the boundaries is chosen whose mesh has the least area without crossing itself. Among nearly equal areas
+/// the more trusted layout is preferred.
 fn curved(
     boundaries: &[Vec<DVec3>],
     as_given: &[Vec<DVec3>],
@@ -201,8 +201,8 @@ fn curved(
                 continue;
             }
         };
-        // The one of least area among those that do not cross themselves is nearest to a film, and the choice stays
-        // the same when rounding decides whether a larger one crosses itself.
+        // Among the meshes that do not cross themselves, the one of least area is nearest to a film. Meshes of larger
+        // area are not examined for crossings, so that rounding in these tests cannot change the choice.
         let area = start.film.area();
         let is_less = least.as_ref().is_none_or(|(least, _)| area < (1.0 - SIMILAR_AREA) * least);
         if !is_less || !is_in_one_piece(&start.film) {
@@ -222,7 +222,7 @@ fn curved(
     Ok((start, kind))
 }
 
-/// The plane of boundaries that all lie in one, if they do.
+/// The common plane of the boundaries. `None` if they do not all lie in one plane.
 pub(super) fn plane_of(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
     best_plane(boundaries).filter(|frame| largest_height(frame, boundaries) <= FLAT * extent(boundaries))
 }
@@ -305,7 +305,8 @@ fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
 /// Largest distance, as a fraction of the boundaries' extent, at which sides touch when they are seen in their plane.
 const TOUCHING: f64 = 1e-12;
 
-/// The two points from which the first sides start that meet when they are seen in a plane, or none.
+/// The start points of the first two sides that meet when they are projected onto a plane, as the places of an error.
+/// Empty if no sides meet.
 fn crossing_places(
     boundaries: &[Vec<DVec3>],
     frame: &Frame,

@@ -1,14 +1,15 @@
-//! A solved film that follows its boundary while a user drags it. The mesh and the factors of the solve are kept.
+//! A solved film that follows its boundary while a user drags it. The mesh and two matrix factors are kept between the
+//! moves.
 //!
 //! 1. The boundary takes its new places, and the interior follows harmonically: L d = -L_free,fixed d_fixed, with the
 //!    cotangent Laplacian L of the film as it was solved. L is factorised once. The vertices' distribution within the
 //!    surface therefore depends on the place of the boundary only, not on its way there.
 //! 2. A few Newton steps in normal heights ([`newton`](crate::equilibrium::newton)) correct the heights, up to
 //!    [`PREVIEW_TOLERANCE`]. Their systems are solved by conjugate gradients, which an earlier factor of the second
-//!    variation preconditions. The factor is renewed when they become slow.
+//!    variation preconditions. The factor is renewed when the conjugate gradients converge slowly.
 //!
-//! The result is a preview: its heights are those of the minimal surface over the moved mesh to the preview's
-//! tolerance, and a solve of the same boundary makes a mesh of its own.
+//! The result is a preview: its heights agree with the minimal surface to the preview's tolerance. A solve of the same
+//! boundary would build another mesh.
 
 use super::harmonic::too_large;
 use super::options::{Constraints, InitialMesh, Method, Newton, Options, TopologyRule};
@@ -25,10 +26,11 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, measure, polylin
 /// Residual to which a preview is corrected, unless the request's tolerance is larger. The heights are then right to
 /// about 1e-4 of the boundary's radius, which is less than a pixel.
 const PREVIEW_TOLERANCE: f64 = 1e-4;
-/// Largest number of Newton steps of one move. A move usually takes one or two; more of them cost as much as a solve.
+/// Largest number of Newton steps of one move. A move usually takes one or two. More than four steps would cost as much
+/// as a solve.
 const MOST_STEPS: u32 = 4;
-/// Largest number of conjugate gradients with one factor. A step that needs more renews the factor, which costs about
-/// as much as this many of them.
+/// Largest number of iterations of conjugate gradients with a factor of an earlier matrix. A step that needs more
+/// renews the factor, which costs about as much as this many iterations.
 const MOST_ITERATIONS: usize = 12;
 /// A moved film is not used if its smallest angle falls below this fraction of the kept film's.
 const LEAST_ANGLE: f64 = 0.5;
@@ -48,7 +50,7 @@ pub struct KeptFilm {
     /// The film at its last place, relative to `centre`.
     film: Film,
     centre: DVec3,
-    /// The input points at their last places, as they were given.
+    /// The input points at their last places, not centred.
     points: Vec<DVec3>,
     /// Number of input points of each boundary.
     counts: Vec<usize>,
@@ -59,7 +61,7 @@ pub struct KeptFilm {
     /// The entries of L between a free and a fixed vertex: the row, the fixed vertex, the entry.
     couplings: Vec<(u32, u32, f64)>,
     matrix: SymmetricMatrix,
-    /// Factor of a second variation.
+    /// Factor of the second variation at this or an earlier place. It preconditions the conjugate gradients.
     factor: Vec<f64>,
     settings: Settings,
     least_angle: f64,
@@ -229,8 +231,8 @@ impl KeptFilm {
     }
 }
 
-/// The places of the vertices that were added on the boundaries. `None` if the loops are not those of a film whose
-/// boundaries have distinct points and do not touch: each then begins at its first input point.
+/// The places of the vertices that were added on the boundaries. `None` if a loop does not begin at its first input
+/// point and run through the others in order, because then the boundary touches itself or another one.
 fn places(mesh: &Mesh, loops: &[Vec<u32>], boundaries: &[Vec<DVec3>]) -> Option<Vec<Added>> {
     let mut added = Vec::new();
     let mut first = 0;
@@ -286,7 +288,7 @@ fn positive_factor(symbolic: &Symbolic, matrix: &SymmetricMatrix, storage: Vec<f
     factorisation.inertia().is_positive_definite().then(|| factorisation.into_storage())
 }
 
-/// Newton's step by conjugate gradients with the factor of an earlier matrix.
+/// Newton's step by conjugate gradients, preconditioned with the factor of an earlier matrix.
 struct KeptFactor<'a> {
     symbolic: &'a Symbolic,
     matrix: &'a mut SymmetricMatrix,

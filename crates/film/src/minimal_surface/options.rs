@@ -135,7 +135,7 @@ impl Solver {
     }
 }
 
-/// Objective and solver: a variant for each solver, with that solver's own options.
+/// Objective and solver, with a variant for each solver that has that solver's own options.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Method {
     /// Least area by Newton's method. It is the default and the fastest, and it also computes the Morse index.
@@ -253,8 +253,9 @@ impl Default for PinkallPolthier {
 pub struct LiuWang {
     /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
     pub tolerance: f64,
-    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper. Off by default:
-    /// the half ring of a boundary vertex does not cancel, so that the film is pulled off the surface.
+    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper. Off by default,
+    /// because a boundary vertex has only half a ring of triangles, so that its curvature does not vanish on a minimal
+    /// surface. The film would be pulled off that surface.
     pub boundary_curvature: bool,
     /// The seed that chooses the candidate points of the initial mesh, if [`InitialMesh::Auto`] stands for
     /// [`InitialMesh::Barycentres`].
@@ -322,7 +323,8 @@ pub enum InitialMesh {
     /// The most suitable of the others. The statistics name it.
     #[default]
     Auto,
-    /// Delaunay triangles in the plane in which the boundaries enclose most. Their projection must be simple.
+    /// Delaunay triangles in the plane in which the boundaries enclose the largest area. Their projection onto it must
+    /// be simple.
     Planar,
     /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
     Disk,
@@ -426,7 +428,7 @@ pub struct Options {
     pub slides: bool,
 }
 
-/// Limits that end every solver.
+/// Limits that apply to every solver.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     /// The residual at which the surface counts as converged.
@@ -472,7 +474,8 @@ impl Options {
         }
     }
 
-    /// The seed of the barycentres, if the initial mesh for so many boundaries is made of them.
+    /// The seed of the candidate points, if the initial mesh for this number of boundaries is one of
+    /// [`InitialMesh::Barycentres`]. `None` for other initial meshes.
     pub(crate) fn barycentres(&self, boundaries: usize) -> Option<u64> {
         match (&self.initial_mesh, &self.method) {
             (InitialMesh::Barycentres { seed }, _) => Some(*seed),

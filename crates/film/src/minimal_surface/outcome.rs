@@ -33,8 +33,8 @@ pub struct MinimalSurface {
     /// coordinates; then points added on the boundaries; then the interior.
     pub mesh: Mesh,
     /// Each boundary as a loop of mesh vertices, in the input's direction, added points included. Where boundaries
-    /// touch, the mesh has a vertex for each of them at the same place, and an edge of the loop may begin or end at
-    /// another one of these.
+    /// touch, the mesh has a vertex for each of them at the same place, and an edge of a loop may begin or end at the
+    /// vertex of another boundary.
     pub boundaries: Vec<Vec<u32>>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
@@ -55,7 +55,7 @@ pub struct MinimalSurface {
 /// 0.99 of the largest distance.
 const NEAR_CRITICAL: f64 = 0.2;
 
-/// A warning where a small change of the boundary may leave no such film.
+/// The warning about a stable film near its limit, because after a small change of the boundary it may not exist.
 fn near_critical(statistics: &Statistics) -> Option<Warning> {
     let margin = statistics.stability?.margin.filter(|&margin| margin < NEAR_CRITICAL)?;
     let detail = format!(
@@ -164,11 +164,13 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
     }
 }
 
-/// A fixed point at which the film pulls by more than this fraction of what all edges around it can bear counts as
-/// holding the film. A film that passes through the point pulls by its curvature times the edge length.
+/// A fixed point counts as holding the film if the pull of the film on it exceeds this fraction of the largest possible
+/// pull, which the triangles at the point would exert if all of them pulled in the same direction. If the film passes
+/// smoothly through the point, the fraction is only about its curvature times the edge length.
 const HOLDS: f64 = 0.1;
 
-/// The warning that single points hold the film: the area of a thread is zero, so that only the mesh shows it.
+/// The warning that single points hold the film. A smooth film would reach such a point by a thread of no area, so the
+/// shape around the point is an effect of the mesh.
 fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
     if points.is_empty() {
         return None;
@@ -219,7 +221,8 @@ pub(super) fn finish(
     let topology = film.mesh().check().map_err(|defect| {
         Error::no_result(Reason::InvalidMesh, format!("the solver left a mesh that is no oriented manifold ({defect})"))
     })?;
-    // The statistics are those of the mesh that leaves only if every boundary point stands at its place already.
+    // The statistics are measured before the boundary points are set to the given coordinates. They hold for the
+    // returned mesh only if every boundary point is already at its place.
     if let Some(k) = input.centred.iter().flatten().zip(&film.vertices).position(|(point, vertex)| point != vertex) {
         return Err(Error::no_result(Reason::InvalidMesh, format!("the solver moved boundary point {k} of the input")));
     }
@@ -256,7 +259,7 @@ pub(super) fn finish(
         }));
     }
     warnings.extend(near_critical(&statistics));
-    // The loops of a film over joined boundaries run from one of them to another where they touch.
+    // Where joined boundaries touch, a loop of the film passes from one boundary to the other.
     let boundaries = match joined {
         Some(_) => own_boundaries(&film, &input.centred)?,
         None => film.boundaries.clone(),

@@ -76,8 +76,8 @@ impl Input {
         if !errors.is_empty() {
             return Err(Error::Input(errors));
         }
-        // The sum runs from points that the boundaries choose. Otherwise the rounding of the centre would depend on the
-        // points with which the lists begin, and remeshing would turn that into other triangles.
+        // The sum begins at a point of each boundary that its shape determines. Otherwise the rounding of the centre
+        // would depend on the points with which the lists begin, and remeshing would then give other triangles.
         let centre = polyline::mean(&turned(&given).0.concat());
         let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
         Ok(Self { centre, given, centred, vertices, sources, dropped })
@@ -93,13 +93,14 @@ impl Input {
         merged.into_iter().chain(shared).collect()
     }
 
-    /// The first point that two boundaries have in common, on the later one, with what a caller should know.
+    /// The first point that two boundaries have in common, with an explanation for the caller. The place is that of the
+    /// point on the later boundary.
     pub fn shared_point(&self) -> Option<InputError> {
         let ([k, i], detail) = self.shared()?;
         Some(InputError::new(Place::field("boundaries").at(k).at(i), detail))
     }
 
-    /// The boundary and the number of this point, and what a caller should know.
+    /// The later boundary, the number of the shared point on it, and the explanation for the caller.
     fn shared(&self) -> Option<([usize; 2], String)> {
         let mut owners = std::collections::BTreeMap::new();
         let (mut first, mut count) = (None, 0);

@@ -110,8 +110,9 @@ pub struct Stability {
     /// Method that gave the index.
     pub method: StabilityMethod,
     /// Distance of a stable surface from the edge of stability: the least ratio of the second variation to its part
-    /// without curvature, over all motions. 1 for a flat film, 0 at the edge, without a unit. It is that of the smooth
-    /// surface where two meshes tell it. `None` for unstable surfaces. It is not serialised.
+    /// without curvature, over all motions. 1 for a flat film, 0 at the edge, without a unit. If the film was compared
+    /// with a finer one, this is an estimate for the smooth surface. `None` for unstable surfaces, and if it could not
+    /// be computed. It is not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub margin: Option<f64>,
 }
@@ -163,7 +164,7 @@ impl ExtrapolatedArea {
     }
 }
 
-/// One way to span the boundaries.
+/// A way to span the boundaries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningTopology {
     /// The sets of boundaries that are each spanned by a connected film, by their numbers, ascending.
@@ -181,7 +182,9 @@ pub struct SpanningTopology {
 /// The films that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningComparison {
-    /// Sorted by area. Topologies without an area come last.
+    /// Topologies solved at the full size come before those that were solved on coarse meshes only. Each group is
+    /// sorted: first the topologies whose films do not cross, then those whose films cross, each by area, and last
+    /// those without an area.
     pub topologies: Vec<SpanningTopology>,
     /// Whether a film that connects all boundaries holds.
     pub connected_film_exists: bool,

@@ -11,7 +11,7 @@ pub(crate) struct SolvedFilm {
     pub film: Film,
     /// How its initial mesh was made.
     pub kind: InitialMeshKind,
-    /// The layout of its boundaries in the plane, where one was asked for.
+    /// The number of the layout of its boundaries in the plane, if a layout was asked for.
     pub arrangement: Option<usize>,
     /// Area of the initial mesh.
     pub initial_area: f64,
@@ -19,8 +19,8 @@ pub(crate) struct SolvedFilm {
 }
 
 impl SolvedFilm {
-    /// Whether it is a stable minimal surface: the solver converged, the Morse index is not above 0, and no triangle is
-    /// flipped or degenerate.
+    /// Whether the film counts as a stable minimal surface: the solver converged, no eigenvalue of the second variation
+    /// is negative beyond rounding, and no triangle is flipped or degenerate.
     pub fn holds(&self) -> bool {
         let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
         let is_degenerate = |&triangle: &[u32; 3]| measure::is_degenerate(self.film.corners(triangle));

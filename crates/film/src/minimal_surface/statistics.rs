@@ -100,7 +100,8 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// The warning that the surface does not count as converged, and why. The solver ended by `residual_felt`.
+    /// The warning that the surface does not count as converged, with the reasons. `residual_felt` is the residual by
+    /// which solvers end (see [`Curvature`]).
     pub(super) fn not_converged(&self, residual_felt: f64, tolerance: f64) -> Warning {
         let mut reasons = Vec::new();
         if !self.stop_reason.meets_the_rule_of(self.solver, residual_felt, tolerance) {
@@ -174,7 +175,8 @@ pub(super) fn collect(
         residual: measured.residual,
         residual_full: measured.residual_full,
         converged,
-        // The residual alone does not show a fold: a run that ended by it on such a mesh is held up there.
+        // The residual does not show flipped or degenerate triangles. A run that ended by its residual on a mesh with
+        // such triangles counts as stalled.
         stop_reason: match run.stop_reason {
             StopReason::Residual if !converged => StopReason::Stalled,
             other => other,

@@ -24,7 +24,8 @@ pub(super) struct JoinedLoops {
 }
 
 impl JoinedLoops {
-    /// `None` if the boundaries do not lie in one plane, or do not touch there.
+    /// Joins boundaries that touch. `None` if the boundaries do not lie in one plane or do not touch, or if the options
+    /// ask for an initial mesh other than `auto` and `planar`.
     ///
     /// # Errors
     /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to
@@ -69,7 +70,8 @@ impl JoinedLoops {
         Ok(Some(loops))
     }
 
-    /// A film over the loops with the vertices of the input's points first, in their order and at their places.
+    /// Renumbers the vertices of a film over the loops so that those of the input's points come first, in input order,
+    /// and sets these vertices to exactly the centred points.
     pub fn restore(&self, solved: &mut SolvedFilm, input: &Input) {
         let film = &solved.film;
         let place: Vec<u32> =
@@ -87,8 +89,8 @@ impl JoinedLoops {
             .for_each(|(vertex, &point)| *vertex = point);
     }
 
-    /// The points that were added on the boundaries, for a mesh that stands where the input does. `centred` are its
-    /// vertices before they were moved there.
+    /// Sets the vertices that were added on the boundaries to exactly the points of the input at the same places.
+    /// `mesh` is at the position of the input, and `centred` are its vertices relative to the centre.
     pub fn place_added(&self, mesh: &mut Mesh, centred: &[DVec3]) {
         for (vertex, &point) in mesh.vertices.iter_mut().zip(centred) {
             if let Some(&given) = self.given.get(&position_key(point)) {
@@ -98,15 +100,15 @@ impl JoinedLoops {
     }
 }
 
-/// Each of the input's boundaries as a loop of vertices along border edges of a film over joined loops. Its points have
-/// the first numbers.
+/// Returns each of the input's boundaries as a loop of vertices along border edges of a film over joined loops. The
+/// first vertices of the film are the points of the boundaries, in order.
 ///
 /// # Errors
 /// `invalid_mesh` if the border does not lead from each point to the next one.
 pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<Vec<Vec<u32>>, Error> {
     let position = |v: u32| film.vertices[v as usize];
     let key = |v: u32| position_key(position(v));
-    // The border's edges in both directions, and its vertices, by the place where they begin.
+    // The border's edges in both directions, and its vertices, sorted by the position of their (first) vertex.
     let mut edges: Vec<([u64; 3], u32)> = Vec::new();
     let mut vertices: Vec<([u64; 3], u32)> = Vec::new();
     for rim in &film.boundaries {
@@ -132,7 +134,7 @@ pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<V
         for k in 0..count {
             let (mut here, target) = (first + k, first + (k + 1) % count);
             rim.push(here);
-            // No boundary has more edges than the border.
+            // The number of passes is bounded, because no boundary has more edges than the border.
             for _ in 0..edges.len() {
                 let way = (position(target) - position(here)).normalize_or_zero();
                 let cosine = |v: u32| (position(v) - position(here)).normalize_or_zero().dot(way);
@@ -142,7 +144,8 @@ pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<V
                     here = target;
                     break;
                 }
-                // Of several vertices at a place the boundary's own one is none of the input's points.
+                // If several vertices lie at this place, this boundary takes an added one that no boundary has taken
+                // yet, because the input's points at the place belong to other boundaries.
                 let is_own = |v: &u32| *v >= points && !is_taken[*v as usize];
                 here = from(&vertices, key(next)).into_iter().find(is_own).unwrap_or(next);
                 is_taken[here as usize] = true;

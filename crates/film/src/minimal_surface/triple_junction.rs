@@ -47,13 +47,15 @@ use wires::Wires;
 
 /// Largest number of Newton steps and harmonic solves of a run if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
-/// Number of Newton steps before each remeshing, and largest number of such rounds.
+/// Largest number of Newton steps before each remeshing of step 3.
 const STEPS_PER_ROUND: u32 = 4;
+/// Largest number of rounds in step 2, and again in step 3.
 const ROUNDS: u32 = 10;
-/// Rounds end when the residual is below this and no edge was flipped.
+/// The rounds of step 3 end when the residual is below this and the remeshing flipped no edge.
 const SETTLED: f64 = 1e-2;
-/// Number of harmonic solves before each remeshing, and relative change of area at which those rounds end.
+/// Number of harmonic solves before each remeshing of step 2.
 const SOLVES_PER_ROUND: u32 = 3;
+/// The rounds of step 2 end when one of them changes the area by less than this fraction.
 const SETTLED_AREA: f64 = 1e-4;
 /// Number of sweeps of each remeshing.
 const SWEEPS: u32 = 4;
@@ -253,7 +255,8 @@ impl<'a> JunctionSolver<'a> {
         Ok(swapped)
     }
 
-    /// Newton steps on the present mesh. In the last phase also the Morse index, if the steps reach the tolerance.
+    /// Makes Newton steps on the present mesh. If the steps of the last phase reach the tolerance, the Morse index is
+    /// computed too.
     fn newton(
         &mut self,
         film: &mut JunctionFilm,
@@ -303,7 +306,8 @@ struct Balance {
     residual: f64,
     /// The residual of these vertices with the whole gradient, tangential part included.
     residual_full: f64,
-    /// The residual of the junctions: |g⊥| / ℓ with half the length ℓ of the junction edges at the vertex.
+    /// The residual of the junctions: |g⊥| / ℓ, where g⊥ is the part of the area gradient in the directions in which
+    /// the vertex may move, and ℓ is half the length of the junction edges at the vertex.
     junction_residual: f64,
 }
 

@@ -27,7 +27,7 @@ const VERTICAL: f64 = 1e-6;
 /// grows with the height by the weight per length. `None` for other cables, and for modes that leave its force open.
 ///
 /// # Errors
-/// The least value for which no part of the cable would have to push.
+/// The bound on the cable's value beyond which a part of the cable would have to push.
 pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<Result<f64, TooSmall>> {
     let span = ends[1] - ends[0];
     let length = span.length();
@@ -79,10 +79,10 @@ pub(super) struct Catenary {
     rise: f64,
 }
 
-/// No catenary between two points has the given force.
+/// No cable that only pulls hangs between two points with the given value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TooSmall {
-    /// The least value for which there is one.
+    /// The least value for which there is such a cable. If the value is an unstressed length, this is the largest one.
     pub least: f64,
 }
 

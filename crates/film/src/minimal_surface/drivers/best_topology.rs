@@ -3,18 +3,19 @@
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
 //!    default solver solves it from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
 //!    leaves unstable surfaces. Where it converges to a surface that does not hold or passes through itself, it also
-//!    solves from each way to lay out the boundaries in the disc. The film *holds* if it converged, is stable, is
-//!    connected and has no flipped triangle. Of those that hold the one of least area counts, and one that passes
-//!    through itself only if all do. Boundaries that a [cone](crate::minimal_surface::cone) parts are not tried,
-//!    because no connected film spans them.
+//!    solves from each way to lay out the boundaries in the disc. A film *holds* if it converged, is stable, is
+//!    connected and has no flipped triangle. Of the films of a set that hold, the one of least area is taken. A film
+//!    that passes through itself is taken only if all of them do. Sets of boundaries that a
+//!    [cone](crate::minimal_surface::cone) separates are not tried, because no connected film spans them.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
 //!    partitions are compared on coarse meshes, and those near the least area again at the full size. Partitions
 //!    whose films pass through themselves or each other come after all others, whatever their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
-//!    their centroids until one does. They are then moved apart in ever shorter steps, each from the last film. The
-//!    result is the largest fraction of the gap at which a film holds, or the film itself if the full gap is reached.
+//!    their centroids until a connected film holds. They are then moved apart again in steps, each from the film of the
+//!    step before. A step at which no film holds is halved. The result is the largest fraction of the gap at which a
+//!    film holds, or the film itself if the full gap is reached.
 //!
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
@@ -44,26 +45,29 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 /// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
 /// for six there are 203 partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// Accuracy of the largest fraction of a gap at which a connected film holds. Halving it costs one more solve.
+/// Accuracy of the largest fraction of a gap at which a connected film holds. Halving this value costs about one more
+/// solve.
 const GAP_RESOLUTION: f64 = 1e-3;
-/// Largest number of times that the gap is halved to find a first film.
+/// Largest number of times that the gap is halved to find a first film, down to 1/256 of the full gap.
 const HALVINGS: u32 = 8;
 
-/// Number of triangles at which topologies are compared, if more are asked for. Those that come near the least area are
-/// then solved at the full size.
+/// Number of triangles of the coarse meshes on which topologies are compared if more than twice as many triangles are
+/// asked for. The topologies near the least area are then solved at the full size. Boundaries of many points have
+/// larger coarse meshes: at least twice [`TRIANGLES_PER_POINT`] triangles for each point.
 const COMPARED_TRIANGLES: usize = 2_000;
-/// Fraction by which areas may exceed the least one and still count as near it. The error of a mesh of
-/// [`COMPARED_TRIANGLES`] is about a tenth of this.
+/// Fraction by which an area may exceed the least one and still count as near it. The relative error of the area of a
+/// mesh of [`COMPARED_TRIANGLES`] is about a tenth of this.
 const CONTENDS: f64 = 5e-3;
 /// Relative difference of areas below which two films count as equally large. It is above rounding.
 const EQUAL_AREA: f64 = 1e-9;
-/// Least number of triangles of a film for each of its boundary points, unless fewer are asked for altogether.
+/// Least number of triangles of a film for each of its boundary points, unless fewer are asked for in total.
 const TRIANGLES_PER_POINT: usize = 3;
-/// Fraction of the tolerance to which a film is solved that spans some of the boundaries only. The mean of a film's
-/// boundary vertices, about which its radius is measured, differs a little from that of the points.
+/// Safety factor on the tolerance of a film that spans only some of the boundaries. It is below 1 because the tolerance
+/// is converted by the radius of the input points, while the film's residual is measured with the radius of its
+/// boundary vertices, which differs a little.
 const MARGIN: f64 = 0.5;
-/// Smallest radius of a film over some of the boundaries that counts, as a fraction of the radius of all boundaries.
-/// The residual that a smaller film would need is below rounding.
+/// Lower bound of the ratio by which the tolerance of such a film is multiplied: its radius over the radius of all
+/// boundaries. A smaller ratio would ask for a residual below rounding.
 const SMALLEST_PART: f64 = 1e-4;
 
 impl SpanningComparison {
@@ -99,7 +103,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
         return Err(Error::input(Place::field("topology"), detail));
     }
-    // The boundaries choose their order, so that the client's order does not change the films.
+    // The boundaries are sorted by their shapes, so that the client's order does not change the films.
     let order = order_of(given);
     let boundaries: &[Vec<DVec3>] = &order.iter().map(|&k| given[k].clone()).collect::<Vec<_>>();
     let full = SpanningProblem::new(boundaries, options.clone());
@@ -157,9 +161,9 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     Ok(SolvedFilm { film, kind: chosen[0].kind, arrangement: None, initial_area, run })
 }
 
-/// Solves the topologies whose areas differ by less than the error of the coarse meshes at full size. If none of their
-/// films holds there, the next ones are solved. `parts` become the films at full size, and they come first among the
-/// `compared`.
+/// Solves at the full size the topologies whose areas on the coarse meshes are within [`CONTENDS`] of the least one. If
+/// none of these topologies holds at the full size, the next ones are solved, and so on. Afterwards `parts` are the
+/// films at the full size, and the topologies made of them come first among `compared`.
 fn solve_contenders(
     full: &SpanningProblem,
     share: f64,
@@ -197,7 +201,8 @@ fn solve_contenders(
     Ok(())
 }
 
-/// The sum of the extrapolated areas of films, if each has one. A film without a free vertex is a plane disc.
+/// The sum of the extrapolated areas of films, if each has one. The area of a film without a free vertex counts as
+/// exact.
 fn extrapolated(films: &[&SolvedFilm]) -> Option<ExtrapolatedArea> {
     films.iter().try_fold(ExtrapolatedArea { area: 0.0, error_estimate: 0.0 }, |sum, part| {
         let exact = ExtrapolatedArea { area: part.film.area(), error_estimate: 0.0 };
@@ -210,16 +215,18 @@ fn extrapolated(films: &[&SolvedFilm]) -> Option<ExtrapolatedArea> {
 
 /// The films over sets of boundaries.
 struct Parts {
-    /// For each set its film, if one holds. A disc need not hold.
+    /// For each set of boundaries (see [`set_of`]) its film, or `None` if none was found that holds. The disc over a
+    /// single boundary is kept even if it does not hold.
     films: Vec<Option<SolvedFilm>>,
     interrupted: bool,
-    /// Why a boundary bounds no disc.
+    /// The error of the first boundary that bounds no disc.
     without_disc: Option<Error>,
     largest_gap_fraction: Option<f64>,
 }
 
 impl Parts {
-    /// The partitions with their areas, the least one first.
+    /// Returns the partitions with their areas in this order: first those whose films do not cross, then those whose
+    /// films do, each sorted by area, and last those without an area.
     fn compared(&self, partitions: &[Vec<u32>], exec: &Execution) -> Result<Vec<SpanningTopology>, Error> {
         let mut crosses_itself = Vec::with_capacity(self.films.len());
         for part in &self.films {
@@ -241,7 +248,8 @@ impl Parts {
             let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
             let known = a.area.is_none().cmp(&b.area.is_none());
             let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
-            // A connected film with the area of separate ones is these with tubes of no area between them.
+            // Between equal areas the partition into more films comes first, because a connected film of the same area
+            // consists of the separate films and of tubes without area between them.
             by_area.then(b.films.len().cmp(&a.films.len())).then(a.films.cmp(&b.films))
         };
         compared.sort_by(order);
@@ -249,12 +257,13 @@ impl Parts {
     }
 }
 
-/// Whether a film holds and is connected. The mesh in a plane over boundaries beside each other consists of discs.
+/// Whether a film holds and is connected. A plane mesh over boundaries that lie beside each other is not connected: it
+/// consists of discs.
 fn spans(film: &SolvedFilm) -> bool {
     film.holds() && film.film.topology.components() == 1
 }
 
-/// Whether a film meets itself. Past the deadline that is not looked for any more.
+/// Whether a film meets itself. After the deadline the answer is false, because the search is left out.
 fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
     match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
         Err(Interruption::DeadlinePassed) => Ok(false),
@@ -325,8 +334,8 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Steps 1 and 4 for some sets. Each begins from the initial mesh of the film that `coarse` has of it, or from all
-    /// of them.
+    /// Steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an initial mesh of
+    /// the kind that led to this film. Otherwise it is solved from all initial meshes.
     fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =
@@ -368,9 +377,10 @@ impl<'a> SpanningProblem<'a> {
         Ok(parts)
     }
 
-    /// The options for a set of boundaries: its share of the resolution is that of its length, and at least
-    /// [`TRIANGLES_PER_POINT`], because a film without enough triangles for its own points has no mesh. Its tolerance
-    /// is that of the whole film, whose residual is measured by the radius of all boundaries.
+    /// The options for a set of boundaries. The number of triangles is divided in proportion to the lengths of the
+    /// boundaries, with at least [`TRIANGLES_PER_POINT`] for each point, because a film has no mesh without enough
+    /// triangles for its own points. The tolerance falls with the radius of the set, because the residual of the whole
+    /// result is measured with the radius of all boundaries.
     fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
         let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
         let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -552,8 +562,8 @@ fn start_of(kind: InitialMeshKind) -> InitialMesh {
     }
 }
 
-/// The film with its second boundary moved by `shift`. Every other vertex moves by the fraction that its distances to
-/// the two boundaries give.
+/// The film over two boundaries with the second one moved by `shift`. An interior vertex at the distances d and e from
+/// the first and the second boundary moves by `shift` times d / (d + e).
 fn moved_apart(film: &Film, shift: DVec3) -> Film {
     let mut moved = film.clone();
     let mut part = vec![None; film.vertices.len()];

@@ -3,12 +3,12 @@
 //!
 //! 1. Iterate by Pinkall and Polthier with the rules until a neck closes (then start this step again) or the area
 //!    changes little.
-//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have taken triangles out, two thirds of
-//!    them along a long neck: if too few are left, the copy is first brought back to the number of the initial mesh. If
-//!    the solver reaches a stable film with a small residual, that is the result.
-//! 3. Otherwise the film only lingers where a minimal surface almost exists. Continue step 1 to a much smaller change
-//!    of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start step 1
-//!    again. If no neck closes after that either, return what the default solver reached, not converged.
+//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have removed triangles, along a long neck
+//!    two thirds of them. If too few are left, the copy is first remeshed to the number of triangles of the initial
+//!    mesh. If the solver reaches a stable film with a small residual, that is the result.
+//! 3. Otherwise the film shrinks slowly because a minimal surface almost exists. Continue step 1 to a much smaller
+//!    change of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start
+//!    step 1 again. If no neck closes after that either, return the film of the default solver as not converged.
 
 use crate::minimal_surface::options::{FreeTopology, Limits, OnUnstable, PinkallPolthier, Solver};
 use crate::minimal_surface::run::{Record, Run, StopReason};
@@ -32,14 +32,14 @@ const AT_REST: f64 = 1e-9;
 const MOST_UNFOLDINGS: u32 = 3;
 /// Triangles with an angle below this (radians) are removed in a round that removes flipped triangles.
 const NEEDLE: f64 = 0.15;
-/// Step 2 starts with new triangles if fewer than this fraction of the initial mesh are left.
+/// Step 2 remeshes the film first if fewer than this fraction of the triangles of the initial mesh are left.
 const FEW: f64 = 0.8;
-/// Number of passes that bring the number of triangles back.
+/// Largest number of passes of this remeshing.
 const REFILL_PASSES: u32 = 12;
 /// Number of times that every free vertex is averaged in a round that removes flipped triangles.
 const UNFOLDING_SWEEPS: u32 = 50;
 
-/// Steps 1 to 3 on a film. The report counts the solves of steps 1 and 2.
+/// Steps 1 to 3 on a film. The returned [`Run`] counts the solves of steps 1 and 2.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.

@@ -47,7 +47,8 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Smallest number of triangles of the coarse mesh, which has at most four times as many.
+/// Smallest number of triangles of the coarse mesh. The first plan takes as many levels as this allows (at most 12),
+/// each of which divides the number of triangles by four.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
 /// Smallest number of triangles of the coarse mesh per boundary vertex.
 const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
@@ -61,8 +62,8 @@ const MIDDLE_TOLERANCE: f64 = 1e-3;
 const INERTIA_TRIANGLES: usize = 250_000;
 /// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh.
 const LONG_EDGE: f64 = 1.6;
-/// Number of sweeps in which all vertices of the finest mesh slide. Its triangles are halves of good ones, so that it
-/// needs fewer sweeps than the coarser meshes.
+/// Number of sweeps in which all vertices of the finest mesh slide. It is smaller than for a mesh that is solved
+/// directly, because the triangles of the finest mesh are quarters of good ones.
 const FULL_SWEEPS: u32 = 1;
 /// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
 /// converge.
@@ -80,7 +81,7 @@ pub(crate) fn solve(
     on_unstable: OnUnstable,
     exec: &Execution,
 ) -> Result<Option<SolvedFilm>, Error> {
-    // A polygon of fewer points may bound no film where the whole polygon does. The next plan keeps more points.
+    // A coarse polygon may bound no film although the polygon of all points does. The next plan keeps more points.
     for plan in Plan::from_coarse(boundaries, options) {
         if let Some(solved) = follow(&plan, boundaries, options, arrangement, on_unstable, exec)? {
             return Ok(Some(solved));
@@ -157,7 +158,8 @@ fn climb(
         return Ok(None);
     }
     let Some(margin) = coarse.margin else { return Ok(None) };
-    // A calm film exists. The margin of any other one is compared on the coarsest and the finest level.
+    // A film far from the edge of stability needs no further check. For any other film the margins on the coarsest and
+    // on the finest level are compared.
     let calm = is_calm(film, margin.value);
     let mut mode = coarse.lowest.vector;
     let mut margin_motion = margin.motion;
@@ -182,7 +184,7 @@ fn climb(
         solve.exec.look(work)?;
         let slides = slides && last;
         if slides {
-            // The correction that follows makes the motion along the normals good, too.
+            // Sliding also changes the heights of the vertices a little. The correction that follows makes up for that.
             slide(film, solve.radius, FULL_SWEEPS, solve.exec)?;
         }
         let Some(mut corrected) = correct(film, &pattern, parents, &hierarchy, tolerance, solve)? else {
@@ -275,15 +277,15 @@ fn climb(
     Ok(None)
 }
 
-/// A level whose film is stationary to the level's tolerance.
+/// Data of a level whose film [`correct`] has made stationary to the level's tolerance.
 struct Corrected {
     state: FilmState,
     parents: Parents,
-    /// The matrix of the last step.
+    /// The matrix of the last Newton step.
     matrix: SymmetricMatrix,
 }
 
-/// Step 3 on one level. `None` if Newton's method or its linear solver does not get there.
+/// Step 3 on one level. `None` if Newton's method or its linear solver does not converge.
 fn correct(
     film: &mut Film,
     pattern: &Pattern,
@@ -329,7 +331,8 @@ impl Plan {
         let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk)
             && options.constraints.is_empty();
         let target = match options.resolution {
-            // The number that the area needs. Triangles that a fine boundary needs beyond that number are not halved.
+            // The number of triangles that cover the area. The additional triangles that `estimate` counts beside a
+            // fine boundary are left out, because halving does not make them.
             Resolution::EdgeLength(length) => triangles_of_length(boundaries, length),
             _ => estimate(boundaries, options).triangles,
         };
@@ -366,8 +369,9 @@ impl Plan {
     }
 }
 
-/// Whether the boundary edges are on average much longer than the edges of so many triangles. If such edges must be
-/// kept, the triangles beside them have to be graded, and halving all other edges would not leave them graded.
+/// Whether the boundary edges are on average much longer than the edges of a mesh of this number of triangles. If such
+/// boundary edges must be kept, the triangles beside them have to be graded, and halving all other edges would not
+/// leave them graded.
 fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -417,7 +421,8 @@ struct BoundaryPlaces<'a> {
 
 impl<'a> BoundaryPlaces<'a> {
     /// Finds the places of the boundary vertices of a coarse film. A vertex that was added on an edge that skips input
-    /// points is moved to one of these points. `None` if there are too few of them.
+    /// points is moved to one of these points. `None` if the edge skips fewer points than vertices were added on it, or
+    /// if two of these vertices would get the same point.
     fn new(film: &mut Film, plan: &Plan, polygons: &'a [Vec<DVec3>], may_add: bool) -> Option<Self> {
         let mut places = Vec::with_capacity(polygons.len());
         let mut first = 0u32;
@@ -521,7 +526,7 @@ impl<'a> BoundaryPlaces<'a> {
     }
 
     /// The place at which an edge between two places is halved: the middle one of the input points between them. If
-    /// there is none, it is the middle of the edge if points may be added.
+    /// there is no input point between them, it is the middle of the edge, or `None` if no points may be added.
     fn middle(&self, start: f64, end: f64) -> Option<f64> {
         let (lowest, highest) = (start.floor() + 1.0, end.ceil() - 1.0);
         if lowest <= highest {
@@ -533,8 +538,9 @@ impl<'a> BoundaryPlaces<'a> {
 
     /// The film with its vertices in the documented order: input points, points added on the boundaries, the interior.
     ///
-    /// Every loop begins at point 0 of its polygon. The coarse mesh keeps the corners, and its loop begins at the first
-    /// of them, wherever that is. `None` if point 0 is no vertex, which no refinement to the last level leaves.
+    /// The loops are rotated so that each begins at point 0 of its polygon. Before, it begins at the first point that
+    /// the coarse mesh keeps, which need not be point 0. `None` if point 0 is not a vertex, which cannot happen on the
+    /// last level, because every input point is a vertex there.
     fn input_points_first(&mut self, mut film: Film) -> Option<Film> {
         for ((boundary, places), polygon) in film.boundaries.iter_mut().zip(&mut self.places).zip(self.polygons) {
             let count = polygon.len() as f64;

@@ -9,9 +9,9 @@ use std::cmp::Ordering;
 /// Lengths that differ by less than this fraction of the radius of all boundaries are equal. It is above rounding.
 const EQUAL_LENGTH: f64 = 1e-9;
 
-/// Returns the boundaries sorted by length, then by radius, then by the sum of the distances to all others. This order
-/// is the same after a motion, a scaling and another order of the list. Boundaries that are equal in all three keep the
-/// client's order.
+/// Returns the indices of the boundaries, sorted by length, then by radius, then by the sum of the distances from all
+/// others. This order is the same after a motion, a scaling and another order of the list. Boundaries that are equal in
+/// all three keep the client's order.
 pub(super) fn order_of(boundaries: &[Vec<DVec3>]) -> Vec<usize> {
     let means: Vec<DVec3> = boundaries.iter().map(|points| polyline::mean(points)).collect();
     let size = polyline::radius(&boundaries.concat());
@@ -29,17 +29,17 @@ pub(super) fn order_of(boundaries: &[Vec<DVec3>]) -> Vec<usize> {
     order
 }
 
-/// The boundaries of a set as a number whose bits are the boundaries.
+/// The set of these boundaries as a number: bit k is set if boundary k belongs to it.
 pub(super) fn set_of(boundaries: &[usize]) -> u32 {
     boundaries.iter().map(|&boundary| 1 << boundary).sum()
 }
 
-/// The boundaries of a set.
+/// The boundaries of a set (see [`set_of`]), ascending.
 pub(super) fn members(set: u32) -> Vec<usize> {
     (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
 }
 
-/// Every partition of `count` boundaries. A set is a number whose bits are the boundaries.
+/// Every partition of `count` boundaries into sets (see [`set_of`]).
 pub(super) fn partitions(count: usize) -> Vec<Vec<u32>> {
     let mut result = vec![Vec::new()];
     for boundary in 0..count {

@@ -127,8 +127,9 @@ impl Directions {
         self.stretch * DVec2::new(direction.dot(self.x), direction.dot(self.y)) / (1.0 - direction.dot(self.pole))
     }
 
-    /// Circles at the places of the boundaries. Each runs as its boundary is seen to run, and starts so that its points
-    /// lie as nearly as they can in the directions in which they are seen.
+    /// The circles that stand for the boundaries, each at the place of its projected boundary and running in the same
+    /// direction. The start of a circle is chosen so that the directions of its points from its centre agree with those
+    /// of the projected points as well as possible.
     fn circles(&self, boundaries: &[Vec<DVec3>]) -> Shape {
         let seen: Vec<Vec<DVec2>> =
             boundaries.iter().map(|points| points.iter().map(|&p| self.project(p)).collect()).collect();
@@ -328,8 +329,9 @@ impl Hole {
     }
 }
 
-/// The angle at which a circle round a point has to start, and which way round it has to run, for its points at the
-/// boundary's shares of arc length to lie in the directions of the places.
+/// The angle at which a circle around `centre` starts, and the direction in which it runs (1 or -1). Both are chosen so
+/// that the circle's points, at the boundary's fractions of arc length, lie as nearly as possible in the directions of
+/// `places` from the centre.
 fn circle_through(boundary: &[DVec3], places: &[DVec2], centre: DVec2) -> (f64, f64) {
     let next = |k: usize| (k + 1) % places.len();
     let area: f64 = (0..places.len()).map(|k| (places[k] - centre).perp_dot(places[next(k)] - centre)).sum();

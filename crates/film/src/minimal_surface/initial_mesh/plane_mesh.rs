@@ -35,7 +35,7 @@ pub(super) enum PlaneError {
     TooManyPoints,
     /// A fixed point (by its number among them) does not lie inside the boundaries.
     PointOutside(u32),
-    /// The points of the boundary already make so many triangles, which is more than are wanted.
+    /// The points of the boundary alone give this number of triangles, which is more than the resolution allows.
     TooCoarse {
         triangles: usize,
     },

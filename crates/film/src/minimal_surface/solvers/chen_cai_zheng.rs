@@ -31,7 +31,7 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 /// Largest number of sweeps if the caller gives none.
 const DEFAULT_SWEEPS: u32 = 10_000;
 
-/// Number of triangles visited between two looks, which takes less than a millisecond.
+/// Number of triangles visited between two checks for an interruption, which takes less than a millisecond.
 const LOOK_EVERY: u64 = 20_000;
 
 /// Relaxes the film stage by stage. The mesh is valid at every moment; a deadline ends the run with the present mesh.
@@ -72,7 +72,7 @@ struct Relaxation<'a> {
     iterations: u32,
     history: Vec<HistoryRow>,
     swapped: u64,
-    /// Triangles visited since the last look.
+    /// Number of triangles visited since the last check for an interruption.
     work: u64,
     fraction: f64,
 }
@@ -168,7 +168,7 @@ impl Relaxation<'_> {
         if self.work >= LOOK_EVERY { self.exec.look(std::mem::take(&mut self.work)) } else { Ok(()) }
     }
 
-    /// Section 3.2, one iteration.
+    /// Makes one iteration of Laplacian fairing (section 3.2).
     fn fair(&mut self) -> Result<(), Interruption> {
         let mut sums = vec![(DVec3::ZERO, 0.0); self.film.vertices.len()];
         for (k, &[a, b, c]) in self.film.triangles().iter().enumerate() {
@@ -192,7 +192,7 @@ impl Relaxation<'_> {
         self.worked(self.film.triangles().len() as u64 % LOOK_EVERY)
     }
 
-    /// Section 3.1, one iteration.
+    /// Makes one sweep of area minimising (section 3.1) over the free vertices.
     fn minimise_area(&mut self) -> Result<(), Interruption> {
         for v in 0..self.film.vertices.len() as u32 {
             if self.film.fixed[v as usize] {
@@ -205,7 +205,7 @@ impl Relaxation<'_> {
         Ok(())
     }
 
-    /// Section 3.3: passes over all edges until a pass swaps none.
+    /// Swaps edges (section 3.3) in passes over all edges until a pass swaps none.
     fn swap_edges(&mut self) -> Result<(), Interruption> {
         // Ends because each flip reduces the area by more than its rounding error.
         loop {

@@ -58,8 +58,8 @@ mod tests {
         flip_to_delaunay(&mut domain, &Execution::default()).unwrap();
         let energy = |film: &Film| dirichlet_energy(&domain.vertices, &film.vertices, domain.triangles());
         let least = run.objective_value.unwrap();
-        // The energy of the identity is the area of the domain. The energy of the image lies between the area of the
-        // image and that.
+        // The energy of the identity is the area of the domain. The energy of the harmonic map lies between the area of
+        // its image and the area of the domain.
         assert!((energy(&domain) - domain.area()).abs() < 1e-12 * domain.area());
         assert!(film.area() <= least && least <= domain.area());
         for v in (0..film.vertices.len()).filter(|&v| !film.fixed[v]) {

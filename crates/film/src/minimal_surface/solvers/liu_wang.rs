@@ -11,9 +11,9 @@
 //! Departures from the paper:
 //! - The curvatures at boundary vertices are left out unless the caller asks for them. Their eq. 1 has them, but half a
 //!   ring does not cancel, so F falls by degenerating triangles.
-//! - Step 2. Without the boundary F has n terms for 3 n unknowns: every start reaches F = 0 and keeps the layout of its
-//!   points along the surface, so the start decides. The fairing is for the candidate mesh of step 1 alone; other
-//!   starts are taken as they are.
+//! - Step 2 is added, because without the curvatures at the boundary F has n terms for 3 n unknowns: every start
+//!   reaches F = 0 and keeps the layout of its points along the surface, so the start decides the result. Only the
+//!   candidate mesh of step 1 is faired; other starts are taken as they are.
 //! - Lengths are divided by the radius R of the boundary first, because the four stopping criteria depend on the scale.
 //! - |F_k - F_{k-1}| is tested after accepted steps only. As printed, every rejected step would end the run.
 //! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there and
@@ -37,13 +37,13 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 
 /// Largest number of steps over all rounds if the caller gives none (k_max in the paper).
 const MAX_ITERATIONS: u32 = 500;
-/// Largest number of rounds of steps 2 and 3, because flips and solves could undo each other for ever.
+/// Largest number of rounds of steps 3 and 4, because flips and solves could undo each other for ever.
 const MAX_ROUNDS: usize = 50;
 
 /// Damping at the start, as a fraction of the largest diagonal entry of JᵀJ (τ in Madsen, Nielsen and Tingleff).
 const DAMPING: f64 = 1e-6;
 
-/// ½ Σ H² over the vertices that may move.
+/// The objective F = ½ Σ H² as a function of the positions of the vertices that may move.
 struct Bending {
     rows: CurvatureRows,
     vertices: Vec<DVec3>,
@@ -106,14 +106,14 @@ impl LeastSquares<3> for Bending {
     }
 }
 
-/// Steps 2 to 4 on a film: lowers F = ½ Σ H² until the triangulation stays the same. Step 2 only for a `candidate`
-/// mesh of step 1.
+/// Steps 2 to 4 on a film: lowers F = ½ Σ H² until the triangulation stays the same. The fairing of step 2 is made only
+/// if the film is a `candidate` mesh of step 1.
 ///
 /// `options.tolerance` is their ε, for lengths divided by R: a run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
 /// √ε(1 + ‖δ‖∞), or after `max_iterations` steps. Where F vanishes, the *normal cycle* curvature of the surface
-/// vanishes. Such a surface is near a minimal surface, but its area is not the least; its residual tells how near.
-/// Looks after every sweep over the triangles and after every factorisation. At a deadline the film is the best one so
-/// far.
+/// vanishes. Such a surface is near a minimal surface, but its area is not the least; its residual tells how near. The
+/// run checks for an interruption after every sweep over the triangles and after every factorisation. At a deadline the
+/// film is the best one so far.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].

@@ -2,17 +2,17 @@
 //! which no minimal surface connects the boundaries.
 //!
 //! 1. The [margin](crate::equilibrium::stability::Margin) m of the film is compared with that of the film whose edges
-//!    are halved. Beside the limit m² is proportional to the distance from the limit, and the mesh moves the limit by a
-//!    multiple of h². The margin of a mesh of edges of length zero therefore is the root of
-//!    m_fine² - (m_coarse² - m_fine²) / 3.
-//! 2. If that is not far from the margin of the film, the film is resolved and exists.
-//! 3. Otherwise the mesh is refined where the film bends most in relation to its edges. That is at the neck. It is also
-//!    refined at a boundary in which a neck ends, if the edges there are as long as the boundary is wide: the mesh is a
-//!    cone there, whatever its margin. The solver converges again, and the film is looked at again.
-//! 4. A film that the refined mesh does not hold has collapsed. If the mesh may not be refined any further, the sign in
-//!    step 1 decides.
-//! 5. A mesh whose edges at a boundary are as long as the boundary is wide loses films that exist. If it holds none, it
-//!    is refined there from the start, and solved again.
+//!    are halved. Near the limit beyond which no film exists, m² is proportional to the distance from the limit, and
+//!    the mesh moves the limit by a multiple of h². The margin of a mesh of edges of length zero therefore is the root
+//!    of m_fine² - (m_coarse² - m_fine²) / 3.
+//! 2. If this root is not far from the margin of the film, the mesh is fine enough and the film exists.
+//! 3. Otherwise the mesh is refined where the film bends most in relation to its edges, which is at the neck. It is
+//!    also refined at a boundary in which a neck ends, if the edges there are as long as the boundary is wide: the mesh
+//!    is a cone there, whatever its margin. The film is solved on the refined mesh, and step 1 starts again.
+//! 4. If the solver finds no film on the refined mesh, the film has collapsed. If the mesh may not be refined any
+//!    further, the film exists if the radicand in step 1 is positive.
+//! 5. On a mesh whose edges at a boundary are as long as the boundary is wide, the solver may find no film although one
+//!    exists. The initial mesh is then refined there, and solved again.
 
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::isotropic::graded;
@@ -29,31 +29,33 @@ const CALM: f64 = 0.6;
 /// Largest turning of the normal along an edge (radians) of a film that exists without a further check. The edges of a
 /// hexagonal neck turn further.
 const COARSE_TURNING: f64 = 0.7;
-/// A neck ends in a boundary if the normals along it deviate from their mean by more than this (radians), or would do
-/// so on a fine mesh. A plane film around a small hole has none.
+/// A neck ends in a boundary if the normals along the boundary deviate from their mean by more than this (radians), or
+/// would do so on a fine mesh. A plane film around a small hole has no neck.
 const BENT: f64 = 0.3;
 /// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π.
 const COARSE_EDGE: f64 = 0.7;
 /// A film is resolved if halving its edges once leaves at least this fraction of its margin.
 const RESOLVED: f64 = 0.8;
 /// Turning of the normal along an edge (radians) at which the refinement aims first; each further round halves it. A
-/// neck has 2 π over it edges around.
+/// neck has about 2 π / 0.25 = 25 edges around it after the first round.
 const FIRST_TURNING: f64 = 0.25;
-/// Smallest turning at which a refinement aims. The mesh then moves the limit by about a thousandth of the distance.
+/// Smallest turning at which a refinement aims. The mesh then moves the limit by about a thousandth of the largest
+/// distance.
 const LAST_TURNING: f64 = 0.06;
 /// Largest number of triangles that a refinement may make, unless twice the number of the film is more.
 const MOST_TRIANGLES: f64 = 40_000.0;
 
-/// The result of a look at a stable film.
+/// The result of the comparison of a stable film with a finer one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Look {
     /// The film exists, with this margin.
     Exists(f64),
-    /// The mesh is too coarse to tell. The margin of a mesh of edges of length zero, if the film has one.
+    /// The mesh is too coarse to tell whether the film exists. The value is the margin of a mesh of edges of length
+    /// zero, or `None` if the radicand in step 1 is not positive or the finer film was not found.
     Unresolved(Option<f64>),
 }
 
-/// Whether a film needs no second look.
+/// Whether a film exists without a further check (see [`CALM`]).
 pub(crate) fn is_calm(film: &Film, margin: f64) -> bool {
     let is_fine = || turnings(film).all(|(_, _, turning, _)| turning <= COARSE_TURNING) && has_fine_ends(film);
     margin >= CALM && (film.boundaries.len() == 1 || is_fine())
@@ -70,8 +72,8 @@ pub(crate) fn has_fine_ends(film: &Film) -> bool {
     })
 }
 
-/// The sizes of step 5 at every vertex; `None` if no boundary is narrow beside the edges that end at it, or if that
-/// would be too many triangles.
+/// The target edge lengths of step 5, one for each vertex. `None` if no boundary is narrow in comparison with the edges
+/// that end at it, or if the mesh would have too many triangles.
 pub(crate) fn sizes_at_narrow_ends(film: &Film) -> Option<Vec<f64>> {
     let longest = longest_free_edges(film);
     let mut sizes: Vec<f64> = longest.iter().map(|&length| if length > 0.0 { length } else { f64::INFINITY }).collect();
@@ -103,12 +105,13 @@ fn neck_radii(film: &Film) -> Vec<f64> {
     for boundary in &film.boundaries {
         let points: Vec<DVec3> = boundary.iter().map(|&v| film.vertices[v as usize]).collect();
         let own = polyline::length(&points, true) / TAU;
-        // A long edge hides the neck in a cone of the slope θ = rise / L. The neck rises like a ln(1 + L / r) and is
-        // steeper where it ends, by the factor (L / r) / ln(1 + L / r).
+        // An edge of the length L at a boundary of the radius r replaces the neck by a cone of the slope rise / L. The
+        // neck itself rises like ln(1 + L / r), so at the boundary its slope is larger than that of the cone by the
+        // factor (L / r) / ln(1 + L / r).
         let reach = boundary.iter().map(|&v| longest[v as usize]).fold(0.0, f64::max) / own;
         let steeper = if reach > 0.0 { reach / libm::log1p(reach) } else { 1.0 };
         let sum: DVec3 = boundary.iter().map(|&v| normals[v as usize]).sum();
-        // Around a cylinder the normals have no mean.
+        // The normals around a cylinder add up to zero and have no mean direction.
         let has_mean = sum.length() > 0.5 * boundary.len() as f64;
         if has_mean && boundary.iter().all(|&v| steeper * measure::angle(normals[v as usize], sum) <= BENT) {
             continue;
@@ -160,8 +163,8 @@ fn turnings(film: &Film) -> impl Iterator<Item = (usize, usize, f64, f64)> + '_ 
     })
 }
 
-/// The sizes of step 3 at every vertex: no edge is to turn by more than an angle that falls from round to round. `None`
-/// if the mesh may not be refined any further.
+/// The target edge lengths of step 3, one for each vertex. They are chosen so that the normal turns along no edge by
+/// more than an angle that falls from round to round. `None` if the mesh may not be refined any further.
 pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     let mut curvature = vec![0.0f64; film.vertices.len()];
     let mut longest = vec![0.0f64; film.vertices.len()];

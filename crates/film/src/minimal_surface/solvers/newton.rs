@@ -2,16 +2,16 @@
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
-//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, flips of edges
-//!    that reduce the area open their folds, and it starts again. If triangles are still flipped, or it stalls, step 1
-//!    starts again. If it converges with small angles, these are widened where they are, and it starts again from
-//!    there. In the end the vertices slide along the film to where its triangles have less area
-//!    ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects it once more.
+//! 2. *Newton's method* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, edge
+//!    flips that reduce the area open the folds, and Newton's method runs again. If triangles are still flipped, or if
+//!    the method stalls, the solver returns to step 1. If the film converges with small angles, these are widened in
+//!    place, and Newton's method runs again. In the end the vertices slide along the film to where its triangles have
+//!    less area ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects the film once more.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, a surface that is unstable
 //!    or whose index is undecided is left along its lowest mode.
-//! 4. *Look again* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
-//!    compared with a finer one, and where its mesh is too coarse it is refined and solved again from step 1. If the
-//!    refined mesh stalls, its degenerate triangles are removed once.
+//! 4. *Check of necks* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
+//!    compared with a finer one. Where its mesh is too coarse, the mesh is refined, and the film is solved again from
+//!    step 1. If Newton's method stalls on the refined mesh, the degenerate triangles are removed once.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
 use crate::equilibrium::residual::curvature;
@@ -50,15 +50,17 @@ const SINGLE_ROUNDS: u32 = 3;
 const SOLVES_PER_ROUND: u32 = 4;
 /// Number of tangential relaxations after each round's solves.
 const RELAXATIONS_PER_ROUND: u32 = 4;
-/// A round that changes the area by less than this fraction is the last.
+/// The rounds end when one of them changes the area by less than this fraction and no triangle is flipped.
 const SETTLED_AREA: f64 = 1e-3;
-/// With a refined neck the last round also moves no vertex further than this fraction of its longest edge.
+/// After a neck has been refined, the rounds end only if the last solve also moved no vertex further than this fraction
+/// of the vertex's longest edge.
 const SETTLED_MOTION: f64 = 0.05;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near
-/// a stationary surface. It is taken to that surface, whatever the Morse index. The largest residual is no measure of
-/// nearness, because at vertices of uneven triangles it stays above 1 on the exact surface, however fine the mesh.
+/// a stationary surface. Newton's method then takes the mesh to that surface, whatever its Morse index. The largest
+/// residual is no measure of nearness, because at vertices of uneven triangles it stays above 1 on the exact surface,
+/// however fine the mesh.
 const NEARLY_STATIONARY: f64 = 1.0;
 /// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
 /// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. The
@@ -72,7 +74,8 @@ pub(crate) const WIDENINGS: u32 = 4;
 pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
 /// Largest number of rounds of flips that open folds. There are several because a solve may close folds again.
 const OPENINGS: u32 = 4;
-/// Largest number of times that a stalled Newton iteration is followed by another step 1.
+/// Largest number of returns to step 1 after Newton's method has stalled or left flipped triangles, and largest number
+/// of unstable surfaces that are left.
 const MAX_RETURNS: u32 = 2;
 /// Where Newton's method stalls on a refined mesh, triangles with an angle below this (radians, 0.06 degrees) are
 /// removed.
@@ -125,14 +128,15 @@ pub(crate) struct Solve<'a> {
     pub limit: u32,
     pub tolerance: f64,
     pub radius: f64,
-    /// Number of solves that each direction of an unstable mode is allowed, if the caller gives no limit.
+    /// Number of solves that each direction out of an unstable surface, and each refined mesh, may use if the caller
+    /// gives no limit. If the caller gives a limit, this is 0.
     solves_per_way: u32,
     edges_swapped: u64,
     unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Whether the film is still the caller's own mesh.
     given: bool,
-    /// Whether vertices may be removed and added: not in a mesh of the caller.
+    /// Whether small angles may be widened, which removes and adds vertices. See [`Task::may_widen`].
     may_widen: bool,
     may_refine: bool,
     /// Whether a neck was refined.
@@ -193,7 +197,8 @@ impl<'a> Solve<'a> {
                 None => None,
             };
             let Some((pattern, direct, (mut stability, variation, state))) = found else {
-                // Beside a narrow boundary a coarse mesh loses films that exist.
+                // If the mesh is coarse beside a narrow boundary, the solver may fail although a film exists. The start
+                // is therefore refined there and solved again.
                 if reason != StopReason::MaxIterations
                     && let Some(start) = start.take()
                     && let Some(sizes) = sizes_at_narrow_ends(&start)
@@ -258,7 +263,8 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// The film with a mesh of these sizes. `None` if that mesh is not finer.
+    /// Returns a copy of the film that is refined to the target edge length in `sizes` at each vertex. `None` if the
+    /// copy has no more triangles than the film.
     fn refined(&mut self, film: &Film, sizes: Vec<f64>) -> Result<Option<Film>, Interruption> {
         let mut finer = film.clone();
         refine(&mut finer, sizes, REFINING_PASSES, self.boundary_edges, self.exec)?;
@@ -289,8 +295,8 @@ impl<'a> Solve<'a> {
         Ok((reason, converged))
     }
 
-    /// Step 4: compares a stable film of this margin with the film whose edges are halved, and keeps the area that the
-    /// two give.
+    /// Step 4: compares a stable film of this margin with the film whose edges are halved, and records the area that is
+    /// extrapolated from the two.
     fn look(
         &mut self,
         film: &Film,
@@ -298,7 +304,7 @@ impl<'a> Solve<'a> {
         direct: Direct,
         margin: Option<Margin>,
     ) -> Result<Look, Interruption> {
-        // No margin: the second variation is singular.
+        // There is no margin if the second variation is singular.
         let Some(Margin { value, motion }) = margin else { return Ok(Look::Unresolved(None)) };
         let calm = is_calm(film, value);
         if calm && film.triangles().len() > EXTRAPOLATED_TRIANGLES {
@@ -323,7 +329,8 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// [`converge`](Self::converge) with as many further solves as each way is allowed.
+    /// Calls [`converge`](Self::converge) after raising the limit, so that at least [`Self::solves_per_way`] solves are
+    /// left.
     fn converge_again(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
         self.limit = self.limit.max(self.record.iterations + self.solves_per_way);
         self.converge(film)
@@ -535,7 +542,7 @@ impl<'a> Solve<'a> {
         Ok(false)
     }
 
-    /// Delaunay flips and smoothing on the film where it is.
+    /// Improves the triangles without moving the film: Delaunay flips, tangential relaxation, and Delaunay flips again.
     fn improve(&mut self, film: &mut Film) -> Result<(), Interruption> {
         self.edges_swapped += flip_to_delaunay(film, self.exec)?;
         tangential_relaxation(film, RELAXATIONS_PER_ROUND);
@@ -578,8 +585,9 @@ impl<'a> Solve<'a> {
         Ok(Some((stability, variation, state)))
     }
 
-    /// The positions of an unstable film moved along its lowest mode in both directions, the lower area first. Each is
-    /// the one of a few step lengths that lowers the area most.
+    /// Returns the vertices of an unstable film after a step along its lowest mode in either direction, the lower area
+    /// first. In each direction the step has the least area of four lengths. A direction in which each of them would
+    /// turn a triangle over is left out.
     fn ways_out(&self, film: &Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) -> Vec<Vec<DVec3>> {
         let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
         let mean_length = (state.energy / film.triangles().len() as f64).sqrt();

@@ -29,7 +29,8 @@ const WIDER: f64 = 4.0;
 ///
 /// Without [`PinkallPolthier::degenerate_angle`] step 1 is left out. The run ends with [`StopReason::AreaChange`], or
 /// with [`StopReason::Residual`] if the residual falls below its tolerance first. It ends with
-/// [`StopReason::Collapsed`] if the linear system is refused and the rules cannot mend the mesh. Looks once a solve.
+/// [`StopReason::Collapsed`] if the linear system is refused and the rules cannot mend the mesh. It checks for an
+/// interruption once for each solve.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.

@@ -10,8 +10,7 @@ use plateau_mesh::topology::edge_key;
 
 pub(super) const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
-/// The three angles between directions around an axis. If all directions are perpendicular to the axis, the angles add
-/// up to a full turn.
+/// The three angles (radians) between neighbouring directions, seen along an axis. They add up to a full turn.
 pub(super) fn angles_around(axis: DVec3, directions: [DVec3; 3]) -> [f64; 3] {
     let (u, v) = axis.any_orthonormal_pair();
     let mut at = directions.map(|direction| libm::atan2(direction.dot(v), direction.dot(u)));
@@ -92,7 +91,7 @@ fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: 
     let mut forces = Vec::new();
     for &start in around.iter().filter(|&&t| triangles[t].contains(&before)) {
         let (mut force, mut t, mut spoke) = (DVec3::ZERO, start, before);
-        // A fan has each triangle once at most.
+        // The number of passes is bounded, because a fan contains each triangle at most once.
         for _ in around {
             let triangle = triangles[t];
             let k = triangle.iter().position(|&corner| corner == v)?;

@@ -157,7 +157,7 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
             }
         }
     }
-    // The same angles by another method, which does not use forces.
+    // The deviation from 120° is also measured by a method that does not use forces.
     assert!(
         in_the_middle.windows(2).all(|pair| pair[1] < 0.5 * pair[0]) && in_the_middle[2] < 0.1,
         "{in_the_middle:?}"
@@ -223,7 +223,7 @@ fn scale_and_motion_change_nothing() {
         let moved = Mesh::new(mesh.vertices.iter().map(|&p| map(p)).collect(), mesh.triangles.clone());
         let surface = solved(&moved_loops, &moved);
         let ratio = surface.statistics.area / (reference.statistics.area * scale * scale);
-        // Coordinates of 3e7 have a rounding of 4e-9.
+        // The tolerance is wide because coordinates of 3e7 are rounded by up to 4e-9.
         assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
     }
 }
@@ -304,7 +304,7 @@ fn what_is_no_such_film_is_refused() {
     let mut bad = mesh.clone();
     bad.triangles[5][0] = 10_000;
     assert!(told(&loops, &bad).contains("does not exist"));
-    // Its edges look like a small junction.
+    // A second copy of a triangle, whose edges look like a small junction.
     let mut bad = mesh.clone();
     let [a, b, c] = bad.triangles[5];
     bad.triangles.push([b, c, a]);

@@ -6,8 +6,8 @@ use plateau_mesh::polyline::position_key;
 use plateau_mesh::topology::edge_key;
 use plateau_mesh::{DVec3, Error, Mesh, Place};
 
-/// The vertices of the mesh at the boundary points, numbered by first appearance, and then those that the mesh has
-/// between two neighbouring points.
+/// The boundaries as loops of mesh vertices, and new numbers for the vertices: first those at boundary points, by first
+/// appearance, then those between two neighbouring boundary points, then all others.
 #[derive(Debug)]
 pub(super) struct Wires {
     /// For each boundary its vertices, added ones included, with the new numbers.
@@ -98,7 +98,7 @@ impl Wires {
     }
 }
 
-/// The edges of one triangle in both directions, sorted.
+/// The edges that belong to a single triangle, each in both directions, sorted.
 #[derive(Debug)]
 pub(super) struct Rim(pub Vec<[u32; 2]>);
 
@@ -117,8 +117,8 @@ impl Rim {
         Self(edges)
     }
 
-    /// The vertices that the mesh has on the segment between two of its vertices, in order. None if its edges do not
-    /// lead from one end to the other along the segment.
+    /// The vertices that the mesh has on the segment between two of its vertices, in order. Empty if no path of these
+    /// edges leads from one end to the other along the segment.
     pub fn between(&self, mesh: &Mesh, from: u32, to: u32) -> Vec<u32> {
         let (a, b) = (mesh.vertices[from as usize], mesh.vertices[to as usize]);
         let along = b - a;

@@ -20,9 +20,10 @@ pub(super) fn dihedral_angle(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
 
 /// The gradient of [`dihedral_angle`] with respect to p, q, r and s.
 ///
-/// At the vertex opposite the edge it is -|e| n / |n|², n twice the triangle's area vector; the four sum to zero and
-/// exert no moment, which gives the other two. Regular at a flat edge, where eq. 3 of Liu and Wang is 0/0.
-/// Zero where one of the triangles is a segment or a point: the angle has no gradient there.
+/// At r and s, opposite the edge e, it is -|e| n / |n|², where n is twice the area vector of the triangle. The
+/// gradients at p and q follow, because the four sum to zero and exert no moment. This form is regular at a flat edge,
+/// where eq. 3 of Liu and Wang is 0/0. If one of the triangles is a segment or a point, the angle has no gradient, and
+/// zeros are returned.
 #[must_use]
 pub(super) fn dihedral_angle_gradient(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> [DVec3; 4] {
     let edge = q - p;
@@ -35,7 +36,7 @@ pub(super) fn dihedral_angle_gradient(p: DVec3, q: DVec3, r: DVec3, s: DVec3) ->
     let length = edge2.sqrt();
     let at_r = left * (-length / left2);
     let at_s = right * (-length / right2);
-    // Where the feet of r and s stand on the edge, 0 at p and 1 at q.
+    // The feet of the perpendiculars from r and s onto the edge, as positions from 0 at p to 1 at q.
     let (foot_r, foot_s) = ((r - p).dot(edge) / edge2, (s - p).dot(edge) / edge2);
     let at_p = -(at_r * (1.0 - foot_r) + at_s * (1.0 - foot_s));
     let at_q = -(at_r * foot_r + at_s * foot_s);
@@ -52,9 +53,9 @@ type Hinge = [u32; 4];
 pub(super) struct CurvatureRows {
     hinges: Vec<Hinge>,
     triangles: Vec<[u32; 3]>,
-    /// For each vertex its number among the unknown ones, or [`FIXED`].
+    /// For each vertex its number among the vertices that may move, or [`FIXED`].
     unknown: Vec<u32>,
-    /// Which vertices have a row.
+    /// For each vertex the number of its row, or [`FIXED`] if it has none.
     row_of: Vec<u32>,
     /// Row k owns the entries `start[k]..start[k + 1]` of `columns` (unknowns, ascending) and `values`.
     start: Vec<usize>,
@@ -137,7 +138,8 @@ impl CurvatureRows {
         (&self.columns[range.clone()], &self.values[range])
     }
 
-    /// Σ over the edges (S) and a third of the area (B) at each row's vertex, so that H = S / B.
+    /// For the vertex of each row the sum S = Σ β(e) |e| / 2 over its edges and a third of the area of its triangles,
+    /// B, so that H = S / B.
     fn sums(&self, vertices: &[DVec3]) -> (Vec<f64>, Vec<f64>) {
         let (mut bending, mut third) = (vec![0.0; self.rows()], vec![0.0; self.rows()]);
         for &hinge in &self.hinges {
@@ -204,7 +206,7 @@ impl CurvatureRows {
                 }
                 let factor = -bending[row as usize] / (third[row as usize] * third[row as usize]);
                 for (k, vertex) in triangle.into_iter().enumerate() {
-                    // B counts a third of the area.
+                    // The factor 1/3 is there because B is a third of the area.
                     self.add(row as usize, vertex, facet.gradient(k) * (factor / 3.0));
                 }
             }
@@ -256,7 +258,7 @@ mod tests {
         ) {
             let [p, q, r, mut s] = points;
             if flat {
-                // Folded flat open about p-q: the case where the paper's formula is 0/0.
+                // The two triangles are coplanar, which is the case where the paper's formula is 0/0.
                 s = p + q - r;
             }
             let (left, right) = (double_area_vector([p, q, r]), double_area_vector([q, p, s]));
@@ -327,8 +329,7 @@ mod tests {
 
     #[test]
     fn a_cylinder_has_half_its_inverse_radius_twice() {
-        // The normal cycle's H is the sum of the principal curvatures' halves, twice: 1/R for a cylinder of radius R,
-        // which the sum of β|e|/2 over one vertex's ring, divided by a third of its area, approaches.
+        // H approaches the sum of the two principal curvatures, which is 1/R for a cylinder of radius R.
         let (n, radius) = (64u32, 2.0);
         let rings = 5u32;
         let width = 2.0 * radius * libm::sin(std::f64::consts::PI / f64::from(n));
