@@ -26,7 +26,8 @@ fn wavy(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     [side(m, 0.3, 0.0, 0.0), side(n, 1.9, 3.0, 1.0)]
 }
 
-/// The same with every other point to one side: no bridge's lean is certain, and least area needs the whole grid.
+/// A wavy pair with every other point moved to one side. No bridge's lean is certain, so least area needs the whole
+/// grid.
 fn zigzag(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     let mut strip = wavy(m, n);
     for side in &mut strip {
@@ -129,7 +130,8 @@ fn measure(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Processor seconds of this thread where Linux tells them (other processes do not count then), else the clock's.
+/// Processor seconds of this thread where Linux reports them, so that other processes do not count; elsewhere elapsed
+/// seconds.
 fn now(started: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let used = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
@@ -160,7 +162,7 @@ fn record() {
         if size == 1000 {
             cases.extend(OBJECTIVES.iter().map(|&o| ("ruled_strip_closed", &closed, true, o, f64::INFINITY)));
         }
-        // In turns, so that a busy neighbour slows both sides alike; the fastest run of each counts.
+        // Both sides run in turns, so that a busy machine slows them alike, and the fastest run of each counts.
         let mut baseline = f64::INFINITY;
         for _ in 0..rounds {
             baseline = baseline.min(seconds(|| scalar_area(&strip[0], &strip[1])));

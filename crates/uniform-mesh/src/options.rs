@@ -93,8 +93,8 @@ pub enum Optimise {
     /// lattice and boundary is rebuilt for them unless it is [`Transition::Free`]. (In the plane the sum is 0 already.)
     #[default]
     Nodes,
-    /// As [`Optimise::Nodes`]; then, on polygons too, the inner nodes move until few lengths stand for all members, see
-    /// [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
+    /// First like [`Optimise::Nodes`]. Then, on polygons too, the inner nodes move until few lengths stand for all
+    /// members, see [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
     Lengths {
         /// Largest number of lengths. Each member is within half the length tolerance of one of them; if that cannot be
         /// reached, it is as near as the search found.
