@@ -19,7 +19,7 @@
 //! 4. The path gives the triangles, every figure of Table 1 (`strip`) and the flat pattern (`pattern`).
 //!
 //! # Departures from the paper
-//! - Local convexity sees q_{j-1}, which the printed definition 6 lost.
+//! - Local convexity takes q_{j-1} into account, which is missing from the printed definition 6.
 //! - Bending grows monotonically up to a full fold. As printed, a fold of 180° would cost nothing.
 //! - Couplings are lexicographic shortest paths. They are exact where the paper rescales weights.
 //! - A plain sweep replaces Dijkstra's algorithm, because the graphs are acyclic grids.
@@ -77,13 +77,13 @@ use strip::search::{SolvedStrips, solve_all};
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
-/// `directrices`: two or more polylines, each with two or more distinct points (three if `closed`) or a single one (an
-/// apex; no two of them next to each other). Triangles: m + n - 2 for an open strip, m + n for a closed one, one fewer
-/// round an apex. All triangles of a surface have one orientation: a P-step gives (p_i, p_{i+1}, q_j), a Q-step (p_i,
-/// q_{j+1}, q_j); with normals given (or caps) the faces agree with them (point outwards). Ties: the predecessor by
-/// P-step, on closed strips the smallest start.
+/// `directrices`: two or more polylines, each with two or more distinct points (three if `closed`) or with a single
+/// point (an apex; two apexes may not be neighbours). An open strip has m + n - 2 triangles, a closed one m + n, or m +
+/// n - 1 if it has an apex. All triangles of a surface have one orientation: a P-step gives (p_i, p_{i+1}, q_j), a
+/// Q-step (p_i, q_{j+1}, q_j). If normals are given, the faces agree with them; with caps, the faces point outwards.
+/// Among equal paths the predecessor by P-step is preferred, and on closed strips the smallest start.
 ///
-/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) of the
+/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) times the
 /// directrix's radius, are merged (warning `merged_points`). Results do not depend on the processor's vector width.
 ///
 /// # Errors
@@ -91,8 +91,8 @@ use strip::search::{SolvedStrips, solve_all};
 /// together; [`Error::Interrupted`] if stopped, by cancel or deadline: there is no mesh before the optimum is known.
 ///
 /// # Cost
-/// O(m n) time on an open strip (see [`estimate`]), one to four bits of memory a bridge; the logarithm of n more on a
-/// closed one with a single-layer objective, some searches more with the others.
+/// O(m n) time on an open strip (see [`estimate`]), and one to four bits of memory for each bridge. On a closed strip a
+/// single-layer objective takes O(m n log n) time; the other objectives take some more searches.
 pub fn solve(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<RuledSurface, Error> {
     solve_with(directrices, options, execution, Widest::get())
 }
@@ -165,7 +165,7 @@ fn solve_with(
     Ok(surface)
 }
 
-/// Checks the arguments of [`solve`] before any work, sampling included. The time is linear in the number of points.
+/// Checks the arguments of [`solve`] without resampling or solving. The time is linear in the number of points.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
@@ -176,8 +176,8 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
 /// Estimates the cost of [`solve`] for directrices with these numbers of points, to which `options.sampling` is
 /// applied. O(directrices).
 ///
-/// The triangles are those of the strips, without caps. An open strip visits exactly as many cells; a closed strip may
-/// need fewer or somewhat more. The memory is an upper bound.
+/// The triangles are those of the strips, without caps. The number of cells is exact for open strips; a closed strip
+/// may need fewer or somewhat more. The memory is an upper bound.
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
@@ -231,7 +231,7 @@ mod tests {
         (0..count).map(point).collect()
     }
 
-    /// On processors without wide instructions there is the plain path only and the test says nothing.
+    /// On processors without wide instructions only the plain path exists, and the test compares nothing.
     #[test]
     fn the_wide_and_the_plain_path_give_the_same_bits() {
         for closed in [false, true] {
@@ -274,7 +274,7 @@ mod tests {
     }
 }
 
-/// The example of the README is compiled and run with the others.
+/// Compiles and runs the example of the README with the other doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -69,7 +69,7 @@ impl FlatPattern {
     }
 }
 
-/// The bridges of a stack of open strips, strip by strip: within a strip one end stays from each bridge to the next.
+/// The bridges of a stack of open strips, strip by strip. Neighbouring bridges of one strip share an end point.
 pub fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
     bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
 }

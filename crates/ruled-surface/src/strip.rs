@@ -19,7 +19,8 @@ use statistics::{CoupledValues, Statistics};
 pub struct Strip(pub(crate) Rails);
 
 impl Strip {
-    /// A strip between two directrices of one or more points, not both of one; closed ones of three or more, or one.
+    /// Makes a strip between two directrices. An open directrix has one or more points, a closed one three or more, or
+    /// one. At most one of the two is a single point.
     ///
     /// # Errors
     /// [`Error::Input`], at `directrices`, `tangents` or `normals`, if lengths do not fit or values are not finite or
@@ -29,12 +30,12 @@ impl Strip {
         if errors.is_empty() { Ok(Self(Rails::new(p, q, closed))) } else { Err(Error::Input(errors)) }
     }
 
-    /// The optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1), or all the way round from the smallest
-    /// start. `convexity_tolerance` in radians; 0 is exact.
+    /// Returns the optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1) on an open strip, and all the way
+    /// round from the smallest start on a closed one. `convexity_tolerance` is in radians; 0 asks for the exact test.
     ///
     /// # Errors
-    /// [`Error::Input`] if objective, secondary and tolerance are not what [`Options`](crate::Options)
-    /// asks for, or the objective needs normals that are not there; [`Error::Interrupted`].
+    /// [`Error::Input`] if objective, secondary and tolerance are not as [`Options`](crate::Options) requires, or if
+    /// the objective needs normals that are not given; [`Error::Interrupted`].
     pub fn optimal_path(
         &self,
         objective: Objective,
@@ -54,8 +55,8 @@ impl Strip {
         Ok(path)
     }
 
-    /// The figures of any triangulation of this strip; `objective_value` and `secondary_value` are not set. With
-    /// normals, the normal variation is that of the better winding.
+    /// Returns the figures of any triangulation of this strip. `objective_value` and `secondary_value` are not set. If
+    /// normals are given, the normal variation is that of the better winding.
     ///
     /// # Errors
     /// [`Error::Input`] at `path` if it is not a path of this strip; [`Error::Interrupted`].
@@ -77,8 +78,8 @@ impl Strip {
         Ok((statistics, coupled))
     }
 
-    /// Whether a bridge is locally convex (definition 6); indices are cyclic, `convexity_tolerance` in radians, 0 is
-    /// exact.
+    /// Whether a bridge is locally convex (definition 6). Indices are cyclic. `convexity_tolerance` is in radians; 0
+    /// asks for the exact test.
     #[must_use]
     pub fn is_locally_convex(&self, bridge: [usize; 2], convexity_tolerance: f64) -> bool {
         convexity::is_convex(&self.0, bridge, ConvexityTest::new(convexity_tolerance))

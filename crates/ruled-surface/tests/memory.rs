@@ -5,7 +5,8 @@ use plateau_mesh::{DVec3, Execution};
 use plateau_ruled_surface::{Options, estimate, solve};
 use std::process::Command;
 
-/// Variable that names the number of points of the strip that a process measures, and what else it has.
+/// Environment variable for the measuring process: the number of points of the strip, then `closed` or `normals` or
+/// both if the strip has these properties.
 const CASE: &str = "PLATEAU_TEST_MEMORY_CASE";
 
 /// Returns the peak of this process's resident memory in bytes.
@@ -15,8 +16,8 @@ fn peak() -> Option<u64> {
     Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? * 1024)
 }
 
-/// Fails if the peak grows by more than the estimate while a strip is solved for all objectives. Does nothing by
-/// itself.
+/// Fails if the peak grows by more than the estimate while a strip is solved for all objectives. Does nothing unless
+/// the variable [`CASE`] is set.
 #[test]
 fn a_strip_in_a_process_of_its_own() {
     let Ok(case) = std::env::var(CASE) else { return };

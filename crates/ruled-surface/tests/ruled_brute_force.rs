@@ -40,7 +40,7 @@ fn check(case: &Case) {
         let path = strip.optimal_path(objective, secondary, 0.0, &execution).unwrap();
         let mut walked: Vec<[usize; 2]> = path.iter().map(|b| b.map(|k| k as usize)).collect();
         if case.closed {
-            // The next turn, with indices that run on.
+            // The path continues to its first bridge again, with indices that go beyond m and n.
             let (m, n) = (case.p.len(), case.q.len());
             walked.push(walked[0]);
             for k in 1..walked.len() {

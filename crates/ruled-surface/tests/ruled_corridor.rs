@@ -1,4 +1,5 @@
-//! A strip of least area is searched for within a corridor of its grid, and nothing is lost by that.
+//! The search for a strip of least area within a corridor of the grid finds the same area as a search of the whole
+//! grid.
 
 mod ruled;
 
@@ -68,7 +69,7 @@ fn nothing_is_lost_by_keeping_to_the_corridor() {
         let rough = case % 2;
         let height = [0.0, 0.3, 1.0, 3.0][case / 2 % 4];
         let jagged = [0.0, 0.02][rough];
-        // Enough cells for the search to look for a corridor.
+        // The grid has enough cells for the search to look for a corridor.
         let count = |random: &mut Random| 150 + (21.0 * random.between(-1.0, 1.0)) as usize;
         let (m, n) = (count(&mut random), count(&mut random));
         let p = directrix(&mut random, m, DVec3::ZERO, height, jagged);
@@ -82,7 +83,7 @@ fn nothing_is_lost_by_keeping_to_the_corridor() {
         let least = least_area(&p, &q);
         assert!((reached - least).abs() <= 1e-12 * least, "case {case}: {reached}, least {least}");
     }
-    // Otherwise nothing was tried.
+    // The corridors must leave out cells, or the comparison above shows nothing.
     assert!(3 * visited[0] < 2 * whole[0], "{visited:?} of {whole:?}");
 }
 

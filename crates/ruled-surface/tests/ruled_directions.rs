@@ -30,8 +30,8 @@ fn five_hundred_pairs() -> Vec<Pair> {
     (0..500).map(|k| if k % 10 < 7 { open_pair(&mut random) } else { closed_pair(&mut random) }).collect()
 }
 
-/// Auto leaves a pair of known direction alone and turns it back if one of its rails was reversed, whatever the
-/// objective. As given, only the reversed one is reported.
+/// `Direction::Auto` leaves a pair of known direction alone and turns it back if one of its rails was reversed,
+/// whatever the objective. With `Direction::AsGiven` only the reversed pair is reported.
 #[test]
 fn of_500_pairs_with_a_known_direction_none_is_reversed_wrongly() {
     for (k, Pair { name, closed, rails: [p, q] }) in five_hundred_pairs().into_iter().enumerate() {
@@ -56,7 +56,7 @@ fn of_500_pairs_with_a_known_direction_none_is_reversed_wrongly() {
     }
 }
 
-/// By area alone the bow-tie won, which folds by 169 degrees.
+/// The bow-tie has the smaller area of the two ways, but it folds by 169 degrees.
 #[test]
 fn rails_side_by_side_are_not_folded_into_a_bow_tie() {
     let rail = |count: usize, from: DVec3, to: DVec3| -> Vec<DVec3> {
@@ -125,7 +125,7 @@ fn a_direction_does_not_depend_on_place_size_order_or_start() {
         }
         assert_eq!(decided(&q, &p), plain, "{k}");
         assert_eq!(decided(&back(&p), &back(&q)), plain, "{k}");
-        // A reversed rail is turned back. Only where the objective finds both ways equal does each stay as given.
+        // A reversed rail is turned back. If the objective finds both ways equal, each may stay as given.
         let other = decided(&p, &back(&q));
         assert_eq!(other.1, plain.1, "{k}");
         assert!(other.0 != plain.0 || (!plain.0 && plain.1 == Some(DirectionCriterion::Objective)), "{k}");
@@ -174,7 +174,7 @@ fn an_apex_has_no_direction() {
 }
 
 /// Input: aerofoils that both run counter-clockwise, with a sharp trailing edge. The strip folds there by up to 170
-/// degrees whatever the direction, and the strips of least area once told to reverse one of them.
+/// degrees in either direction, and a comparison of the strips of least area wrongly reversed one of them.
 #[test]
 fn contours_with_a_sharp_edge_are_compared_by_their_area_vectors() {
     let aerofoil = |count: usize, chord: f64, turn: f64, place: DVec3| -> Vec<DVec3> {

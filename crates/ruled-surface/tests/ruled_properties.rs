@@ -1,4 +1,5 @@
-//! Changes that leave a ruled strip's values alone, promises of a solve, and inputs that nobody means to send.
+//! Motions, exchanges and scalings that must not change a ruled strip's values; promises of a solve; and extreme
+//! inputs.
 
 mod ruled;
 
@@ -355,11 +356,11 @@ fn capped_stacks_are_closed_bodies_that_point_outwards() {
             .map(|&t| surface.mesh.corners(t))
             .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
             .sum();
-        // The section's area is 9π/2 on the curve, a little less on its polygons.
+        // The area of the section is 9π/2 on the smooth curve, and a little less on its polygons.
         let section = 4.5 * std::f64::consts::PI;
         assert!(volume > 0.9 * 2.0 * section && volume < 2.0 * section, "{volume}");
     }
-    // An apex closes its end by itself.
+    // An apex closes its end without a cap.
     let cone = [ring(40, 0.0, 0.0, false), vec![DVec3::new(0.1, 0.2, 3.0)]];
     let surface = solved(&cone, &Options { closed: true, caps: Caps::Flat, ..Options::default() });
     assert_eq!(surface.mesh.check().expect("a manifold").euler_characteristic(), 2);
@@ -412,7 +413,7 @@ fn rounded_end_contours_are_projected_before_they_are_capped() {
         let stated: f64 = stated.and_then(|number| number.parse().ok()).expect("a distance");
         assert!((stated - moved).abs() < 1e-6 * moved + 1e-12, "{moved} {warnings:?}");
         assert_eq!(vertices[40..70], middle, "a contour without a cap stays");
-        // A projected directrix is plane, and is capped as it is.
+        // A projected directrix is planar, so the second solve caps it without projecting.
         let again = [vertices[..40].to_vec(), middle, vertices[70..].to_vec()];
         let again = solved(&again, &options);
         assert_eq!(projected(&again), Vec::<String>::new());
@@ -563,7 +564,7 @@ fn a_solve_looks_often_reports_in_order_and_stops_when_asked() {
     };
     let rails = [rail(0.0, 0.0), rail(1.0, 3.0)];
     for closed in [false, true] {
-        // Fewer cells where a closed strip takes dozens of searches.
+        // Closed strips take fewer points, because they need dozens of searches.
         let rails: Vec<Vec<DVec3>> = rails.iter().map(|r| if closed { r[..300].to_vec() } else { r.clone() }).collect();
         for goal in GOALS {
             let options = options(goal, closed);
@@ -576,7 +577,7 @@ fn a_solve_looks_often_reports_in_order_and_stops_when_asked() {
             let execution = Execution::new(&|| Signal::Continue, &report);
             solve(&rails, &options, &execution).expect("nothing stops it");
             assert_eq!(last.get(), 1.0);
-            // Least area visits so few cells of an open strip that there is little to report.
+            // The search for least area visits few cells of an open strip, so only few reports are expected.
             let least = if closed || options.objective == Objective::MinimalArea { 0 } else { 10 };
             assert!(reports.get() > least, "{goal:?}: {} reports", reports.get());
             assert!(execution.looks() > 1);
@@ -600,7 +601,7 @@ fn an_open_strip_is_priced_to_the_cell() {
         (Objective::MinimalMeanCurvatureVariation, 120),
     ] {
         let cost = estimate(&[10_000, 10_000], &Options { objective, ..Options::default() });
-        // The search itself, and the minimal area that it is compared with.
+        // The cells of the search itself, and of the strip of least area with which it is compared.
         let searches = if objective == Objective::MinimalArea { 1 } else { 2 };
         assert_eq!(cost.cells, searches * 100_000_000);
         // 2,000 bytes for each of the 20,000 points come on top of the search.

@@ -92,7 +92,7 @@ fn a_closed_directrix_sampled_with_its_end_point_is_merged_there() {
     assert!(surface.statistics.shortest_bridge > 1.0);
 }
 
-/// A tiny triangle at the origin and a large one beside it, whichever comes first.
+/// A tiny triangle at the origin beside a large one, in either order.
 #[test]
 fn a_tiny_directrix_keeps_the_digits_of_its_sides() {
     let triangle = |at: DVec3, size: f64| -> Vec<DVec3> {

@@ -5,7 +5,8 @@ use plateau_mesh::error::Error;
 use plateau_mesh::topology::{NONE, Topology};
 use plateau_mesh::{DVec3, Mesh};
 
-/// The connectivity of a mesh that this crate made. A defect is an error of ours; it is reported, not passed on.
+/// Returns the connectivity of a mesh that this crate made. A defect would be a fault of this crate; it is reported as
+/// an error, so that no caller gets the mesh.
 ///
 /// # Errors
 /// [`Error::NoResult`] (`invalid_mesh`).
@@ -15,7 +16,7 @@ pub(super) fn topology(vertices: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<T
     })
 }
 
-/// The edges, each once.
+/// Returns every edge once.
 pub(super) fn edges(topology: &Topology) -> Vec<[u32; 2]> {
     (0..topology.twin.len() as u32)
         .filter(|&h| topology.twin[h as usize] == NONE || topology.twin[h as usize] > h)

@@ -56,7 +56,7 @@ pub use report::{LengthsRow, Method, OutOfRange, Statistics, SurfaceFit, Uniform
 pub use solve::{check, estimate, solve};
 pub use surface::nurbs::Nurbs;
 
-/// The example of the README is compiled and run with the others.
+/// Compiles and runs the example of the README with the other doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

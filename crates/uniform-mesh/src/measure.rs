@@ -19,7 +19,7 @@ pub(super) fn is_in_range(length: f64) -> bool {
     (1.0 - RANGE_TOLERANCE..=2.0 + RANGE_TOLERANCE).contains(&length)
 }
 
-/// The stages of a solve as they come; lengths arrive in ℓ.
+/// The table of the stages of a solve. Lengths are passed in units of ℓ.
 pub(super) struct Table {
     pub target: f64,
     pub tolerance: f64,
@@ -41,7 +41,7 @@ impl Table {
     }
 }
 
-/// Which members are edges of the lattice: of length ℓ in the plane between two lattice points.
+/// Marks the members that are edges of the lattice: those of length ℓ in the plane between two lattice points.
 pub(super) fn lattice_group(members: &[[u32; 2]], flat: &PlaneMesh) -> Vec<bool> {
     let on_lattice: Vec<bool> =
         flat.points.iter().map(|&p| flat.lattice.is_some_and(|placement| placement.carries(p))).collect();
@@ -121,7 +121,7 @@ pub(super) fn assemble(
     }
 }
 
-/// Sets `converged`, and adds the warnings that can concern every domain.
+/// Sets `converged`, and adds the warnings that do not depend on the kind of domain.
 pub(super) fn finish(
     mut result: UniformMesh,
     interrupted: bool,

@@ -15,7 +15,7 @@ use plateau_mesh::execution::Execution;
 use plateau_mesh::plane::triangulation::Tangle;
 use plateau_mesh::{DVec3, Mesh};
 
-/// A planar polygon, meshed and measured.
+/// Meshes and measures a planar polygon.
 pub(super) fn on_polygon(
     outer: &[DVec3],
     holes: &[Vec<DVec3>],

@@ -28,7 +28,7 @@ use std::rc::Rc;
 /// space.
 const LARGEST_STRAIN: f64 = 0.25;
 
-/// A NURBS patch, meshed and measured. `place` is where it stands in the input.
+/// Meshes and measures a NURBS patch. `place` is the patch's place in the input.
 pub(super) fn on_patch(
     patch: &Nurbs,
     place: &Place,
@@ -52,7 +52,7 @@ pub(super) fn on_patch(
     })
 }
 
-/// The minimal surface of these boundaries, meshed and measured.
+/// Meshes and measures the minimal surface of these boundaries.
 pub(super) fn on_film(
     boundaries: &[Vec<DVec3>],
     options: &Options,
@@ -67,7 +67,8 @@ pub(super) fn on_film(
     })
 }
 
-/// The flattened mesh if it is right, else the one made on the surface itself.
+/// Returns the flattened mesh if it keeps its limits or if the deadline cut it short, else the mesh made on the surface
+/// itself.
 fn choose(
     flat: Option<Result<(UniformMesh, bool), Error>>,
     warnings: Vec<Warning>,
@@ -88,7 +89,7 @@ fn choose(
     let (result, interrupted) = match (execution.part([0.7, 0.99], on_surface), flat) {
         (Ok(made), _) => made,
         (Err(Error::Interrupted(Interruption::Cancelled)), _) => return Err(Interruption::Cancelled.into()),
-        // No other mesh was made in time, so the flattened mesh is returned with its faults.
+        // No mesh was made on the surface itself, so the flattened mesh is returned with its faults.
         (Err(error), Some(flat)) => (flat, matches!(error, Error::Interrupted(_))),
         (Err(error), None) => return Err(error),
     };
@@ -96,8 +97,9 @@ fn choose(
     finish(result, interrupted, shortfall, warnings, options, execution)
 }
 
-/// The domain meshed on the surface itself, and whether the deadline cut that short. `exact`: positions of some of the
-/// reference's vertices in the caller's coordinates; `inputs`: the vertices of the input's points.
+/// Meshes the domain on the surface itself. The second value says whether the deadline cut that short. `exact`:
+/// positions of some of the reference's vertices in the caller's coordinates; `inputs`: the vertices of the input's
+/// points.
 fn on_reference(
     reference: &Reference,
     exact: &[(u32, DVec3)],
@@ -141,7 +143,8 @@ fn on_reference(
     Ok((result, interrupted))
 }
 
-/// Steps 2 to 5 of [`auxiliary`](super::surface::auxiliary), and whether the deadline cut them short.
+/// Carries out steps 2 to 5 of [`auxiliary`](super::surface::auxiliary). The second value says whether the deadline cut
+/// them short.
 fn flattened(
     auxiliary: &Auxiliary,
     area: f64,
@@ -255,7 +258,7 @@ fn short_in_plane(boundary: &Boundary, member: [u32; 2]) -> Option<Why> {
     (length < 1.0 && !is_in_range(length)).then(why)
 }
 
-/// [`share_lengths`] with its row of the table; the second value says whether the deadline passed.
+/// Runs [`share_lengths`] and adds its row to the table. The second value says whether the deadline passed.
 pub(super) fn share<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     most: usize,

@@ -52,7 +52,7 @@ impl Objective {
         }
     }
 
-    /// The quantity that is minimised or maximised, and what `objective_value` counts.
+    /// The quantity that is minimised or maximised, and the meaning of `objective_value`.
     #[must_use]
     pub fn description(self) -> &'static str {
         match self {
@@ -74,7 +74,7 @@ impl Objective {
         "1"
     }
 
-    /// Where the formula stands.
+    /// The source of the formula in the literature.
     #[must_use]
     pub fn source(self) -> &'static str {
         match self {
@@ -87,17 +87,17 @@ impl Objective {
 /// How the nodes of a curved surface move after meshing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Optimise {
-    /// They stay where the mesh generator puts them.
+    /// The nodes stay where the mesh generator puts them.
     None,
     /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group. The transition zone between
     /// lattice and boundary is rebuilt for them unless it is [`Transition::Free`]. (In the plane the sum is 0 already.)
     #[default]
     Nodes,
-    /// After that, on polygons too, the inner nodes move until few lengths stand for all members, see
-    /// [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
+    /// First like [`Optimise::Nodes`]. Then, on polygons too, the inner nodes move until few lengths stand for all
+    /// members, see [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
     Lengths {
-        /// Largest number of lengths. Each member is within half the length tolerance of one of them, or as near as
-        /// found.
+        /// Largest number of lengths. Each member is within half the length tolerance of one of them; if that cannot be
+        /// reached, it is as near as the search found.
         most: usize,
     },
 }
@@ -107,10 +107,10 @@ pub enum Optimise {
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Rim"))]
 pub enum Transition {
-    /// They stay in [ℓ, 2ℓ] wherever that is possible.
+    /// The lengths stay in [ℓ, 2ℓ] wherever that is possible.
     #[default]
     Bounded,
-    /// They may take any length, as in the paper.
+    /// The members may take any length, as in the paper.
     Free,
 }
 
@@ -121,9 +121,10 @@ pub struct Options {
     pub edge_length: f64,
     /// The quantity that is minimised or maximised.
     pub objective: Objective,
-    /// Lengths that differ by no more count as equal, in the caller's unit. `None` stands for ℓ/1000.
+    /// Lengths count as equal if they differ by no more than this, in the caller's unit. `None` stands for ℓ/1000.
     pub length_tolerance: Option<f64>,
-    /// For curved domains; in the plane lattice members have length ℓ as they are.
+    /// How the nodes move after meshing. On polygons only [`Optimise::Lengths`] moves nodes, because the lattice
+    /// members have length ℓ already.
     pub optimise: Optimise,
     /// The range of the members outside the lattice group.
     pub transition: Transition,
@@ -145,7 +146,7 @@ impl Options {
         }
     }
 
-    /// The length tolerance in force.
+    /// The given length tolerance, or its default.
     pub(super) fn tolerance(&self) -> f64 {
         self.length_tolerance.unwrap_or(self.edge_length / 1000.0)
     }

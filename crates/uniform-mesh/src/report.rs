@@ -69,7 +69,7 @@ impl Method {
     }
 }
 
-/// The mesh beside the curved surface that it stands for.
+/// Comparison of the mesh with the curved surface that it approximates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SurfaceFit {
@@ -90,7 +90,7 @@ pub struct SurfaceFit {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Nodes, or lattice edges, by the objective.
+    /// Number of nodes or of lattice edges, depending on the objective.
     pub objective_value: usize,
     /// Number of nodes.
     pub nodes: usize,
@@ -116,9 +116,10 @@ pub struct Statistics {
     pub length_histogram: LengthHistogram,
     /// Entry k counts the nodes with k members.
     pub valence_histogram: Vec<usize>,
-    /// No mesh of this domain with every edge at most 2ℓ has fewer nodes. `None` for curved domains.
+    /// Lower bound of the number of nodes of any mesh of this domain with every edge at most 2ℓ. `None` for curved
+    /// domains.
     pub node_lower_bound: Option<usize>,
-    /// The mesh beside its surface. `None` for polygons.
+    /// Comparison of the mesh with its surface. `None` for polygons.
     pub surface: Option<SurfaceFit>,
 }
 

@@ -112,7 +112,8 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Checks the arguments of [`solve`] before any meshing, planarity included. The time is linear in their size.
+/// Checks the arguments of [`solve`], including planarity, without any meshing. Returns the estimate of the cost. The
+/// time is linear in the size of the arguments.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
@@ -135,7 +136,8 @@ pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
 ///
 /// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to
 /// 2e-9). On any other valid polygon no edge is longer than 2ℓ, and those shorter than ℓ are listed with the reason.
-/// Looks at `execution` every few thousand triangles or one lattice placement. O(n log n) in practice.
+/// Checks the signal of `execution` after every few thousand triangles and every lattice placement. O(n log n) in
+/// practice.
 ///
 /// # Errors
 /// [`Error::Input`]: values that are not finite, a polygon without area, not planar, self-intersecting or

@@ -52,8 +52,8 @@ pub struct LengthHistogram {
 }
 
 impl LengthHistogram {
-    /// Bins of a twentieth of the target length, starting at a multiple of it; wider ones where that would take more
-    /// than 100.
+    /// Counts lengths in bins of a twentieth of the target length. Bins start at multiples of their width, which is
+    /// doubled while there would be more than 100 of them.
     #[must_use]
     pub fn of(lengths: &[f64], target: f64) -> Self {
         let (low, high) =

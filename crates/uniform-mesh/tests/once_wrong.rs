@@ -1,4 +1,4 @@
-//! Inputs that once gave a wrong result without a word, each with what is right.
+//! Inputs that once gave a wrong result without an error or a warning, and the right result of each.
 
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, LiuWang, Method, MinimalSurface, Newton, OnUnstable, Options, PinkallPolthier,
@@ -33,8 +33,8 @@ fn spanned(boundaries: &[Vec<DVec3>], options: &Options) -> Result<MinimalSurfac
     solve(boundaries, options, &Execution::default())
 }
 
-/// Enneper's surface over a disc of radius 1.2 is stationary, but no minimum (it is one up to 1). Its area is 14.17;
-/// the minimum that an unstable film is left for has 13.72.
+/// Enneper's surface over a disc of radius 1.2 is stationary, but no minimum (it is a minimum up to radius 1). Its area
+/// is 14.17. A solver that leaves the unstable film arrives at a minimum of area 13.72.
 #[test]
 fn the_clients_exact_unstable_patch_is_reported_and_not_left() {
     let radius = 1.2f64;
@@ -116,7 +116,8 @@ fn free_keeps_about_as_many_triangles_as_are_asked_for() {
     }
 }
 
-/// Flips that reduce the area of slivers by less than rounding had no end, and no look at the signal.
+/// Input: rings so near that edge flips reduce the area of slivers by less than rounding. The flips did not end, and
+/// never checked the signal.
 #[test]
 fn rings_nearer_than_a_hundred_thousandth_of_their_radius_end() {
     for gap in [2.6e-5, 1e-6] {
@@ -131,7 +132,7 @@ fn rings_nearer_than_a_hundred_thousandth_of_their_radius_end() {
     }
 }
 
-/// The film's boundary was shifted along itself, and the lattice with it.
+/// Symptom: another first point shifted the nodes along the film's boundary, and the lattice with them.
 #[test]
 fn a_lattice_on_a_film_does_not_depend_on_the_first_point_of_the_boundary() {
     let corner = |k: usize| DVec3::from_array([[0, 0, 0], [10, 0, 5], [10, 10, 0], [0, 10, 5]][k % 4].map(f64::from));
@@ -150,8 +151,8 @@ fn a_lattice_on_a_film_does_not_depend_on_the_first_point_of_the_boundary() {
     assert!((areas[1] / areas[0] - 1.0).abs() < 1e-6, "{areas:?}");
 }
 
-/// Converged is what the solver that was asked for calls converged. Every result of the papers' own solvers ended as
-/// not converged, because the default solver's residual decided.
+/// A result is converged if the requested solver met its own rule. Symptom: every result of the papers' own solvers
+/// counted as not converged, because the residual of the default solver decided.
 #[test]
 fn every_solver_is_judged_by_its_own_rule() {
     let warned = |surface: &MinimalSurface, code: &str| {
@@ -174,7 +175,8 @@ fn every_solver_is_judged_by_its_own_rule() {
         println!("{} {} {:.3e}: {:?}", statistics.solver.name(), reason, statistics.residual, surface.warnings);
         assert_eq!((statistics.stop_reason.name(), statistics.converged), (reason, true));
         assert_eq!(warned(&surface, "not_converged"), None);
-        // Of the objectives, only the area is least on a minimal surface; the warning gives both figures.
+        // Only the solvers that minimise the area should reach a minimal surface, so only they give this warning. It
+        // states the residual and the tolerance.
         let detail = warned(&surface, "not_minimal");
         assert_eq!(detail.is_some(), area, "{detail:?}");
         let figures = [format!("{:.3e}", statistics.residual), "1.000e-6".to_owned()];
@@ -197,8 +199,8 @@ fn shoelace(points: &[DVec3]) -> f64 {
     0.5 * points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>().abs()
 }
 
-/// Three polygons of OGC's test suite. Their holes were covered twice (545.5 for 454.5, 638.5 for 522.5), or no film
-/// was found.
+/// Three polygons of OGC's test suite. Symptom: their holes were covered twice (area 545.5 instead of 454.5, 638.5
+/// instead of 522.5), or no film was found.
 #[test]
 fn plane_films_whose_holes_touch_cover_the_area_between_them() {
     let two_holes = [
@@ -235,7 +237,7 @@ fn plane_films_whose_holes_touch_cover_the_area_between_them() {
             assert_eq!(surface.statistics.boundary_loops, loops);
             assert!(!crosses_itself(&surface.mesh));
             for (numbers, rim) in surface.input_vertices.iter().zip(&surface.boundaries) {
-                // Each boundary has a path of its own through all its points and along its sides.
+                // Each boundary is a separate path of the mesh through all of its points and along its sides.
                 let start = rim.iter().position(|v| *v == numbers[0]).unwrap();
                 let turned: Vec<u32> = rim[start..].iter().chain(&rim[..start]).copied().collect();
                 let passed: Vec<u32> = turned.iter().copied().filter(|v| numbers.contains(v)).collect();
@@ -255,7 +257,7 @@ fn plane_films_whose_holes_touch_cover_the_area_between_them() {
     }
 }
 
-/// The message was to move the boundaries closer together.
+/// Symptom: the error told the user to move the boundaries closer together.
 #[test]
 fn plane_boundaries_that_cross_are_refused_where_they_cross() {
     let boundaries = [
@@ -275,7 +277,8 @@ fn plane_boundaries_that_cross_are_refused_where_they_cross() {
     );
 }
 
-/// A hole's point on a slanted side gave an edge of length 0; a hole's side on the outline gave empty triangles.
+/// Symptoms: a hole's point on a slanted side gave an edge of length 0, and a hole's side on the outline gave empty
+/// triangles.
 #[test]
 fn lattices_see_where_a_hole_touches_a_slanted_side() {
     let outline = plane(&[[0.0, 0.0], [4.0, 1.0], [4.0, 4.0], [0.0, 4.0]]);
@@ -310,7 +313,7 @@ fn a_fixed_point_outside_is_named() {
     assert_eq!(errors[0].place.to_string(), "/constraints/points/1");
 }
 
-/// Two near rings have an annulus of area 1.6e-4, and two discs of 6.26 were called the least.
+/// Two near rings span an annulus of area 1.6e-4. Symptom: two discs of area 6.26 were called the least.
 #[test]
 fn best_finds_the_film_between_near_rings_and_gives_a_small_ring_its_triangles() {
     let rings = [ring(40, 1.0, 0.0), ring(40, 1.0, 2.6e-5)];
@@ -321,7 +324,8 @@ fn best_finds_the_film_between_near_rings_and_gives_a_small_ring_its_triangles()
     assert!(surface.statistics.converged && surface.statistics.components == 2);
 }
 
-/// The disc over the smaller ring was solved to its own radius, and judged by that of both rings.
+/// Symptom: the disc over the smaller ring was solved to a tolerance relative to its own radius, but judged by the
+/// radius of both rings.
 #[test]
 fn films_over_some_of_the_boundaries_converge_by_the_radius_of_all() {
     let tilted: Vec<DVec3> =

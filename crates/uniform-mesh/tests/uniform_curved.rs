@@ -1,4 +1,5 @@
-//! Uniform meshes of strongly curved surfaces: the mesh stands for its surface, or `converged` is false and says why.
+//! Uniform meshes of strongly curved surfaces: the mesh is close to its surface, or `converged` is false and the
+//! warning gives the reason.
 //!
 //! The campaign runs a few random patches and films; with `PLATEAU_LONG=1` it runs 300 patches and 100 films, with
 //! `PLATEAU_LONG=76..100` only those of them with these numbers.
@@ -190,7 +191,7 @@ fn a_film_between_two_rings_keeps_its_area() {
     }
 }
 
-/// A generator of its own, so that a seed means the same everywhere.
+/// A random number generator that is independent of libraries, so that a seed always gives the same cases.
 struct Random(u64);
 
 impl Random {
@@ -236,8 +237,8 @@ fn random_patch(seed: u64) -> (Domain, f64) {
     (Domain::Nurbs(Nurbs { degrees, knots: [knots(0), knots(1)], control_points, weights }), edge_length)
 }
 
-/// The mesh had an edge of 0.50 ℓ along a side, which counted as the work of a corner at its end: it was `converged`.
-/// The patch with the number 285 of the campaign had one of 0.32 ℓ, beside a right angle.
+/// Symptom: an edge of 0.50 ℓ along a side was attributed to a corner at the side's end, so the mesh counted as
+/// `converged`. Patch 285 of the campaign had such an edge of 0.32 ℓ, beside a right angle.
 #[test]
 fn a_corner_is_no_reason_for_a_short_edge_along_a_side() {
     let (domain, edge_length) = random_patch(77);

@@ -224,7 +224,7 @@ proptest! {
     ) {
         let outline = star(seed, 9);
         let scale = 10f64.powi(exponent);
-        // At 1e7 the input itself has lost digits: that moves nodes by as much, but changes no connectivity.
+        // At 1e7 the input itself has lost digits. This moves nodes by as much, but does not change the connectivity.
         let shift = if far { DVec3::new(1e7, -2e7, 3e6) * scale } else { DVec3::ZERO };
         let tolerance = if far { 1e-6 } else { 1e-9 };
         let (axis_turn, axis_tilt) = (DVec2::from_angle(turn), DVec2::from_angle(tilt));
@@ -239,7 +239,8 @@ proptest! {
             let here = run(&polygon(&outline), 1.3, objective).unwrap();
             let there = run(&image, 1.3 * scale, objective).unwrap();
             if far && objective == Objective::MostEqualEdges {
-                // A lattice through a corner touches what it must not cross: lost digits decide, but not by much.
+                // A lattice through a corner touches the limits of its region, so lost digits decide which nodes it
+                // keeps. Their number changes little.
                 let (a, b) = (here.statistics.lattice_edges.count as f64, there.statistics.lattice_edges.count as f64);
                 prop_assert!((a - b).abs() <= 3.0 + 0.05 * a, "{a} {b} lattice edges");
                 continue;
@@ -266,7 +267,7 @@ fn a_regular_hexagon_becomes_nothing_but_equilateral_triangles() {
 
 #[test]
 fn the_search_beats_a_placement_that_ignores_the_polygon() {
-    // A square turned by 17° against the lattice that starts at its first corner: aligned rows must be found again.
+    // The square is turned by 17°. The search must find the rows that are aligned with it, and not take unturned rows.
     let turn = DVec2::from_angle(0.3);
     let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]].map(|p| turn.rotate(DVec2::from(p)).to_array());
     let result = run(&polygon(&square), 1.0, Objective::MostEqualEdges).unwrap();
@@ -332,7 +333,7 @@ fn reasons_are_named() {
     assert_eq!(why(&rooms, 1.0), [Why::Narrow]);
 }
 
-/// The way along the sides of a hole whose whole circumference is below 3ℓ once led round and round.
+/// A hole whose whole circumference is below 3ℓ. Symptom: the walk along its sides went round without end.
 #[test]
 fn a_polygon_and_its_hole_may_be_much_smaller_than_the_edge_length() {
     let hole = flat(&[[0.4, 0.2], [0.2, 0.2], [0.2, 0.5], [0.4, 0.5]]);
@@ -549,7 +550,8 @@ fn progress_rises_and_looks_are_frequent() {
         solve(&square, &Options::new(0.3, objective), &execution).unwrap();
         let seen = seen.borrow();
         assert!(seen.len() > 20 && seen.windows(2).all(|pair| pair[0] <= pair[1]) && *seen.last().unwrap() == 1.0);
-        // About 10^7 of these a second: a look at least every 50 ms by a wide margin.
+        // About 10^7 units of work take a second, so this bound is far below the 50 ms that are promised between two
+        // checks.
         assert!(execution.largest_work_between_looks() <= 150_000, "{}", execution.largest_work_between_looks());
     }
 }

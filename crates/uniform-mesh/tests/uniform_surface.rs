@@ -91,7 +91,8 @@ fn a_flat_patch_gives_what_its_polygon_gives() {
         let on_patch = run(&patch, &options).unwrap();
         let on_polygon = run(&Domain::Polygon { outer: corners.to_vec(), holes: Vec::new() }, &options).unwrap();
         check(&on_patch, 3.0);
-        // The search for the lattice's placement ends at one of several good ones; rounding may decide at which.
+        // The search for the lattice's placement ends at one of several placements that are about equally good, and
+        // rounding may decide at which.
         let apart = on_patch.statistics.objective_value.abs_diff(on_polygon.statistics.objective_value);
         let allowed = if objective == Objective::MostEqualEdges { 6 } else { 0 };
         assert!(apart <= allowed, "{apart} of {}", on_patch.statistics.objective_value);
@@ -174,7 +175,8 @@ fn the_rim_stays_within_its_bounds_unless_it_is_free() {
 
 #[test]
 fn a_rim_that_the_surface_bends_out_of_range_is_made_anew() {
-    // Steep enough for the plane's rim to leave [ℓ, 2ℓ] on both sides and to shrink to needles once the lattice moves.
+    // The roof is so steep that the rim made in the plane leaves [ℓ, 2ℓ] on both sides, and shrinks to needles when the
+    // lattice moves.
     let steep: Vec<Vec<DVec3>> =
         roof().into_iter().map(|row| row.into_iter().map(|p| p.with_z(1.6 * p.z)).collect()).collect();
     for objective in Objective::ALL {
@@ -184,7 +186,7 @@ fn a_rim_that_the_surface_bends_out_of_range_is_made_anew() {
         assert!(before.min < 3.6 || before.max > 8.4, "{before:?}");
         assert!(rim(&result).iter().all(|&l| (4.0 * (1.0 - 1e-8)..=8.0 * (1.0 + 1e-8)).contains(&l)));
         assert!(result.statistics.angles.0.to_degrees() > 15.0, "{}", result.statistics.angles.0.to_degrees());
-        // Where they were: the lattice's members are the plane's, only their nodes have moved.
+        // The members of the lattice are those of the plane; only their nodes have moved.
         if objective == Objective::MostEqualEdges {
             assert_eq!(result.stages[2].lattice.unwrap().lengths.count, result.statistics.lattice_edges.count);
         }

@@ -2,8 +2,8 @@
 
 use plateau_mesh::execution::{Execution, Interruption, Progress};
 
-/// Number of grid cells between two looks at the caller's signal. The slowest kernel (four layers, no wide
-/// instructions) takes a few milliseconds for this number, a tenth of the 50 ms that are promised.
+/// Number of grid cells between two checks of the caller's cancellation signal. The slowest kernel (four layers, no
+/// wide instructions) takes a few milliseconds for this number. A solve promises to stop within 50 ms.
 pub(crate) const CELLS_BETWEEN_LOOKS: u64 = 1 << 16;
 
 /// Counts the cells that a solve has visited; reports progress and looks at the caller's signal.

@@ -24,9 +24,9 @@ pub(crate) struct FoundPath {
     pub(crate) score: Score,
     /// The bridges in order. On closed strips the columns continue beyond n.
     pub(crate) path: Vec<[u32; 2]>,
-    /// The step that the search assumed before the first bridge.
+    /// The step that the search assumed before the first bridge: 0 for P, 1 for Q.
     seed: usize,
-    /// The step that led to the last bridge: 0 for P, 1 for Q. Without four layers 0.
+    /// The step that led to the last bridge: 0 for P, 1 for Q. Always 0 on graphs of fewer than four layers.
     arrived_by: usize,
 }
 
@@ -155,8 +155,8 @@ fn divide_and_conquer(
     let mut best = search.find(&Region::full(rows, 0, n), (0, 0, Seed::Either), (n, n), counter)?;
     let low = PathBounds::of(&best.path, rows);
     let high = low.shifted(n as u32);
-    // The ranges have the starts strictly between two starts whose paths are known. The last column of the grid is
-    // never a start.
+    // Each range holds the starts strictly between two starts whose shortest paths are known. All starts are below n,
+    // so no path needs column 2n, which lies beyond the grid.
     let mut ranges = vec![(0, low, n, high)];
     while let Some((a, low, b, high)) = ranges.pop() {
         if b - a < 2 {
@@ -227,8 +227,9 @@ fn branch_and_bound(search: &mut dyn PathSearch, counter: &mut CellCounter<'_, '
         let (start, end, bound) = (found.start(), found.end() - n, found.score);
         let is_narrowed = range.first == range.last && range.seed != Seed::Either;
         if (start == end && found.seed == found.arrived_by) || is_narrowed {
-            // The bound is attained: a single start and a single step that leads to it leave no other path. Among equal
-            // paths the one with the smallest start is preferred, so smaller starts are still searched.
+            // The bound is attained: either the path is closed, or the range has a single start and a single step
+            // before it, so that every path within it is closed. Among equal paths the one with the smallest start is
+            // preferred, so smaller starts are still searched.
             if start > range.first {
                 heap.push(StartRange { bound, first: range.first, last: start - 1, seed: range.seed });
             }

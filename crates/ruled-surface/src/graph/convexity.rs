@@ -133,16 +133,16 @@ fn fits_within<V: Lanes>(length: V, triangles: &[BridgeTriangle<V>; 4], sine: f6
         triangles[3].length.at_most(nearest),
     ];
     let mut fits = near[0] & near[1] & near[2] & near[3];
-    // For each direction: all others to its left, all others to its right.
+    // For each direction: whether all others lie to its left, and whether all lie to its right.
     let all = zero.at_most(zero);
     let (mut lefts, mut rights) = ([all; 4], [all; 4]);
-    // Written out pair by pair: with the pair's numbers known, everything stays in registers.
+    // The pairs are written out, because everything stays in registers if their indices are constants.
     macro_rules! pair {
         ($a:literal, $b:literal) => {
             let (first, second) = (&triangles[$a], &triangles[$b]);
-            // The value is the sine of the angle from a to b, times both distances from the bridge's line, times the
-            // bridge's length. Edges that arrive have the opposite direction. The sine may have the wrong sign by the
-            // tolerance, and by rounding over distance for each of the two directions.
+            // `side` is the sine of the angle from direction a to direction b, times both distances from the bridge's
+            // line, times the bridge's length. The direction of an arriving bank edge is the edge's opposite. The sign
+            // of the sine may be wrong by the tolerance, and by rounding over distance for each of the two directions.
             let turn = second.bank.dot(first.normal);
             let side = if ($a < 2) == ($b < 2) { zero - turn } else { turn };
             let slack = per_length * first.length * second.length + rounding * (first.length + second.length);

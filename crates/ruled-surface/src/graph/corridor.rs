@@ -1,5 +1,5 @@
-//! Which bridges a strip of least area can have: most of the grid is left out before the search, and the optimum stays
-//! exact.
+//! The corridor: the bridges among which a strip of least area is searched. It leaves out most of the grid, and the
+//! optimum stays exact.
 //!
 //! Take one square of the grid, bank edges u = p_{i+1} - p_i and v = q_{j+1} - q_j. Swapping "P-step, then Q-step" for
 //! "Q-step, then P-step" flips the diagonal of the quadrilateral p_i p_{i+1} q_{j+1} q_j. With A the area,
@@ -7,17 +7,19 @@
 //!   D = A(P, Q) - A(Q, P) = -½ |u| |v| ∫∫ (1 - cos γ) sin(θ_u + θ_v) ds dt,   s, t from 0 to 1,
 //!
 //! where for the bridge e = (q_j + t v) - (p_i + s u) the angles θ_u and θ_v are those of u and v with e, and γ is the
-//! angle between the planes (u, e) and (v, e). (A triangle's area changes with s or t by ½ (u × v)·n of its unit normal
-//! n; the double integral of the difference of the two normals is D, and spherical trigonometry at e gives the
-//! integrand.) The sine has the sign of (û + v̂)·e, û and v̂ unit: of how far the bridge *leans forward*. It is linear
-//! in s and in t, so its sign at the square's four bridges decides: where all lean forward, q is ahead and taking the
-//! P-step first never costs more; where all lean back, taking the Q-step first never does.
+//! angle between the planes (u, e) and (v, e). (The area ½ |u × e| of a P-step's triangle changes with t at the rate ½
+//! (u × v)·n, where n is the triangle's unit normal. The area ½ |v × e| of a Q-step's triangle changes with s at the
+//! same rate, with its own n. The double integral of the difference of the two rates is D, and spherical trigonometry
+//! at e gives the integrand.) The sine has the sign of (û + v̂)·e, where û and v̂ are the unit vectors along u and v.
+//! The bridge *leans forward* if this product is positive, and *back* if it is negative. The product is linear in s and
+//! in t, so its signs at the square's four bridges decide. If all four lean forward, Q is ahead, and taking the P-step
+//! first never costs more. If all four lean back, taking the Q-step first never costs more.
 //!
-//! If every square right of a staircase leans forward, a path that strays there can therefore be cut off at the
-//! staircase without growing, and likewise on the left of one where every square leans back. The *corridor* lies
-//! between two such staircases. Boxes around runs of points and edge directions, halved where they leave the sign open,
-//! find it in some multiple of m + n steps on smooth directrices; where the sign stays open in too many places the
-//! corridor is the whole grid.
+//! Suppose that every square right of a staircase leans forward. A path that strays there can then be cut off at the
+//! staircase without an increase of its area. The same holds left of a staircase if every square there leans back. The
+//! *corridor* lies between two such staircases. To find it, boxes around runs of points and edge directions bound the
+//! lean, and runs whose lean has no certain sign are halved. On smooth directrices this takes some multiple of m + n
+//! steps. If the sign stays open in too many places, the corridor is the whole grid.
 
 use super::cell_counter::CellCounter;
 use super::rails::Rails;
@@ -127,14 +129,14 @@ impl Extent {
     }
 }
 
-/// Neighbouring bank edges: their points, and the directions (unit) from each to the next.
+/// A run of neighbouring bank edges: a box around its points, and a box around the unit directions of its edges.
 #[derive(Clone, Copy, Debug)]
 struct EdgeRun {
     points: Extent,
     directions: Extent,
 }
 
-/// The runs of a directrix: level 0 has [`LEAF`] edges each, every level above twice as many.
+/// The runs of a directrix: each run has [`LEAF`] edges on level 0 and twice as many on every further level.
 struct RunTree {
     levels: Vec<Vec<EdgeRun>>,
     edges: usize,

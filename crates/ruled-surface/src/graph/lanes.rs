@@ -151,7 +151,7 @@ impl Widest {
     }
 }
 
-/// `$body` with the type `$lanes` standing for the instance that `$widest` names, and `$simd` for its proof.
+/// Evaluates `$body`, in which the type `$lanes` is the instance that `$widest` names and `$simd` is its proof.
 macro_rules! with_lanes {
     ($widest:expr, $lanes:ident, $simd:ident => $body:expr) => {
         match $widest {
@@ -229,7 +229,7 @@ mod wide {
                 type Output = Self;
                 #[inline(always)]
                 fn $method(self, other: Self) -> Self {
-                    // SAFETY: see the type.
+                    // SAFETY: a value of this type exists only on processors with its instructions.
                     Self(unsafe { $intrinsic(self.0, other.0) })
                 }
             }
@@ -267,13 +267,13 @@ mod wide {
         type Simd = Avx2;
         #[inline(always)]
         fn splat(Avx2(()): Avx2, value: f64) -> Self {
-            // SAFETY: the proof.
+            // SAFETY: an `Avx2` exists only on processors with AVX2.
             Self(unsafe { _mm256_set1_pd(value) })
         }
         #[inline(always)]
         fn load(Avx2(()): Avx2, from: &[f64]) -> Self {
             let from: &[f64; 4] = from.first_chunk().expect("a full load");
-            // SAFETY: the proof; there are four numbers, and the load needs no alignment.
+            // SAFETY: an `Avx2` exists only on processors with AVX2; there are four numbers; no alignment needed.
             Self(unsafe { _mm256_loadu_pd(from.as_ptr()) })
         }
         #[inline(always)]
@@ -282,32 +282,32 @@ mod wide {
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             Self(unsafe { _mm256_sqrt_pd(self.0) })
         }
         #[inline(always)]
         fn less(self, other: Self) -> FourMask {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             FourMask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
         }
         #[inline(always)]
         fn at_most(self, other: Self) -> FourMask {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             FourMask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
         }
         #[inline(always)]
         fn select(mask: FourMask, yes: Self, no: Self) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
         }
         #[inline(always)]
         fn bits(mask: FourMask) -> u32 {
-            // SAFETY: see the type.
+            // SAFETY: a `FourMask` exists only on processors with AVX2.
             unsafe { _mm256_movemask_pd(mask.0) as u32 }
         }
         #[inline(always)]
         fn from_bits(Avx2(()): Avx2, bits: u32) -> FourMask {
-            // SAFETY: see the type.
+            // SAFETY: an `Avx2` exists only on processors with AVX2.
             unsafe {
                 let lanes = _mm256_set_epi64x(8, 4, 2, 1);
                 let set = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
@@ -316,7 +316,7 @@ mod wide {
         }
         #[inline(always)]
         fn shift_in(self, first: f64) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             unsafe {
                 let moved = _mm256_permute4x64_pd::<0b10_01_00_00>(self.0);
                 Self(_mm256_blend_pd::<1>(moved, _mm256_set1_pd(first)))
@@ -324,7 +324,7 @@ mod wide {
         }
         #[inline(always)]
         fn last(self) -> f64 {
-            // SAFETY: see the type.
+            // SAFETY: a `Four` exists only on processors with AVX2.
             unsafe {
                 let high = _mm256_extractf128_pd::<1>(self.0);
                 _mm_cvtsd_f64(_mm_unpackhi_pd(high, high))
@@ -333,7 +333,7 @@ mod wide {
         #[inline(always)]
         fn lanes(self) -> [f64; MOST_LANES] {
             let mut all = [0.0; MOST_LANES];
-            // SAFETY: see the type; there is room for four.
+            // SAFETY: a `Four` exists only on processors with AVX2; there is room for four.
             unsafe { _mm256_storeu_pd(all.as_mut_ptr(), self.0) };
             all
         }
@@ -343,7 +343,7 @@ mod wide {
             fn enabled<T: Task<Four>>(task: T) -> T::Output {
                 task.run()
             }
-            // SAFETY: the proof.
+            // SAFETY: an `Avx2` exists only on processors with AVX2.
             unsafe { enabled(task) }
         }
     }
@@ -354,13 +354,13 @@ mod wide {
         type Simd = Avx512;
         #[inline(always)]
         fn splat(Avx512(()): Avx512, value: f64) -> Self {
-            // SAFETY: the proof.
+            // SAFETY: an `Avx512` exists only on processors with AVX-512.
             Self(unsafe { _mm512_set1_pd(value) })
         }
         #[inline(always)]
         fn load(Avx512(()): Avx512, from: &[f64]) -> Self {
             let from: &[f64; 8] = from.first_chunk().expect("a full load");
-            // SAFETY: the proof; there are eight numbers, and the load needs no alignment.
+            // SAFETY: an `Avx512` exists only on processors with AVX-512; there are eight numbers; no alignment needed.
             Self(unsafe { _mm512_loadu_pd(from.as_ptr()) })
         }
         #[inline(always)]
@@ -369,22 +369,22 @@ mod wide {
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             Self(unsafe { _mm512_sqrt_pd(self.0) })
         }
         #[inline(always)]
         fn less(self, other: Self) -> EightMask {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) })
         }
         #[inline(always)]
         fn at_most(self, other: Self) -> EightMask {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0) })
         }
         #[inline(always)]
         fn select(mask: EightMask, yes: Self, no: Self) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
         }
         #[inline(always)]
@@ -397,7 +397,7 @@ mod wide {
         }
         #[inline(always)]
         fn shift_in(self, first: f64) -> Self {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             unsafe {
                 let (all, first) = (_mm512_castpd_si512(self.0), _mm512_castpd_si512(_mm512_set1_pd(first)));
                 Self(_mm512_castsi512_pd(_mm512_alignr_epi64::<7>(all, first)))
@@ -405,7 +405,7 @@ mod wide {
         }
         #[inline(always)]
         fn last(self) -> f64 {
-            // SAFETY: see the type.
+            // SAFETY: an `Eight` exists only on processors with AVX-512.
             unsafe {
                 let high = _mm512_extractf64x2_pd::<3>(self.0);
                 _mm_cvtsd_f64(_mm_unpackhi_pd(high, high))
@@ -414,7 +414,7 @@ mod wide {
         #[inline(always)]
         fn lanes(self) -> [f64; MOST_LANES] {
             let mut all = [0.0; MOST_LANES];
-            // SAFETY: see the type; there is room for eight.
+            // SAFETY: an `Eight` exists only on processors with AVX-512; there is room for eight.
             unsafe { _mm512_storeu_pd(all.as_mut_ptr(), self.0) };
             all
         }
@@ -424,7 +424,7 @@ mod wide {
             fn enabled<T: Task<Eight>>(task: T) -> T::Output {
                 task.run()
             }
-            // SAFETY: the proof.
+            // SAFETY: an `Avx512` exists only on processors with AVX-512.
             unsafe { enabled(task) }
         }
     }

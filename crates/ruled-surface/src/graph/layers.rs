@@ -392,8 +392,8 @@ pub(crate) struct Factors {
 }
 
 /// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a
-/// link costs the change of the mean curvature vector. The back pointer of a node is the step that led to the bridge
-/// before.
+/// link costs the change of the mean curvature vector. The back pointer of a node is the step that led to the previous
+/// bridge.
 #[derive(Debug)]
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
@@ -527,7 +527,8 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
             top[f..2 * f].fill(0.0);
         }
         if seed != Seed::Open {
-            // The closing step leaves the last row. Its curvature is computed like that at the path's end.
+            // The closing step leaves the last row. The mean curvature vectors there are computed as at the end of the
+            // path.
             let band = self.arrays.band_rows::<f64>((), self.arrays.rows - 1);
             let (bridge, _, triangles) = self.arrays.triangles::<f64>(&band, column);
             let here = curvatures(bridge, &triangles);
@@ -542,7 +543,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
 }
 
 impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
-    /// The terms of a weighted sum at a node besides the curvature variation.
+    /// Returns the terms of a weighted sum at each of the four nodes, without the curvature variation.
     #[inline(always)]
     fn terms<V: Lanes<Simd = S>>(
         &self,

@@ -48,8 +48,8 @@ impl<'a> From<&'a [DVec3]> for Given<'a> {
     }
 }
 
-/// A directrix is far smaller than the other one below this fraction of its extent. Directrices of equal size are
-/// centred at p_0, whichever is a little smaller.
+/// Q counts as far smaller than P if its extent is below this fraction of P's. Otherwise coordinates are relative to
+/// p_0, even if Q is a little smaller.
 const FAR_SMALLER: f64 = 1e-3;
 
 impl Rails {
@@ -101,7 +101,8 @@ impl Rails {
     pub(crate) fn has_apex(&self) -> bool {
         self.m() == 1 || self.n() == 1
     }
-    /// Number of triangles: m + n - 2 of an open strip, m + n of a closed one, and one fewer around an apex.
+    /// Number of triangles: m + n - 2 of an open strip, m + n of a closed one, or m + n - 1 of a closed one with an
+    /// apex.
     pub(crate) fn triangles(&self) -> usize {
         match (self.closed, self.has_apex()) {
             (false, _) => self.m() + self.n() - 2,
@@ -112,7 +113,7 @@ impl Rails {
     pub(crate) fn has_normals(&self) -> bool {
         !self.p.normals.is_empty() && !self.q.normals.is_empty()
     }
-    /// The triangles along a path; vertices are P's points, then Q's.
+    /// The triangles along a path. Vertices are numbered through P's points, then Q's.
     pub(crate) fn triangles_along(&self, path: &[[u32; 2]]) -> Vec<[u32; 3]> {
         let (m, n, count) = (self.m() as u32, self.n() as u32, path.len());
         let steps = if self.closed { count } else { count - 1 };
@@ -174,9 +175,10 @@ fn unit(v: DVec3) -> DVec3 {
     if largest == 0.0 { DVec3::ZERO } else { (v * power_of_two_above(largest).recip()).normalize() }
 }
 
-/// Unit tangents by eq. 13/14: the derivative at the middle of the quadratic through three neighbours, whose parameter
-/// is the chord length (the middle at α = |a|/(|a|+|b|), 1/2 where a neighbour coincides). One-sided chords at open
-/// ends.
+/// Returns the unit tangents by eq. 13 and 14: the derivative, at the middle point, of the quadratic through three
+/// consecutive points, whose parameter is the chord length. With the edges a and b, the middle point has the parameter
+/// α = |a|/(|a|+|b|), or 1/2 if a neighbour coincides with it. The tangent at an open end is the direction of the only
+/// edge there.
 fn fitted_tangents(points: &[DVec3], closed: bool) -> Vec<DVec3> {
     (0..points.len())
         .map(|k| {

@@ -93,7 +93,7 @@ impl RailNumbers {
     }
 }
 
-/// The lanes that start at one position of a rail and at the position before it, of the rail's first `ROWS` rows. All
+/// Access to the lanes at one position of a rail and at the position before it, in the rail's first `ROWS` rows. All
 /// loads are checked when the window is made, because a check at each of the 22 loads of a step took a twelfth of the
 /// time of a strip of least bending energy.
 #[derive(Clone, Copy)]
@@ -129,8 +129,8 @@ impl<V: Lanes, const ROWS: usize> Window<'_, V, ROWS> {
         assert!(row < ROWS);
         let start = row * self.stride + self.at - BEFORE;
         // SAFETY: `BEFORE <= at`, `row < ROWS` and `at + V::WIDTH <= stride`, so the range begins inside its row and
-        // ends at `ROWS * stride` at the latest, and there are as many numbers: `RailNumbers::window` has checked all
-        // of this.
+        // ends at `ROWS * stride` at the latest. `RailNumbers::window` has checked these bounds and that there are at
+        // least `ROWS * stride` numbers.
         V::load(self.simd, unsafe { self.numbers.get_unchecked(start..start + V::WIDTH) })
     }
 }
@@ -193,7 +193,8 @@ impl StripArrays {
         }
     }
 
-    /// The bridges of step `t` and their four triangles: arriving by P, by Q, leaving by P, by Q.
+    /// Returns the bridges of step `t`, their squared lengths and their four triangles: arriving by P, by Q, leaving by
+    /// P, by Q.
     #[inline(always)]
     pub(crate) fn triangles<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [BridgeTriangle<V>; 4]) {
         let (simd, at) = (rows.point.x.simd(), self.at(t));

@@ -137,14 +137,15 @@ impl BitTable {
         self.words[band.word + step / per_word] >> bit & 1 == 1
     }
 
-    /// Sets the bit of a bridge, one layer.
+    /// Sets the bit of a bridge in a table of one layer.
     pub(crate) fn set(&mut self, [i, j]: [usize; 2]) {
         let (band, lane) = (self.bands[i / self.width], i % self.width);
         let (step, per_word) = (j + lane - band.begin, 64 / self.width);
         self.words[band.word + step / per_word] |= 1 << (step % per_word * self.width + lane);
     }
 
-    /// The lanes of step `t`, one layer: bit r belongs to row `band * width + r`. Zero outside the table.
+    /// Returns the bits of step `t` in a table of one layer: bit r belongs to row `band * width + r`. Returns zero for
+    /// a step outside the table.
     #[inline(always)]
     pub(crate) fn lanes(&self, band: usize, t: usize) -> u32 {
         let BandOf { word, begin, end } = self.bands[band];
@@ -161,11 +162,11 @@ impl BitTable {
 #[derive(Debug, Default)]
 pub(crate) struct Workspace {
     pub(crate) table: BitTable,
-    /// `CARRY` numbers a column for the row above, `LEFT` columns further left.
+    /// The values that the row above hands down: `CARRY` numbers for each column, column 0 at position `LEFT`.
     top: Vec<f64>,
 }
 
-/// Number of columns left of 0 through which lanes pass on their way in.
+/// Number of columns left of column 0 through which lanes pass on their way into the grid.
 const LEFT: usize = MOST_LANES;
 
 /// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
@@ -226,7 +227,7 @@ struct SweepPosition<S> {
     state: S,
 }
 
-/// A part of a sweep that fits between two looks.
+/// The part of a sweep between two checks of the caller's signal.
 struct SweepPart<'a, V: Lanes, K: Kernel<V>> {
     kernel: &'a K,
     bands: &'a [BandOf],
@@ -308,8 +309,8 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     position.step = end;
 }
 
-/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits few cells besides
-/// those through which paths within the bound run.
+/// Returns the cost of the shortest path of an open strip if it is at most `bound`. The path itself is not kept. The
+/// search visits few cells besides those through which paths within the bound run.
 pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     kernel: &K,
     (rows, columns): (usize, usize),
@@ -384,7 +385,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
                 }
             }
             visited += ((position.step - begin) * V::WIDTH) as u64;
-            // The entries further right are those that the row above handed down.
+            // Columns further right still hold the values of the row above, so they are reset.
             let written = position.step - lanes;
             for column in written + 1..=to {
                 let at = (LEFT + column) * K::CARRY;
@@ -397,9 +398,9 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
     }
 }
 
-/// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers,
-/// arrived at by `arrived_by`. Returns the bridges from the first on, and how the bridge before the first was arrived
-/// at.
+/// Walks the back pointers from the bridge (rows - 1, `column`). The path leaves this bridge by the closing P-step; on
+/// four layers it arrived there by `arrived_by`. Returns the bridges from the first to the last, and the step that led
+/// to the bridge before the first one.
 pub(crate) fn walk_back(table: &BitTable, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
     let (mut i, mut j) = (rows - 1, column);
     let mut path = Vec::with_capacity(rows + column);

@@ -55,8 +55,8 @@ pub(crate) fn double_area<V: Lanes>(bank: Vector<V>, bridge: Vector<V>) -> V {
     normal.dot(normal).sqrt()
 }
 
-/// `minimal_twist` (definition 5): 1 - n_p·n_q with n_p = unit(e × t_p), n_q = unit(e × t_q) (eq. 4), t unit or zero.
-/// 1 where a cross product vanishes.
+/// `minimal_twist` (definition 5): 1 - n_p·n_q with n_p = unit(e × t_p), n_q = unit(e × t_q) (eq. 4); t_p and t_q have
+/// length 1 or 0. The twist is 1 where a cross product vanishes.
 #[inline(always)]
 pub(crate) fn twist<V: Lanes>(bridge: Vector<V>, tangent_p: Vector<V>, tangent_q: Vector<V>) -> V {
     let squared = bridge.dot(bridge);
@@ -67,8 +67,8 @@ pub(crate) fn twist<V: Lanes>(bridge: Vector<V>, tangent_p: Vector<V>, tangent_q
     V::select(bound.less(aa) & bound.less(bb), one - a.dot(b) / (aa * bb).sqrt(), one)
 }
 
-/// `minimal_normal_variation` (eq. 11): (1 - n_p·n̄_p) + (1 - n_q·n̄_q), n_p = unit(t_p × e) as the triangles of a
-/// strip are wound. A half whose cross product vanishes counts 1.
+/// `minimal_normal_variation` (eq. 11): (1 - n_p·n̄_p) + (1 - n_q·n̄_q) with n_p = unit(t_p × e), as the triangles of a
+/// strip are wound, and the given normals n̄_p and n̄_q. A term whose cross product vanishes counts 1.
 #[inline(always)]
 pub(crate) fn normal_variation<V: Lanes>(bridge: Vector<V>, tangents: [Vector<V>; 2], normals: [Vector<V>; 2]) -> V {
     let squared = bridge.dot(bridge);

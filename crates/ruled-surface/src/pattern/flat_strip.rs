@@ -6,9 +6,9 @@ use plateau_mesh::DVec2;
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FlatStrip {
-    /// The two directrices' points, in order.
+    /// The points of the first directrix, in order.
     pub p: Vec<DVec2>,
-    /// The points of the second directrix.
+    /// The points of the second directrix, in order.
     pub q: Vec<DVec2>,
     /// Index pairs into `p` and `q`, first to last.
     pub bridges: Vec<[u32; 2]>,
@@ -31,7 +31,8 @@ impl FlatStrip {
         self.p.iter().chain(self.q.iter().rev()).copied().collect()
     }
 
-    /// Turns the line from the first bridge's middle to the last one's along x, moves the corner to the origin, scales.
+    /// Turns the strip so that the line from the middle of the first bridge to that of the last lies along x, moves its
+    /// lower left corner to the origin, and scales it by `unit`.
     pub(crate) fn straighten(&mut self, unit: f64) {
         let middle = |[i, j]: [u32; 2]| self.p[i as usize].midpoint(self.q[j as usize]);
         let along = match (self.bridges.first(), self.bridges.last()) {

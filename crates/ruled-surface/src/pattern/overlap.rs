@@ -12,8 +12,8 @@ use plateau_mesh::execution::Execution;
 pub(crate) const TOLERANCE: f64 = 1e-9;
 /// Triangles in a leaf of the tree.
 const LEAF: usize = 4;
-/// Number of directions of the bounding polygons, one every 22.5°: long thin triangles at any angle stay apart. More
-/// directions cost more for each node.
+/// Number of directions of the bounding polygons. They are 22.5° apart, so that the polygon of a long thin triangle is
+/// narrow at any angle. More directions cost more for each node.
 const AXES: usize = 8;
 
 /// The extent along each axis.
@@ -61,7 +61,8 @@ pub(crate) fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &E
     if triangles.is_empty() {
         return Ok(false);
     }
-    // cos and sin of 22.5° by half-angle formulas: no library function whose last digit may differ between machines.
+    // Half-angle formulas give cos and sin of 22.5°, because the last digit of a library function may differ between
+    // machines.
     let diagonal = std::f64::consts::FRAC_1_SQRT_2;
     let (c, s) = ((0.5 + 0.5 * diagonal).sqrt(), (0.5 - 0.5 * diagonal).sqrt());
     let axes = [
@@ -117,12 +118,13 @@ pub(crate) fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &E
     Ok(false)
 }
 
-/// Whether the outline is plainly simple: both directrices run towards greater x, Q above P all the way. All triangles
-/// face up, so each point that the outline winds round once is covered once, and nothing overlaps. O(points), and true
-/// of most strips.
+/// Whether both directrices run towards greater x, with Q above P all the way. The outline is then a simple polygon.
+/// All triangles face up, so each point inside the outline is covered once, and nothing overlaps. The test takes
+/// O(points) and holds for most strips.
 pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     let ([p_first, .., p_last], [q_first, .., q_last]) = (flat.p.as_slice(), flat.q.as_slice()) else { return false };
-    // Where one directrix reaches further, the bridge there continues the other, up to a point that both share.
+    // Where one directrix reaches further, the bridge at that end continues the other one, up to a point that both
+    // lines share.
     let continued = |own: &[DVec2], [first, last]: [DVec2; 2]| -> Vec<DVec2> {
         let before = (first.x < own[0].x).then_some(first);
         let after = (last.x > own[own.len() - 1].x).then_some(last);
@@ -134,7 +136,8 @@ pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     if !(runs(&lower) && runs(&upper)) {
         return false;
     }
-    // How far `line` is above `point`; an end that both share is where they are to meet.
+    // Whether all of `points` lie below `line` (above it if `sign` is -1) by more than the tolerance. An end that both
+    // lines share may touch.
     let ends = [lower[0], lower[lower.len() - 1]];
     let clear = |points: &[DVec2], line: &[DVec2], sign: f64| {
         let mut edge = 1;
@@ -151,7 +154,7 @@ pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     clear(&lower, &upper, 1.0) && clear(&upper, &lower, -1.0)
 }
 
-/// Separating axes: the normals of both triangles' edges.
+/// Whether two triangles overlap by more than `tolerance`: the edge normals of both are tried as separating axes.
 fn overlap(one: &[DVec2; 3], other: &[DVec2; 3], tolerance: f64) -> bool {
     for triangle in [one, other] {
         for k in 0..3 {

@@ -11,7 +11,7 @@ use plateau_mesh::Mesh;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 
-/// The welded mesh of all strips; figures are filled in by the caller.
+/// Welds all strips into one mesh. The caller fills in the statistics, the comparison and the warnings.
 pub(crate) fn assemble(
     prepared: &Prepared,
     strips: &[Rails],

@@ -8,15 +8,16 @@ use plateau_mesh::plane::triangulation::{Border, Constraint, triangles_inside};
 use plateau_mesh::polyline::merge_near_neighbours;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-/// Projects the points of an end contour onto its plane. Returns `None` if they lie in it already, up to rounding, else
-/// the points and the largest distance by which one was moved. `place` is the place of the contour.
+/// Projects the points of an end contour onto its plane. Returns the projected points and the largest distance by which
+/// one was moved, or `None` if all points lie in the plane already, up to rounding. `place` is the place of the
+/// contour.
 ///
 /// # Errors
 /// [`InputError`] if the contour has no area, or at the farthest point if it is not planar.
 pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec3>, f64)>, InputError> {
     let merged = merge_near_neighbours(points, true);
     if merged.points.len() < 3 {
-        // An apex, or an error that is reported with the number of points.
+        // Either an apex, or too few points, which is reported elsewhere.
         return Ok(None);
     }
     let Some(plane) = Frame::of_loop(&merged.points) else {
@@ -34,7 +35,7 @@ pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec
 
 const WITHOUT_AREA: &str = "flat caps need an end contour with an area";
 
-/// Closes the two ends of a closed stack, whose end contours are plane. A directrix of one point closes its end
+/// Closes the two ends of a closed stack, whose end contours are planar. A directrix of one point closes its end
 /// already. Leaves the mesh oriented outwards.
 ///
 /// # Errors
@@ -57,7 +58,7 @@ pub(crate) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execu
     Ok(())
 }
 
-/// Six times the enclosed volume, seen from the first vertex.
+/// Returns six times the enclosed volume, summed over the tetrahedra from the first vertex to the triangles.
 fn six_volumes(mesh: &Mesh) -> f64 {
     let origin = mesh.vertices[0];
     let volume = |&t: &[u32; 3]| {
@@ -67,8 +68,8 @@ fn six_volumes(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(volume).sum()
 }
 
-/// Triangles of the polygon's inside, or why there are none; their outer edges run along the contour if `along`, else
-/// against it.
+/// Returns triangles of the polygon's inside, or the reason why there are none. Their outer edges run along the contour
+/// if `along`, else against it.
 fn cap(
     vertices: &[DVec3],
     contour: &[u32],
@@ -78,7 +79,7 @@ fn cap(
     let origin = vertices[contour[0] as usize];
     let points: Vec<DVec3> = contour.iter().map(|&v| vertices[v as usize] - origin).collect();
     let size = points.iter().fold(0.0f64, |m, p| m.max(p.length()));
-    // Twice the area vector; scaled so that no size overflows.
+    // Twice the area vector. The points are divided by their size, so that nothing overflows.
     let next = |k: usize| points[(k + 1) % points.len()] / size;
     let area: DVec3 = (0..points.len()).map(|k| (points[k] / size).cross(next(k))).sum();
     let Some(normal) = area.try_normalize() else {

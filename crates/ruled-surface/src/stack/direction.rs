@@ -1,11 +1,11 @@
-//! Which directrices are run through backwards.
+//! Chooses which directrices are reversed.
 //!
-//! Two ways to run through a pair of directrices are compared as a person compares them:
+//! Two ways to run through a pair of directrices are compared as a person would compare them:
 //!
 //! 1. Closed contours have the direction in which their area vectors agree.
-//! 2. A way whose strip of least area folds back loses to one whose strip does not. The strip of least area stands for
-//!    every objective, because others fold where the direction is right: of 500 pairs of rails that lie side by side,
-//!    the strip of most convex bridges folds back on 161, and that of least area on none.
+//! 2. A way whose strip of least area folds back loses to a way whose strip does not. The strip of least area is used
+//!    whatever the objective, because other strips fold even where the direction is right: of 500 pairs of rails that
+//!    lie side by side, the strip of most convex bridges folds back on 161, and that of least area on none.
 //! 3. Of open directrices, the ends that are nearer to each other belong together.
 //! 4. If all of these are equal, the objective decides.
 
@@ -23,11 +23,11 @@ use plateau_mesh::error::Error;
 use plateau_mesh::plane::polygon::doubled_area_vector;
 use std::cmp::Ordering;
 
-/// Values are equal if they differ by no more than this fraction: rounding of two sums of the same terms in another
-/// order. Measured on reversed straight directrices and apexes, where it stays below 1e-13.
+/// Values are equal if they differ by no more than this fraction. It covers the rounding of two sums of the same terms
+/// in different orders, which stays below 1e-13 on reversed straight directrices and apexes.
 const ROUNDING: f64 = 1e-9;
-/// Fraction by which the distances of the ends must differ to decide, and cosine of the angle between two area vectors
-/// below which they are perpendicular. Below it a person sees no difference either.
+/// Fraction by which the distances of the ends must differ to decide; also the cosine of the angle between two area
+/// vectors below which they count as perpendicular. A person sees no smaller difference either.
 const EQUAL: f64 = 0.01;
 /// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction. The lobes
 /// of a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.

@@ -8,8 +8,8 @@ use plateau_mesh::Estimate;
 /// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file.
 const BYTES_PER_POINT: u64 = 2_000;
 
-/// Estimates the cost of a stack of directrices with these numbers of points. An open strip visits exactly as many
-/// cells; a closed strip may need fewer or somewhat more.
+/// Estimates the cost of a stack of directrices with these numbers of points. The number of cells is exact for open
+/// strips; a closed strip may need fewer or somewhat more.
 pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     let mut goals = vec![goal];
@@ -44,7 +44,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         for goal in &goals {
             add(goal, directions);
         }
-        // The strips of least area are solved too, because directions and warnings compare with them.
+        // The strips of least area are solved too, because the directions and the warnings need them.
         if goal.objective != Objective::MinimalArea {
             add(&Goal::single(Objective::MinimalArea), directions);
         }

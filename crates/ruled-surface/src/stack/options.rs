@@ -7,7 +7,7 @@ use plateau_mesh::DVec3;
 /// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
 pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
 
-/// Options of [`solve`](crate::solve). The default: open strips of minimal area, as given.
+/// Options of [`solve`](crate::solve). By default the strips are open, of minimal area, between directrices as given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Directrices are closed polygons; the optimum is over every starting bridge too.
@@ -23,9 +23,9 @@ pub struct Options {
     pub direction: Direction,
     /// The caps at the ends of a closed stack.
     pub caps: Caps,
-    /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
+    /// Surface normals, one for each point of each directrix. Needed for [`Objective::MinimalNormalVariation`].
     pub normals: Option<Vec<Vec<DVec3>>>,
-    /// Tangents along the directrices, in their shape; fitted if not given (eq. 13 and 14).
+    /// Tangents, one for each point of each directrix. If absent, they are fitted (eq. 13 and 14).
     pub tangents: Option<Vec<Vec<DVec3>>>,
     /// Solve for every objective and fill [`RuledSurface::comparison`](crate::RuledSurface::comparison).
     pub all_objectives: bool,

@@ -43,7 +43,7 @@ impl Directrix {
         }
         self.reversed = !self.reversed;
     }
-    /// The first input point at or after a point of a directrix that is not reversed.
+    /// Index of the first input point that lies at or after this point of a directrix, which must not be reversed.
     pub(crate) fn input_point(&self, index: usize) -> usize {
         self.vertex_of.iter().position(|&vertex| vertex >= index).unwrap_or(0)
     }
@@ -72,7 +72,8 @@ impl Prepared {
     }
 }
 
-/// Checks the input and makes it ready. `sampling` is the options' own, or none for the checks alone.
+/// Checks the input, cleans the directrices and samples them. `sampling` is that of the options, or `None` if only the
+/// checks are needed.
 pub(crate) fn prepare(
     directrices: &[Vec<DVec3>],
     options: &Options,
@@ -178,7 +179,7 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     errors
 }
 
-/// Merges near neighbours, samples, merges again (samples of a polyline that turns back can be equal).
+/// Merges near neighbours, samples, and merges again, because samples of a polyline that turns back can be equal.
 fn clean(
     points: &[DVec3],
     tangents: Option<Vec<DVec3>>,

@@ -19,10 +19,10 @@ pub enum Sampling {
         /// Number of points.
         samples: usize,
     },
-    /// The given points that are needed to stay within `tolerance` (a length) of the polyline, the largest chordal
-    /// height first, at most `samples` of them if that is given.
+    /// At most `samples` of the given points, or as many as are needed, so that the polyline stays within `tolerance`
+    /// (a length). The point with the largest chordal height is added first.
     ChordHeight {
-        /// Largest number of points; as many as are needed by default.
+        /// Largest number of points. `None`: as many as are needed.
         samples: Option<usize>,
         /// Largest distance of a left-out point from its chord, in the caller's unit.
         tolerance: f64,
@@ -61,7 +61,8 @@ pub(crate) fn count(count: usize, sampling: Option<Sampling>) -> usize {
     }
 }
 
-/// Chooses the samples. Open directrices keep both ends, closed ones their first point. A single point stays one.
+/// Chooses the samples. Open directrices keep both ends, closed ones their first point. A directrix of a single point
+/// stays as it is.
 pub(crate) fn sample(
     points: &[DVec3],
     closed: bool,
@@ -88,7 +89,8 @@ pub(crate) fn sample(
     }
 }
 
-/// Equal steps of a station that grows along the polyline; on closed ones the last station is the first point again.
+/// Samples at equal steps of `stations`, which grow along the polyline. On closed directrices the last station is that
+/// of the first point again.
 fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
     let total = stations[stations.len() - 1];
     let steps = (if closed { samples } else { samples - 1 }) as f64;
@@ -140,7 +142,7 @@ fn chord(points: &[DVec3], from: usize, to: usize) -> Chord {
     (TotalOrder(most), Reverse(from), [to, peak])
 }
 
-/// O(points · samples) at worst, points · log(samples) on most curves.
+/// Samples by chordal height. O(points · samples) at worst, O(points · log(samples)) on most curves.
 fn by_chord_height(
     points: &[DVec3],
     closed: bool,
@@ -154,7 +156,8 @@ fn by_chord_height(
     kept[0] = true;
     let mut heap = BinaryHeap::new();
     if closed {
-        // Two more points make a polygon: the one furthest from the first, and the one furthest from that chord.
+        // A polygon needs two more points: the point furthest from the first one, and the point furthest from the chord
+        // between these two.
         let furthest = (1..count)
             .fold(1, |best, k| if points[k].distance(points[0]) > points[best].distance(points[0]) { k } else { best });
         kept[furthest] = true;

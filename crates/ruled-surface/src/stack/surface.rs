@@ -11,18 +11,20 @@ use plateau_mesh::error::Warning;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RuledSurface {
-    /// Vertices: the directrices' points, directrix by directrix. Triangles: strip by strip along the path, then caps.
+    /// The vertices are the directrices' points, directrix by directrix. The triangles come strip by strip along the
+    /// path, then those of the caps.
     pub mesh: Mesh,
     /// Vertex pairs, strip by strip, from the first bridge to the last.
     pub bridges: Vec<[u32; 2]>,
     /// The vertices of each directrix, in the direction in which its strips run through it.
     pub directrices: Vec<Vec<u32>>,
-    /// For each input point its vertex: merged points share one, resampled ones name the nearest along the directrix.
+    /// For each input point its vertex. Merged points share a vertex; a resampled point names the nearest vertex along
+    /// the directrix.
     pub input_vertices: Vec<Vec<u32>>,
     /// Which directrices [`Direction::Auto`](crate::Direction::Auto) reversed.
     pub reversed: Vec<bool>,
-    /// For each directrix what decided its direction. `None` for the first one, for one beside an apex, and if the
-    /// directions are as given.
+    /// For each directrix the criterion that decided its direction. `None` for the first one, for one beside an apex,
+    /// and if the directions are as given.
     pub direction_decided_by: Vec<Option<DirectionCriterion>>,
     /// Figures of the whole stack. Caps count in its triangles and its area only.
     pub statistics: Statistics,

@@ -15,19 +15,20 @@ use plateau_mesh::measure::is_degenerate;
 
 /// Area, as a multiple of the least area, above which a strip is reported.
 const LARGE: f64 = 1.25;
-/// Bending energy, as a multiple of the least one, above which a strip is reported. A strip of least area alone has 10
-/// to 20 times the least bending energy on Wang and Tang's examples.
+/// Bending energy, as a multiple of the least one, above which a strip is reported. On Wang and Tang's examples the
+/// strip of least area already has 10 to 20 times the least bending energy.
 const BENT: f64 = 50.0;
 /// Largest number of grid cells of an open strip whose least bending energy is computed for a comparison.
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// The same for closed strips, each of which takes a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
-/// An open strip whose directrices share both ends has two triangles without area; more are reported.
+/// Largest number of triangles without area that is not reported. An open strip whose directrices share both ends has
+/// two.
 const EMPTY_AT_ENDS: usize = 2;
 /// Number of points to which directrices are thinned to compare their directions. The time grows with its square.
 const THINNED: usize = 48;
-/// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given` says that no criterion has
-/// decided the directions of its directrices.
+/// Returns the warnings about strip `k` of a stack, solved as `path` with these figures. `as_given` says that no
+/// criterion has decided the directions of its directrices.
 pub(crate) fn of_strip(
     k: usize,
     strip: &Rails,
@@ -82,7 +83,7 @@ pub(crate) fn of_strip(
         }
     }
     let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
-    // A planar strip bends by rounding alone.
+    // The bending energy of a planar strip is rounding alone.
     let rounding = 1e-9 * statistics.bridges as f64;
     if goal.objective != Objective::MinimalBendingEnergy
         && strip.m() * strip.n() <= limit

@@ -65,7 +65,8 @@ impl Weights {
     }
 }
 
-/// Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+/// Objective that decides among the strips with the most convex bridges. It is summed over the bridges that are not
+/// convex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SecondaryObjective"))]
@@ -117,7 +118,7 @@ impl Objective {
         }
     }
 
-    /// The quantity that it minimises, in words for people.
+    /// The minimised quantity, in words for people.
     #[must_use]
     pub fn minimises(&self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! From a strip and an objective to a path: which graph, which kernel, how wide.
+//! Chooses the graph, the kernel and its width for an objective, and finds the optimal path of a strip.
 
 use super::objective::{Goal, Objective, Secondary, Weights};
 use super::statistics::{Evaluation, Statistics, evaluate};
@@ -30,7 +30,7 @@ pub(crate) struct SearchGoal<'a> {
 }
 
 impl SearchGoal<'_> {
-    /// A goal without factors, for triangles that are wound as they come.
+    /// A goal without factors, for the winding of the strip's own triangles.
     fn plainly(goal: Goal, test: ConvexityTest) -> Self {
         Self { goal, factors: None, sign: 1.0, test }
     }
@@ -41,11 +41,12 @@ impl SearchGoal<'_> {
 pub(crate) struct SolvedStrips {
     pub(crate) paths: Vec<Vec<[u32; 2]>>,
     pub(crate) statistics: Vec<Statistics>,
-    /// The faces agree with the given normals only when wound the other way round.
+    /// Whether the faces agree with the given normals only if every triangle is reversed.
     pub(crate) flipped: bool,
 }
 
-/// Solves every strip. The winding, where it matters, is one for the whole stack: the one with the smaller total.
+/// Solves every strip. If the value depends on the winding, the whole stack gets one winding: that with the smaller
+/// total.
 pub(crate) fn solve_all(
     strips: &[Rails],
     goal: Goal,
@@ -134,8 +135,8 @@ fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipp
     s
 }
 
-/// Optimum for each bridge, in the strip's own size, below which a term of a weighted sum is not divided by its
-/// optimum. The quotient would weigh rounding.
+/// Optimum for each bridge, in coordinates scaled to the strip, below which a term of a weighted sum is not divided by
+/// its optimum. Its quotient would give rounding errors a weight.
 const VANISHING: f64 = 1e-12;
 
 /// Returns the factors of a weighted sum on one strip: each weight, divided by the optimum of its term if that is asked
@@ -175,7 +176,7 @@ fn normalised(
     Ok(Factors { double_area: 0.5 * area, twist, bending, curvature, normal_variation, sign: 1.0 })
 }
 
-/// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
+/// Returns the optimal path of one strip, bridges in order. On closed strips the indices lie below m and n.
 pub(crate) fn optimal_path(
     strip: &Rails,
     asked: SearchGoal<'_>,
@@ -184,7 +185,7 @@ pub(crate) fn optimal_path(
 ) -> Result<Vec<[u32; 2]>, Interruption> {
     let (m, n) = (strip.m() as u32, strip.n() as u32);
     if strip.has_apex() {
-        // The only triangulation there is.
+        // A strip with an apex has only one triangulation.
         return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
     }
     let is_exchanged = is_better_exchanged(strip, asked.goal);
@@ -199,7 +200,7 @@ pub(crate) fn optimal_path(
     }
     let mut path: Vec<[u32; 2]> = path.into_iter().map(|[i, j]| [i % m, j % n]).collect();
     if is_exchanged {
-        // A closed path starts at the bridge that a step from p_{m-1} to p_0 leads to.
+        // A closed path starts at the bridge to which the step from p_{m-1} to p_0 leads.
         let count = path.len();
         let start = (0..count).find(|&k| path[k][0] == 0 && path[(k + count - 1) % count][0] == m - 1);
         path.rotate_left(start.unwrap_or(0));
@@ -207,12 +208,12 @@ pub(crate) fn optimal_path(
     Ok(path)
 }
 
-/// If Q has more than this multiple of the points of P, the two are exchanged.
+/// Multiple of the number of points of P above which Q has so many points that the two are exchanged.
 const FAR_MORE: usize = 8;
 
 /// Whether a closed strip is searched with its directrices exchanged. Divide and conquer takes a search for each point
-/// of Q, and each search follows a path of m + n bridges, so that it is best to have few points there. The graphs of
-/// more than one layer are searched in another way.
+/// of Q, and each search follows a path of m + n bridges, so the directrix with few points is best taken as Q. Only
+/// graphs of one layer are searched in this way.
 fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
     let has_one_layer = match goal.objective {
         Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
@@ -222,8 +223,8 @@ fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
     strip.closed && has_one_layer && strip.n() > FAR_MORE * strip.m()
 }
 
-/// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its
-/// other figures.
+/// Returns the least area (in squared units of the caller) or the least bending energy of a strip without an apex. The
+/// path and its other figures are not computed.
 pub(crate) fn least(
     strip: &Rails,
     objective: Objective,
@@ -269,8 +270,8 @@ fn found(
     with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, counter))
 }
 
-/// Number of grid cells up to which the whole grid is swept without a corridor: so many are visited in less time than a
-/// corridor takes to find.
+/// Number of grid cells up to which the whole grid is swept without a corridor, because the sweep takes less time than
+/// finding a corridor.
 const SMALL: usize = 16384;
 
 fn search<V: Lanes>(

@@ -8,8 +8,8 @@ use plateau_mesh::DVec3;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 
-/// Difference, in radians, from which on one angle of a fold counts as larger than another one. It exceeds the rounding
-/// of a rotated strip, so that a corner of exactly 90° is not more than a right angle.
+/// Difference, in radians, from which on one fold angle counts as larger than another. It exceeds the rounding of a
+/// rotated strip, so that a corner of exactly 90° does not count as more than a right angle.
 pub(crate) const SMALLER_FOLD: f64 = 1e-6;
 
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
@@ -28,15 +28,15 @@ pub struct Statistics {
     pub convex_bridges: usize,
     /// Their share of all bridges.
     pub convex_bridge_ratio: f64,
-    /// Eq. 7.
+    /// Bending energy (eq. 7).
     pub bending_energy: f64,
-    /// Eq. 10, over all consecutive bridges. Unit u.
+    /// Mean curvature variation (eq. 10), over all pairs of consecutive bridges, in the caller's unit of length.
     pub mean_curvature_variation: f64,
-    /// Eq. 12; `None` without normals.
+    /// Normal variation (eq. 12); `None` without normals.
     pub normal_variation: Option<f64>,
     /// The largest angle between the normals of neighbouring triangles.
     pub largest_fold: f64,
-    /// The same over the bridges that are not locally convex; 0 if all are.
+    /// The largest such angle at a bridge that is not locally convex; 0 if all are.
     pub developability_deviation: f64,
     /// Length of the shortest bridge.
     pub shortest_bridge: f64,
@@ -44,7 +44,7 @@ pub struct Statistics {
     pub longest_bridge: f64,
     /// Value of the objective; for maximal convexity the number of convex bridges.
     pub objective_value: f64,
-    /// Couplings: the secondary summed over the bridges that are not convex.
+    /// The secondary objective of a coupling, summed over the bridges that are not convex; `None` for other objectives.
     pub secondary_value: Option<f64>,
 }
 
@@ -54,7 +54,7 @@ impl Statistics {
     pub(crate) fn folds_back(&self) -> bool {
         self.largest_fold > std::f64::consts::FRAC_PI_2 + SMALLER_FOLD
     }
-    /// The figures of several strips together: sums, extremes.
+    /// The figures of several strips together: sums, or the extremes of largest and smallest figures.
     #[must_use]
     pub fn total(strips: &[Self]) -> Self {
         let mut all = strips.first().copied().unwrap_or_default();
@@ -79,28 +79,29 @@ impl Statistics {
     }
 }
 
-/// The secondaries of the couplings: sums over the bridges that are not locally convex.
+/// The secondary objectives of the couplings, summed over the bridges that are not locally convex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CoupledValues {
-    /// Bending energy of the folds at such bridges.
+    /// Bending energy at these bridges.
     pub bending_energy: f64,
-    /// Mean curvature variation of the steps that enter such bridges.
+    /// Mean curvature variation of the steps that enter these bridges.
     pub mean_curvature_variation: f64,
 }
 
-/// A path's figures, and what the couplings add.
+/// The figures of a path, and those that only the couplings need.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Evaluation {
     pub(crate) statistics: Statistics,
-    /// Normal variation with the triangles wound as they come, and the other way round.
+    /// Normal variation with the triangles as the strip winds them, and with the opposite winding.
     pub(crate) normal_variation: Option<[f64; 2]>,
     /// Bending energy and curvature variation over the bridges that are not convex.
     pub(crate) concave_bending: f64,
     pub(crate) concave_curvature: f64,
 }
 
-/// An angle from 0 to 180°, its sine and cosine times any positive number. Angles compare without being computed.
+/// An angle from 0 to 180°, as its sine and cosine times any positive number. Two angles are compared without computing
+/// either of them.
 #[derive(Clone, Copy)]
 struct Angle {
     sine: f64,
@@ -111,7 +112,7 @@ impl Angle {
     const ZERO: Self = Self { sine: 0.0, cosine: 1.0 };
 
     fn max(self, other: Self) -> Self {
-        // The sine of the difference; 0 for equal angles, and for 0 and 180 degrees.
+        // The sine of the difference. It is 0 for equal angles, and for the pair of 0° and 180°.
         let difference = other.sine * self.cosine - self.sine * other.cosine;
         let opposite = difference == 0.0 && self.cosine > 0.0 && other.cosine < 0.0;
         if difference > 0.0 || opposite { other } else { self }
@@ -121,7 +122,7 @@ impl Angle {
     }
 }
 
-/// Bridges between two looks at the execution: less than a millisecond.
+/// Number of bridges between two checks of the caller's signal, for which the evaluation takes less than a millisecond.
 const BRIDGES_BETWEEN_LOOKS: usize = 4096;
 
 /// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
@@ -210,7 +211,7 @@ impl Sums {
         self.last_curvature = bridge.curvature;
     }
 
-    /// The curvature's step into a bridge.
+    /// Adds the change of the mean curvature vector on the step into a bridge.
     #[inline(always)]
     fn step(&mut self, curvature: Vector<f64>, convex: bool) {
         let step = weight::curvature_step(self.last_curvature, curvature);
@@ -271,7 +272,8 @@ fn triangle<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Brid
     BridgeTriangle::new(bank, bank.dot(bank), bridge, bridge_squared)
 }
 
-/// No closures over lanes here: the compiler does not take the instructions that [`Lanes::run`] enables into them.
+/// The code below has no closures over lanes, because the compiler does not compile closures for the instructions that
+/// [`Lanes::run`] enables.
 impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
     type Output = ();
     #[inline(always)]
@@ -279,14 +281,15 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
         let PathPart { simd, strip, path, test, bridges, sums } = self;
         let (m, n, count) = (strip.m(), strip.n(), path.len());
         let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
-        // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.
+        // A step by P changes the first index (by one, or back to 0). On a strip with an apex all steps are by Q or all
+        // by P.
         let by_p = |from: usize, to: usize| m > 1 && (n == 1 || path[from][0] != path[to][0]);
         let mut start = bridges.start;
         // Ends because each pass raises the start by the number of lanes, which is at least 1.
         while start < bridges.end {
             let lanes = V::WIDTH.min(bridges.end - start);
             let mut rows = [[[0.0; MOST_LANES]; 3]; 5];
-            // Arriving by P, by Q, leaving by P, by Q.
+            // The bank edges at each bridge: arriving by P, by Q, leaving by P, by Q.
             let mut banks = [[[0.0; MOST_LANES]; 3]; 4];
             let (mut arrived_by_p, mut leaves_by_p) = (0, 0);
             for lane in 0..lanes {
@@ -303,7 +306,7 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
                     let (directrix, index) = if side % 2 == 0 { (&strip.p, i) } else { (&strip.q, j) };
                     put(bank, lane, directrix.bank(index, side / 2, strip.closed));
                 }
-                // The ends of an open strip have no bank edge there by either step.
+                // At the two ends of an open strip these bits do not matter, because both bank edges there are zero.
                 arrived_by_p |= u32::from(by_p((k + count - 1) % count, k)) << lane;
                 leaves_by_p |= u32::from(by_p(k, (k + 1) % count)) << lane;
             }

@@ -50,9 +50,9 @@ impl Random {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     Anywhere,
-    /// Small whole numbers: ties, degenerate triangles, bridges without length.
+    /// Small whole numbers, which give ties, degenerate triangles and bridges without length.
     Integer,
-    /// The same in a plane.
+    /// Small whole numbers in a plane.
     Planar,
     /// Strips like those that users send.
     Sensible,
@@ -99,7 +99,7 @@ pub struct Values {
     pub convex: usize,
     pub bending: f64,
     pub curvature: f64,
-    /// For triangles as they are wound, and wound the other way round.
+    /// Normal variation with the triangles as they are wound, and with the opposite winding.
     pub variation: [f64; 2],
     pub concave_bending: f64,
     pub concave_curvature: f64,
@@ -136,7 +136,7 @@ impl Case {
         let (down, right) = if self.closed { (m, n) } else { (m - 1, n - 1) };
         let mut paths = Vec::new();
         for start in 0..if self.closed { n } else { 1 } {
-            // On a closed strip every cyclic path is met at the start that a P-step leads to.
+            // On a closed strip only paths whose last step is a P-step are taken, so that each cyclic path counts once.
             for choice in 0u32..1 << (down + right) {
                 if choice.count_ones() as usize != down || (self.closed && choice >> (down + right - 1) != 1) {
                     continue;

@@ -71,7 +71,7 @@ pub fn open_pair(random: &mut SplitMix64) -> Pair {
     // Where each rail begins and ends along the guide.
     let reach = [(0.0, 1.0), (random.between(0.0, 0.15), random.between(0.85, 1.0))];
     let rails: [Vec<DVec3>; 2] = [0, 1].map(|side| {
-        // A straight rail may have its two ends only.
+        // A straight rail may consist of its two ends only.
         let least = if name == "line" { 2 } else { 12 };
         let count = whole(random, least, 60) as usize;
         let jitter = random.between(0.0, 0.4);

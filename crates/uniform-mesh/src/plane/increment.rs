@@ -1,12 +1,12 @@
 //! INCREMENT (Katoh, Ohsaki and Xu, section 2; for the rim section 3): farthest-point insertion.
 //!
-//! 1. The region comes with its nodes on the boundary placed (steps 1 and 2 of the paper).
+//! 1. The nodes on the boundary of the region are already placed (steps 1 and 2 of the paper).
 //! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle from
-//!    which that centre is visible (section 3's distance: infinite to what is hidden).
-//! 3. Insert the farthest such centre while its distance is ℓ or more.
-//! 4. What remains is the constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is
-//!    visible has a circumradius below ℓ (lemma 1), the edges of one whose centre is hidden behind a boundary edge are
-//!    no longer than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
+//!    which that centre is visible. (Section 3's distance to a hidden node is infinite.)
+//! 3. Insert the farthest of these centres while its distance is ℓ or more.
+//! 4. The result is a constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is visible
+//!    has a circumradius below ℓ (lemma 1), and the edges of a triangle whose centre is hidden behind a boundary edge
+//!    are no longer than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
 //!
 //! Our departures:
 //! - A heap of the triangles' circumradii over a triangulation that changes only around the new node: O(n log n) in
@@ -26,16 +26,16 @@ use std::collections::BinaryHeap;
 /// How far beyond ℓ a point must be from all nodes to be inserted, in ℓ. Edges may exceed 2ℓ by the same factor.
 pub(crate) const SLACK: f64 = 1e-9;
 
-/// Work between two looks: triangles made or visited.
+/// Number of triangles made or visited between two checks of the caller's signal.
 const WORK_PER_LOOK: u64 = 4096;
 
-/// Fills the region with nodes until no visible point is 1 + [`SLACK`] or more away from all nodes (lengths in units of
+/// Fills the region with nodes until every visible point is nearer than 1 + [`SLACK`] to some node (lengths in units of
 /// ℓ).
 ///
-/// `expected` is the number of nodes to come, for the progress between `from` and `to`.
+/// `expected` is the expected number of new nodes. The progress runs from `from` to `to` with it.
 ///
 /// # Errors
-/// The interruption; the triangulation is valid then, only not yet full.
+/// The interruption. The triangulation is valid then, but not yet full.
 pub(crate) fn fill(
     region: &mut Triangulation,
     expected: usize,
@@ -78,7 +78,7 @@ pub(crate) fn fill(
 /// The triangles whose centres may get a node, largest circumradius first, then by number.
 #[derive(Debug, Default)]
 pub(crate) struct Circumradii {
-    /// For each triangle the rank with which it waits; 0 if it does not wait.
+    /// For each triangle the rank of its entry in the heap; 0 if it has none.
     ranks: Vec<u64>,
     heap: BinaryHeap<(u64, Reverse<u32>)>,
 }
@@ -98,7 +98,7 @@ impl Circumradii {
         }
     }
 
-    /// Takes the next triangle. Entries that a later one replaced are left out.
+    /// Takes the next triangle. Entries that a later entry has replaced are skipped.
     pub fn pop(&mut self) -> Option<u32> {
         // Ends because each pass takes an entry from the heap and adds none.
         while let Some((rank, Reverse(t))) = self.heap.pop() {

@@ -1,23 +1,24 @@
-//! The equilateral lattice inside (Katoh, Ohsaki and Xu, section 3), and where to put it.
+//! The equilateral lattice inside a domain (Katoh, Ohsaki and Xu, section 3), and the search for its placement.
 //!
 //! 1. Overlay a triangular lattice of edge ℓ; keep its nodes inside the domain.
 //! 2. Drop the nodes nearer than ℓ to a node on the boundary.
-//! 3. What is left, with every lattice edge between two kept nodes, is the lattice group; between it and the boundary
-//!    lies the rim, which [`increment`](super::increment) fills.
+//! 3. The remaining nodes, with every lattice edge between two of them, are the lattice group. Between the group and
+//!    the boundary lies the rim, which [`increment`](super::increment) fills.
 //!
 //! Our departures:
-//! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without it lemma 3 fails for boundary
-//!   edges near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses a
-//!   boundary edge, in concave domains and at holes too: if the edges uv and ab crossed, the angles at u and v would be
-//!   below 90°, so the one at a or b above, and with |ua|, |va| >= ℓ the edge uv would be longer than √2 ℓ.
+//! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without this rule lemma 3 fails for
+//!   boundary edges near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses
+//!   a boundary edge, in concave domains and at holes too: if a lattice edge uv crossed a boundary edge ab, the
+//!   quadrilateral's angles at u and v would be below 90°, so its angle at a or at b would be above 90°, and with |ua|,
+//!   |va| >= ℓ the edge uv would be longer than √2 ℓ.
 //! - Nodes without any lattice edge are dropped: they only constrain the rim.
-//! - The paper takes one placement. We search for the one with the most lattice edges: along every edge direction of
-//!   the boundary with the lattice running through a corner, then a grid of angles and origins, then a pattern search
-//!   from the best few. The boundary's division counts too: pieces of √2 ℓ let the lattice come nearer than pieces of ℓ
-//!   unless the boundary runs along it, so both are searched ([`Division`](super::sides::Division)). One placement
-//!   costs O(boundary) because a lattice row is a set of free intervals of a line and edges are counted from the
-//!   intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows built, not by
-//!   time, so it is the same on every machine.
+//! - The paper takes one placement. We search for the placement with the most lattice edges: first along every edge
+//!   direction of the boundary with the lattice running through a corner, then on a grid of angles and origins, then by
+//!   a pattern search from the best few. The division of the boundary matters too: with pieces of √2 ℓ the lattice may
+//!   come nearer to the boundary than with pieces of ℓ, unless the boundary runs along the lattice. Both divisions are
+//!   therefore searched ([`Division`](super::sides::Division)). One placement costs O(boundary), because a lattice row
+//!   is a set of free intervals of a line, and edges are counted from the intervals' ends without visiting the nodes.
+//!   The search is bounded by the number of rows built, not by time, so it is the same on every machine.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -28,7 +29,8 @@ use std::f64::consts::FRAC_PI_3;
 
 /// Height of a lattice row, √3/2.
 const ROW: f64 = 0.866_025_403_784_438_6;
-/// Tolerance for rounding in the least distances, in ℓ: lattices aligned with the boundary touch them exactly.
+/// Tolerance for rounding in the least distances, in ℓ. Lattices aligned with the boundary have exactly these
+/// distances.
 const TOUCH: f64 = 1e-10;
 
 /// Largest number of placements from which the pattern search starts, in all and at one angle.
@@ -87,7 +89,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// The parts of the lines y = `height` + j · [`ROW`] that lie inside and clear of the boundary.
+    /// Finds the parts of the lines y = `height` + j · [`ROW`] that lie inside the domain and clear of its boundary.
     fn build(&mut self, boundary: &Boundary<'_>, turned: &[DVec2], height: f64) {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for p in turned {
@@ -210,7 +212,8 @@ impl Rows {
     }
 }
 
-/// Sorts by row and then by `order`: into buckets first, because a row holds few. Most of the search's time goes here.
+/// Sorts by row and then by `order`. The items first go into a bucket for each row, because a row holds few of them,
+/// and most of the search's time goes into this sort.
 fn sort_rows<T: Copy>(
     items: &mut [T],
     spare: &mut Vec<T>,
@@ -241,7 +244,7 @@ fn sort_rows<T: Copy>(
     }
 }
 
-/// Number of indices in both lists of runs, the second shifted up.
+/// Number of indices that lie in both lists of runs, when the second list is moved up by `shift`.
 fn common(a: &[(i64, i64)], b: &[(i64, i64)], shift: i64) -> i64 {
     let (mut i, mut j, mut total) = (0, 0, 0);
     // Ends because each pass raises i or j by one.
@@ -266,7 +269,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Counts the edges at every `x` for one angle and height.
+    /// Counts the lattice edges at every `x` for one angle and height. Returns the placement with the most, and their
+    /// number.
     fn try_heights(&mut self, angle: f64, height: f64, xs: impl Iterator<Item = f64>) -> Option<(usize, Placement)> {
         if angle != self.angle || self.turned.is_empty() {
             let turn = unit_vector(-angle);
@@ -377,7 +381,8 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
 /// the boundary are estimated. `None` if no lattice edge fits.
 ///
 /// # Errors
-/// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
+/// The run was cancelled, or the deadline passed before the first placement. If it passes later, the best placement so
+/// far is returned.
 pub(crate) fn search(
     boundary: &Boundary<'_>,
     span: (f64, f64),

@@ -107,7 +107,8 @@ pub(crate) fn mesh(
     let Lattice { nodes, triangles, borders, .. } = lattice;
     let mut constraints = outline_constraints(&pieces);
     execution.look(nodes.len() as u64)?;
-    // Only the lattice's border takes part in the rim; `outer` is a node's number in the whole mesh.
+    // Of the lattice only its border nodes take part in the triangulation of the rim. For each node of the rim, `outer`
+    // has its number in the whole mesh.
     let mut outer: Vec<u32> = (0..fixed).collect();
     let mut points = outline.nodes.clone();
     let mut rim_number = vec![u32::MAX; nodes.len()];
@@ -142,7 +143,7 @@ fn outline_constraints(pieces: &[(u32, u32)]) -> Vec<Constraint> {
     pieces.iter().map(|&(from, to)| Constraint { from, to, border: Border::Outline }).collect()
 }
 
-/// The domain without any inner node.
+/// Triangulates the domain without any inner node.
 fn region(outline: &Outline, execution: &Execution<'_>) -> Result<Triangulation, Failure> {
     let pieces = outline.pieces();
     execution.look(pieces.len() as u64)?;

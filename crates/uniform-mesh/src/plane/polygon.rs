@@ -15,15 +15,15 @@ use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, SAME_POINT, mean, merge
 use plateau_mesh::{DVec2, DVec3};
 use std::cell::Cell;
 
-/// Distance below which points lie on one line and sides meet, as a fraction of the polygon's size, where the cause of
-/// a vanishing area is looked for.
+/// Distance, as a fraction of the polygon's size, up to which points count as lying on one line and sides as meeting.
+/// It serves to find the cause of a vanishing area.
 const TOUCHING: f64 = 1e-6;
 
 /// A polygon ready to be meshed.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygon {
     frame: Frame,
-    /// ℓ.
+    /// ℓ, in the caller's unit.
     unit: f64,
     pub outline: Outline,
     /// The outline's nodes in space. The corners come first, exactly as given unless they were projected.
@@ -201,7 +201,7 @@ impl Polygon {
         self.frame.origin + self.frame.direction(p) * self.unit
     }
 
-    /// The input point at a boundary node, or the one where its side starts.
+    /// The place of the input point at a boundary node, or of the point at which the node's side starts.
     pub fn place_of(&self, node: u32) -> Place {
         let corner =
             if (node as usize) < self.sources.len() { node as usize } else { self.sides.start_of(node) as usize };
@@ -215,8 +215,8 @@ impl Polygon {
         ring_place(ring)
     }
 
-    /// No triangulation of the domain with every edge at most 2ℓ has fewer nodes: a triangle covers at most √3 ℓ², a
-    /// side of length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
+    /// Lower bound of the number of nodes of any triangulation of the domain with every edge at most 2ℓ: a triangle
+    /// covers at most √3 ℓ², a side of length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
     pub fn node_lower_bound(&self) -> usize {
         let boundary: f64 = self.sides.lengths().map(|length| (length / 2.0 - 1e-9).ceil().max(1.0)).sum();
         let holes = self.outline.loops.len() as f64 - 1.0;
@@ -234,9 +234,9 @@ fn merge(rings: &[impl AsRef<[DVec3]>]) -> Result<Vec<Merged>, Error> {
     if errors.is_empty() { Ok(merged) } else { Err(Error::Input(errors)) }
 }
 
-/// Number of looks that the search for a crossing may take, which is a quarter of a million pairs of boxes and about
-/// 0.1 s. Zigzags whose boxes all overlap would take time as the square of their number of points, and [`Polygon::new`]
-/// also checks requests before they are queued.
+/// Number of checks of the signal after which the search for a crossing ends: a quarter of a million pairs of boxes, or
+/// about 0.1 s. Zigzags whose boxes all overlap would take time as the square of their number of points, and
+/// [`Polygon::new`] also checks requests before they are queued.
 const MOST_LOOKS: u32 = 64;
 
 /// The error for an outer loop whose area vector vanishes: its points lie on one line, or it crosses itself, as a
@@ -270,7 +270,8 @@ fn without_area(outer: &Merged) -> Error {
     }
 }
 
-/// Area (the vector sum over each loop, holes subtracted) and total boundary length.
+/// Returns the area (that of the outer loop less those of the holes) and the length of all loops, in the caller's unit.
+/// The area of a loop is half the length of its area vector.
 ///
 /// # Errors
 /// Points that are not finite.

@@ -6,17 +6,17 @@ use plateau_mesh::DVec2;
 
 /// Rounding allowed in counting how often ℓ goes into a side.
 const WHOLE: f64 = 1e-10;
-/// Nodes that are farther apart than this along the boundary, in ℓ, are more than 3ℓ apart up to rounding.
+/// Distance along the boundary, in ℓ, above which two nodes are more than 3ℓ apart whatever the rounding.
 const CLEARLY_APART: f64 = 3.0 + 1e-6;
 
 /// Length of the pieces into which a side of 2ℓ or more is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Division {
-    /// Members as near to ℓ as possible: where the domain's own directions fit the lattice's, the lattice goes on to
-    /// the boundary.
+    /// Pieces as near to ℓ as possible. Where the domain's own directions fit the lattice's, the lattice goes on to the
+    /// boundary.
     Short,
-    /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary
-    /// that runs across the lattice keeps the lattice's nodes at a smaller distance than short pieces do.
+    /// Pieces of at most √2 ℓ wherever possible, so that no inserted node falls into the diametral circle of a piece.
+    /// If the boundary runs across the lattice, the lattice's nodes may stand nearer to it than with short pieces.
     Long,
 }
 
@@ -146,11 +146,13 @@ impl Sides {
                 return Why::SharpCorner;
             }
         }
-        // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
+        // A short side is the reason if the nodes are less than 3ℓ apart along the boundary and a short side lies on
+        // the way.
         let position = |v: u32| nodes[v as usize];
         for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
             let first = self.stands[from as usize][1];
-            // A walk to a node that is farther away ends before it, after many steps where many sides are short.
+            // A node farther away is skipped at once, because the walk below would end before it, after many steps
+            // where many sides are short.
             let is_near = |&s: &u32| self.between(first, s).is_some_and(|way| way <= CLEARLY_APART);
             if !self.stands[to as usize].iter().any(is_near) {
                 continue;
@@ -167,7 +169,7 @@ impl Sides {
                     }
                     break;
                 }
-                // Once around a small loop: the other node is on another one.
+                // The walk has gone once around a small loop.
                 if s == first {
                     break;
                 }

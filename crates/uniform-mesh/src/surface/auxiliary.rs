@@ -8,9 +8,9 @@
 //!    the true surface.
 //! 5. [`Move`](super::refine_on_surface) the inner nodes.
 //!
-//! Departures: the paper leaves the boundary's nodes open. We divide each side (between corners) into pieces that are
-//! equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Coordinates
-//! are relative to the surface's centre and in units of ℓ.
+//! Departures: the paper does not say how the boundary's nodes are placed. We divide each side (between corners) into
+//! pieces that are equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the
+//! plane. Coordinates are relative to the surface's centre and in units of ℓ.
 
 use super::flatten;
 use super::nurbs::Nurbs;
@@ -53,7 +53,7 @@ pub(crate) enum Surface {
 }
 
 impl Surface {
-    /// Point and derivatives.
+    /// Returns the point at these parameters, and its derivatives by the first and the second of them.
     pub fn evaluate(&self, p: DVec2) -> [DVec3; 3] {
         match self {
             Self::Plane => [p.extend(0.0), DVec3::X, DVec3::Y],
@@ -124,8 +124,8 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot
-    /// be laid into the plane then.
+    /// The auxiliary triangulation of a patch over `options.auxiliary_grid` rectangles. `None` if the patch collapses
+    /// somewhere or closes on itself, because it cannot be laid into the plane then.
     pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
         let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
@@ -436,7 +436,7 @@ fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface
 /// Runs the checks of the film's solver on the boundaries, before any work.
 ///
 /// # Errors
-/// Its errors, with places below /domain.
+/// The errors of [`minimal_surface::check`], with places below /domain.
 pub(crate) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }

@@ -5,10 +5,10 @@
 //!    the projection to its mean plane, or, where that folds over, Tutte's embedding with the longest boundary on a
 //!    circle and the other boundaries filled by one vertex each.
 //! 2. Levenberg and Marquardt on the edge terms.
-//! 3. Refuse what folds over: the planar algorithm needs a plane region.
+//! 3. Refuse a result that folds over, because the planar algorithm needs a plane region.
 //!
-//! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not
-//! see a fold.
+//! The paper names no method. Our departure: steps that would flip a triangle are refused, because a fold alone does
+//! not raise the energy.
 
 use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
 use crate::edges::edges;
@@ -98,7 +98,8 @@ pub(crate) fn flatten(
 /// A first flattening of a film without flipped triangles.
 ///
 /// # Errors
-/// [`Error::NoResult`] (`not_flattenable`) if the film has no boundary to lay down.
+/// [`Error::NoResult`] (`not_flattenable`) if the film has no boundary to lay down, or if Tutte's embedding folds over
+/// too.
 pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let doubled: DVec3 = mesh.triangles.iter().map(|&t| measure::double_area_vector(mesh.corners(t))).sum();
     if let Some(normal) = doubled.try_normalize() {

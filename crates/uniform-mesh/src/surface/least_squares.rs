@@ -37,7 +37,7 @@ pub(crate) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     pub phase: &'static str,
-    /// The interval of the solve's progress that this run has.
+    /// The interval of the solve's progress that this run covers.
     pub span: (f64, f64),
     /// Largest number of steps that are tried.
     pub max_iterations: u64,

@@ -3,7 +3,7 @@
 //! 1. The k lengths that come nearest to all members: k intervals of equal width that cover the sorted lengths, as
 //!    narrow as possible (greedy cover and bisection, exact on a line).
 //! 2. Move the inner nodes on the surface to the least Σ (L - c)², c the middle of the member's interval.
-//! 3. Repeat while the intervals get narrower. The narrowest wins.
+//! 3. Repeat while the intervals get narrower. The narrowest intervals are kept.
 //!
 //! These steps are repeated for growing k up to the largest allowed, each from the same start. They end with the first
 //! k whose intervals are no wider than the tolerance. Members between two boundary nodes cannot change, but count too.

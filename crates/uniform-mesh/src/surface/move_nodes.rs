@@ -19,7 +19,7 @@ use plateau_mesh::{DVec2, DVec3};
 /// Distance, in ℓ, by which the bounds of rim members are narrowed, so that members with a small remaining excess are
 /// still within [ℓ, 2ℓ].
 const MARGIN: f64 = 1e-7;
-/// Weight of a rim member's excess against a lattice member's deviation.
+/// Weight of a rim member's excess, relative to a lattice member's deviation.
 const WEIGHT: f64 = 3.0;
 const LARGEST_WEIGHT: f64 = 30.0;
 /// Largest shift of a bound, in ℓ.
@@ -55,7 +55,7 @@ pub(crate) struct Effort {
     pub rounds: usize,
     /// Maximum number of steps between two updates of the multipliers.
     pub iterations: u64,
-    /// The change of energy, relative to it, below which the steps end.
+    /// Relative change of the energy below which the steps end.
     pub tolerance: f64,
 }
 
@@ -384,7 +384,8 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
         let mut widened = false;
-        // Only bounds of rim members count. Wider bounds of lattice members would repeat this attempt.
+        // Only the bounds of rim members are widened, because those of lattice members are not used: the next attempt
+        // would repeat this one.
         let in_rim = |k: &usize| moving.is_bounded(*k);
         for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
             let given = given[k];

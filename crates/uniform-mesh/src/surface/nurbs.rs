@@ -22,7 +22,8 @@ pub struct Nurbs {
     /// Degree along u and along v.
     pub degrees: [usize; 2],
     /// Knots along u and along v: not falling, as many as control points plus degree plus one, inner ones repeated at
-    /// most degree times. The patch covers the parameters from knot `degree` to the one that many from the end.
+    /// most degree times. The patch covers the parameters from knot `degree` to the knot that has `degree` knots after
+    /// it.
     pub knots: [Vec<f64>; 2],
     /// The points `control_points[i][j]`, where i counts along u and j along v.
     pub control_points: Vec<Vec<DVec3>>,
@@ -186,7 +187,8 @@ impl Nurbs {
 /// along its parameter, for which they define a normal. Near a pole rounding would decide the normal's direction.
 const SINGULAR: [f64; 2] = [1e-3, 1e-9];
 
-/// The unit normal u × v of derivatives. `largest` are the lengths of the patch's largest derivatives by u and by v.
+/// Returns the unit vector along du × dv, or `None` where the derivatives define no normal. `largest` are the lengths
+/// of the patch's largest derivatives by u and by v.
 pub(crate) fn unit_normal(du: DVec3, dv: DVec3, largest: [f64; 2]) -> Option<DVec3> {
     let (cross, lengths) = (du.cross(dv), [du.length(), dv.length()]);
     let regular = cross.length() > SINGULAR[0] * lengths[0] * lengths[1]

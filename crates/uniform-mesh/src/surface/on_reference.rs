@@ -3,15 +3,15 @@
 //! 1. [`Net::remesh`]: triangles of about one edge length everywhere.
 //! 2. The lattice group. A node that moves on a surface has two degrees of freedom, and there are three edges for each
 //!    node, so that at most two thirds of the edges can have one given length. The group takes the edges nearest to ℓ
-//!    of which every node has to serve at most two (a node on a curve one): a system with as many equations as
-//!    unknowns.
+//!    that can be assigned to nodes, at most two to each node (one to a node on a curve). The lengths of the group are
+//!    then a system with no more equations than unknowns.
 //! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
 //!    other members within [ℓ, 2ℓ].
 //! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move may take more
 //!    steps.
 //! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more,
-//!    and the nodes move again: the best mesh of step 4 can be one whose last members were not yet mended. Members
-//!    across a sharp corner may then be as short as the distance between its sides at 2ℓ.
+//!    and the nodes move again, because the best mesh of step 4 can still have such members. Members across a sharp
+//!    corner may then be as short as the distance between its sides at 2ℓ.
 //!
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
@@ -254,7 +254,7 @@ fn far_members(nodes: &OnSurface<'_, Reference>) -> usize {
     nodes.members.iter().zip(nodes.lengths()).filter(is_far).count()
 }
 
-/// The net's nodes as nodes that move, with the lattice group for the lengths as they are.
+/// Converts the net to nodes that move, with the lattice group that the present lengths give.
 ///
 /// # Errors
 /// The interruptions of `execution`.

@@ -47,9 +47,9 @@ pub(crate) struct Spot {
 /// The motion that a node is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Bond {
-    /// Move on the surface.
+    /// Motion on the surface.
     Free,
-    /// Move along a curve; `at` is the length from the curve's start.
+    /// Motion along a curve; `at` is the length from the curve's start.
     Curve { curve: u32, at: f64 },
     /// No motion: the node is a corner, this vertex of the reference.
     Fixed(u32),
@@ -375,8 +375,8 @@ impl Reference {
         (high - low).normalize_or_zero()
     }
 
-    /// The length along `curve` at which a node stands, seen from a neighbour on the curve at `near`. A corner at both
-    /// ends of a closed curve is the end nearer to the neighbour.
+    /// The length along `curve` at which a node stands, seen from a neighbour on the curve at `near`. A corner that is
+    /// both ends of a closed curve counts as the end nearer to the neighbour.
     pub fn at(&self, curve: u32, bond: Bond, near: Option<f64>) -> Option<f64> {
         let (ends, length) = (self.curves[curve as usize].ends, self.curves[curve as usize].length());
         match bond {
@@ -532,7 +532,7 @@ mod tests {
             }
             // These nodes are nearer to the corner than edges in range allow.
             assert_eq!(why([node(0, 0.5), node(1, 0.5)]), Why::Curvature, "{degrees}");
-            // A corner is no reason for an edge along a side.
+            // A corner is no reason for a short edge along a single side.
             assert_eq!(why([node(0, 1.0), node(0, 1.3)]), Why::Curvature, "{degrees}");
         }
     }

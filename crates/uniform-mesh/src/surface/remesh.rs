@@ -5,8 +5,8 @@
 //! [`Reference`]. Nodes on its curves stay on the curves, and corners do not move. An operation that would turn a
 //! triangle against the surface's normals is refused, so that no edge cuts through a thin sheet or a sharp crest.
 //!
-//! Edges that are split or collapsed in one pass share no triangle, like in [`remesh`](plateau_film::minimal_surface)
-//! (no neighbourhood), so that a pass is one rebuild of the triangle list.
+//! The edges that one pass splits share no triangle, and those that one pass collapses have no common neighbourhood,
+//! like in [`remesh`](plateau_film::minimal_surface). A pass therefore rebuilds the triangle list once.
 
 use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
@@ -31,8 +31,8 @@ struct Remeshing {
     sweeps: usize,
     /// Least cosine between a triangle's normal and the mean of the surface's normals at its corners.
     upright: f64,
-    /// Least altitude of a triangle as a fraction of its longest side. The normal of a triangle with a smaller one is
-    /// decided by rounding.
+    /// Least altitude of a triangle as a fraction of its longest side. Rounding decides the normal of a flatter
+    /// triangle.
     thinnest: f64,
     /// An edge flips if its opposite angles add up to more than 180° plus this angle, radians.
     flat: f64,
@@ -99,7 +99,7 @@ pub(crate) fn longest_squared([a, b, c]: [DVec3; 3]) -> f64 {
 }
 
 impl<'a> Net<'a> {
-    /// The reference's own triangles.
+    /// Makes a net of the reference's own triangles.
     pub fn new(reference: &'a Reference, size: Size) -> Self {
         let count = reference.mesh.vertices.len();
         let mut bonds = vec![Bond::Free; count];

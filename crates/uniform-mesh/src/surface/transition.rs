@@ -44,7 +44,7 @@ const NO_MISFIT: f64 = 1e-12;
 const RIM_WEIGHT: f64 = 10.0;
 
 /// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for their new places, as long as
-/// the misfit falls. Returns whether members have changed, and what ended the work early.
+/// the misfit falls. Returns whether members have changed, and the reason if the work ended early.
 pub(crate) fn fit(
     nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
@@ -313,7 +313,8 @@ impl Rim<'_> {
         let total: f64 = weights.iter().sum();
         let points = self.flat.triangle(t);
         let mut p: DVec2 = points.iter().zip(weights).map(|(&q, w)| q * (w / total)).sum();
-        // Half differences of squared distances, linear in the point of space.
+        // Newton's method on two half differences of squared distances to corners, which are linear in the point of
+        // space.
         for _ in 0..4 {
             let q = self.surface.restrict(p);
             let [x, du, dv] = self.surface.evaluate(q);
