@@ -10,7 +10,7 @@ use plateau_forms::request::{Accepted, Request};
 use plateau_forms::source::{Find, no_jobs};
 use serde_json::Value;
 
-/// A request that was read, with the fields that concern its job.
+/// A parsed request with its envelope, the fields that concern the job and not the geometry.
 #[derive(Debug)]
 pub struct Incoming {
     pub request: Request,

@@ -397,7 +397,7 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     let found = bound(&loops, &mesh, 0.2);
     let (confirmed, message) = check(&json(&found, 1.0, 1.0), "true");
     assert!(confirmed, "{message}");
-    // A field that is not scaled down as far as it must be, so that |curl A| exceeds 1.
+    // A field that is scaled down too little, so that |curl A| exceeds 1.
     let (confirmed, message) = check(&json(&found, 1.0 + 1e-12, 1.0), "curl");
     assert!(!confirmed && message.contains("|curl A|"), "{message}");
     // A bound that was rounded up.

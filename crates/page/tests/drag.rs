@@ -57,8 +57,8 @@ fn a_film_follows_a_drag_and_the_released_film_is_solved() {
 fn a_request_that_the_result_cannot_follow_is_solved() {
     let mut session = Session::default();
     solve(&mut session, &square(8, 0.0, 2000));
-    // These requests are solved instead of moved: another number of points, another resolution, another unit, and a
-    // kind whose results cannot follow a drag.
+    // A request is solved if it has another number of points, another resolution or another unit than the last one, or
+    // if it is of a kind whose results cannot follow a drag.
     assert_eq!(drag(&mut session, &square(9, 0.0, 2000)).0, Ending::Solved);
     assert_eq!(drag(&mut session, &square(9, 0.0, 1500)).0, Ending::Solved);
     let feet = square(9, 0.0, 1500).replacen('{', r#"{"units": "ft", "#, 1);

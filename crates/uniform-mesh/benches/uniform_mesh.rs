@@ -1,5 +1,5 @@
-//! Compares uniform meshes of a square with 1,000 to 1,000,000 nodes, including checks and statistics, with spade's
-//! Delaunay triangulation of the finished mesh's nodes, which knows all nodes beforehand. Both run on one core.
+//! Compares the time of uniform meshes of a square with that of spade, a Delaunay triangulation. Ours makes 1,000 to
+//! 1,000,000 nodes and measures the mesh; spade is given these nodes and only triangulates. Both run on one core.
 //!
 //! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion; with `-- --record` it prints one
 //! JSON line a case for `benches/results.jsonl` instead (the fastest of several runs; `ratio` is relative to spade's

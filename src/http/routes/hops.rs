@@ -139,7 +139,7 @@ impl Run<'_> {
         if job.status.is_final() {
             return self.answer(job).await;
         }
-        // Hops caches only answers with the status 200, so it requests this state again.
+        // Hops caches only answers with the status 200, so Hops will ask for the state of this job again.
         Ok(respond(StatusCode::ACCEPTED, &Answer::of_job(self.component, &job, &Parts::default())))
     }
 

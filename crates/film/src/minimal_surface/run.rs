@@ -174,7 +174,8 @@ pub struct SpanningTopology {
     /// The stability of all films together.
     pub stability: Option<Stability>,
     /// Whether its films pass through each other or themselves, so that no soap film takes this shape.
-    pub films_cross: bool,
+    /// `None` if the deadline has cut the search short and no crossing was found.
+    pub films_cross: Option<bool>,
     /// Whether this is the topology of the result.
     pub chosen: bool,
 }

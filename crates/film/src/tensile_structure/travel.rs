@@ -50,8 +50,8 @@ const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Newton's method is tried again after this number of rounds times one more than the number of failures so far, among
-/// which those while a cable shrinks do not count. The pause grows because a round of a structure with constraints takes
-/// away only a few per cent of the distance to the equilibrium.
+/// which those while a cable shrinks do not count. The pause grows because a round of a structure with constraints
+/// takes away only a few per cent of the distance to the equilibrium.
 const WAIT: u32 = 2;
 /// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;

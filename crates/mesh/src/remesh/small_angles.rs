@@ -34,9 +34,9 @@ const CHANGES_PER_TRIANGLE: usize = 16;
 const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
-/// Length of the first trial move, as a fraction of the mean edge at the vertex, and number of lengths that are tried,
-/// each the half of the one before.
+/// Length of the first trial move, as a fraction of the mean edge at the vertex.
 const FIRST_MOVE: f64 = 0.4;
+/// Number of lengths that are tried in each direction. Each is half the length before.
 const HALVINGS: u32 = 4;
 
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Marks a fixed vertex, which has no unknown.
 pub const FIXED: u32 = u32::MAX;
 
-/// Up to this number of neighbours of a vertex are compared one by one.
+/// Largest number of neighbours of a vertex among which a neighbour is found by counting instead of by bisection.
 const FEW_NEIGHBOURS: usize = 16;
 
 /// The sparsity of the operators on the free vertices of one connectivity, and the positions of the terms of each

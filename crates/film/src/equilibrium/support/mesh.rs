@@ -40,8 +40,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The surface along a mesh whose triangles are oriented alike. Edges and corners of the mesh are rounded within the
-    /// length `rounding` of them.
+    /// The surface along a mesh whose triangles are oriented alike. Edges and corners of the mesh are rounded within
+    /// the length `rounding` of them.
     ///
     /// # Errors
     /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is

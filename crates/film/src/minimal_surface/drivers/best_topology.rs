@@ -82,7 +82,7 @@ impl SpanningComparison {
             }
             warnings.push(warning);
         }
-        if self.topologies.first().is_some_and(|least| least.films_cross) {
+        if self.topologies.first().is_some_and(|least| least.films_cross == Some(true)) {
             let detail =
                 "the films of the least topology pass through each other or themselves; soap films would join there";
             warnings.push(Warning::new(WarningCode::FilmsCross, detail));
@@ -173,9 +173,10 @@ fn solve_contenders(
 ) -> Result<(), Error> {
     let mut rest = compared.clone();
     while let Some(least) = rest.first().and_then(|topology| topology.area) {
-        let crosses = rest[0].films_cross;
+        let crosses = |topology: &SpanningTopology| topology.films_cross == Some(true);
+        let least_crosses = crosses(&rest[0]);
         let contends = |topology: &SpanningTopology| {
-            topology.films_cross == crosses && topology.area.is_some_and(|area| area <= (1.0 + CONTENDS) * least)
+            crosses(topology) == least_crosses && topology.area.is_some_and(|area| area <= (1.0 + CONTENDS) * least)
         };
         let (contenders, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(contends);
         rest = others;
@@ -231,7 +232,7 @@ impl Parts {
         let mut crosses_itself = Vec::with_capacity(self.films.len());
         for part in &self.films {
             let film = part.as_ref().map(|part| &part.film);
-            crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
+            crosses_itself.push(film.map_or(Ok(Some(false)), |film| film_crosses_itself(film, exec))?);
         }
         let mut compared: Vec<SpanningTopology> = Vec::with_capacity(partitions.len());
         for films in partitions {
@@ -245,7 +246,7 @@ impl Parts {
             let key = |topology: &SpanningTopology| {
                 topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round())
             };
-            let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
+            let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross == Some(true);
             let known = a.area.is_none().cmp(&b.area.is_none());
             let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
             // Between equal areas the partition into more films comes first, because a connected film of the same area
@@ -263,19 +264,30 @@ fn spans(film: &SolvedFilm) -> bool {
     film.holds() && film.film.topology.components() == 1
 }
 
-/// Whether a film meets itself. After the deadline the answer is false, because the search is left out.
-fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
-    match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
-        Err(Interruption::DeadlinePassed) => Ok(false),
-        found => Ok(found?.pairs > 0),
+/// Whether a film meets itself. `None` after the deadline, because the search is left out.
+fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<Option<bool>, Interruption> {
+    unless_late(self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec))
+        .map(|found| found.map(|found| found.pairs > 0))
+}
+
+/// The result of a search, or `None` if the deadline has cut the search short.
+fn unless_late<T>(found: Result<T, Interruption>) -> Result<Option<T>, Interruption> {
+    match found {
+        Err(Interruption::DeadlinePassed) => Ok(None),
+        found => found.map(Some),
     }
+}
+
+/// Whether one of two holds; `None` if neither is known to hold and one is unknown.
+fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    if a == Some(true) || b == Some(true) { Some(true) } else { a.and(b) }
 }
 
 /// Areas, stability and crossings of one partition.
 fn compare(
     films: &[u32],
     parts: &[Option<SolvedFilm>],
-    crosses_itself: &[bool],
+    crosses_itself: &[Option<bool>],
     exec: &Execution,
 ) -> Result<SpanningTopology, Error> {
     let held: Option<Vec<&SolvedFilm>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
@@ -283,7 +295,7 @@ fn compare(
         films: films.iter().map(|&set| members(set)).collect(),
         area: None,
         stability: None,
-        films_cross: films.iter().any(|&set| crosses_itself[set as usize]),
+        films_cross: films.iter().map(|&set| crosses_itself[set as usize]).fold(Some(false), either),
         chosen: false,
     };
     let Some(held) = held else { return Ok(topology) };
@@ -303,10 +315,8 @@ fn compare(
     for (k, part) in held.iter().enumerate() {
         for other in &held[k + 1..] {
             // After the deadline, crossings are no longer searched for. The areas are known already.
-            topology.films_cross |= match films_cross(&part.film, &other.film, exec) {
-                Err(Interruption::DeadlinePassed) => false,
-                cross => cross?,
-            };
+            let cross = unless_late(films_cross(&part.film, &other.film, exec))?;
+            topology.films_cross = either(topology.films_cross, cross);
         }
     }
     Ok(topology)
@@ -431,7 +441,7 @@ impl<'a> SpanningProblem<'a> {
         }
         let rank = |film: &SolvedFilm| -> Result<(bool, bool), Interruption> {
             let holds = spans(film);
-            Ok((!holds, holds && film_crosses_itself(&film.film, exec)?))
+            Ok((!holds, holds && film_crosses_itself(&film.film, exec)? == Some(true)))
         };
         let mut least = (rank(&first)?, first);
         let mut tried = vec![least.1.kind];

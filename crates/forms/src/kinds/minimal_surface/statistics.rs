@@ -28,8 +28,8 @@ pub struct SpanningTopology {
     pub area: Option<f64>,
     pub stability: Option<Stability>,
     /// Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-    /// comes after all others.
-    pub films_cross: bool,
+    /// comes after all others. Null if the time was up before the search for crossings had ended.
+    pub films_cross: Option<bool>,
     /// Whether this topology was returned.
     pub chosen: bool,
     /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
