@@ -2149,8 +2149,8 @@ export interface components {
         /**
          * @description Lengths that members outside the lattice group may take while the nodes move.
          *
-         *     - `bounded`: They stay in [ℓ, 2ℓ] wherever that is possible.
-         *     - `free`: They may take any length, as in the paper.
+         *     - `bounded`: The lengths stay in [ℓ, 2ℓ] wherever that is possible.
+         *     - `free`: The members may take any length, as in the paper.
          * @enum {string}
          */
         Rim: "bounded" | "free";
@@ -2461,7 +2461,8 @@ export interface components {
          */
         SamplingRule: "parameter" | "arc_length" | "chord_height";
         /**
-         * @description Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+         * @description Objective that decides among the strips with the most convex bridges. It is summed over the bridges that are not
+         *     convex.
          *
          *     - `minimal_bending_energy`: The bending energy at these bridges.
          *     - `minimal_mean_curvature_variation`: The steps of the mean curvature vector that enter these bridges.
@@ -2533,9 +2534,9 @@ export interface components {
             films: number[][];
             /**
              * @description Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-             *     comes after all others.
+             *     comes after all others. Null if the time was up before the search for crossings had ended.
              */
-            films_cross: boolean;
+            films_cross: boolean | null;
             /**
              * Format: double
              * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.

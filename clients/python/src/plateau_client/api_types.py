@@ -103,8 +103,8 @@ RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWit
 Rim = Literal['bounded', 'free']
 """Lengths that members outside the lattice group may take while the nodes move.
 
-- `bounded`: They stay in [ℓ, 2ℓ] wherever that is possible.
-- `free`: They may take any length, as in the paper."""
+- `bounded`: The lengths stay in [ℓ, 2ℓ] wherever that is possible.
+- `free`: The members may take any length, as in the paper."""
 RuledSurfaceKind = Literal['ruled_surface']
 RuledSurfaceObjective = Literal['minimal_area', 'minimal_twist', 'maximal_convexity', 'minimal_bending_energy', 'minimal_mean_curvature_variation', 'minimal_normal_variation']
 """Quantity that is minimised. `GET /v1/objectives` has the formulas.
@@ -114,7 +114,8 @@ SamplingRule = Literal['parameter', 'arc_length', 'chord_height']
 """`parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
 polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`."""
 SecondaryObjective = Literal['minimal_bending_energy', 'minimal_mean_curvature_variation']
-"""Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+"""Objective that decides among the strips with the most convex bridges. It is summed over the bridges that are not
+convex.
 
 - `minimal_bending_energy`: The bending energy at these bridges.
 - `minimal_mean_curvature_variation`: The steps of the mean curvature vector that enter these bridges."""
@@ -1633,9 +1634,9 @@ class SpanningTopology(TypedDict):
     """Whether this topology was returned."""
     films: List[List[int]]
     """Sets of boundaries by their numbers. A connected film spans each set."""
-    films_cross: bool
+    films_cross: Optional[bool]
     """Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-    comes after all others."""
+    comes after all others. Null if the time was up before the search for crossings had ended."""
     gap: Optional[float]
     """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
     Null if nothing is proven."""

@@ -37,8 +37,7 @@ pub trait Support: fmt::Debug + Send + Sync {
     fn dimension(&self) -> u8;
 
     /// The point of the support that is nearest to `x`. If several are (as for the centre of a sphere), the support
-    /// returns one in a fixed direction. For the iteration to converge, the point may differ from the nearest one by
-    /// terms of third order in the distance.
+    /// returns one in a fixed direction. Newton's method needs the point up to terms of third order in the distance.
     fn nearest(&self, x: DVec3) -> DVec3;
 
     /// Orthonormal tangents at a point of the support. For a curve only the first is used.

@@ -176,13 +176,11 @@ pub(super) fn edge_forces(
 ) -> Vec<Vec<EdgeForce>> {
     let key = |[v, w]: [u32; 2]| [v.min(w), v.max(w)];
     let mut pulls: BTreeMap<[u32; 2], DVec3> = BTreeMap::new();
+    let held = |v: u32| !matches!(holds[v as usize], Hold::Nothing);
     for (triangle, stress) in triangles.iter().zip(stresses) {
-        let normal = double_area_vector(triangle.map(|v| at[v as usize])).normalize_or_zero();
-        for k in 0..3 {
-            let side = [triangle[k], triangle[(k + 1) % 3]];
-            if side.iter().any(|&v| matches!(holds[v as usize], Hold::Nothing)) {
-                continue;
-            }
+        let sides = [0, 1, 2].map(|k| [triangle[k], triangle[(k + 1) % 3]]);
+        for side in sides.into_iter().filter(|&[v, w]| held(v) && held(w)) {
+            let normal = double_area_vector(triangle.map(|v| at[v as usize])).normalize_or_zero();
             let [from, to] = side.map(|v| at[v as usize]);
             let outward = (to - from).cross(normal).normalize_or_zero();
             let (along, across) = (stress.direction, normal.cross(stress.direction));

@@ -6,8 +6,8 @@ use crate::audit::edges::Edges;
 use crate::audit::figure::{Largest, Least, Measured, RELATIVE, Spread, Sum};
 use crate::audit::points;
 use crate::audit::surface::{Sides, Surface, corners};
-use plateau_archive::Lines;
 use plateau_archive::archive::CABLES;
+use plateau_archive::{Attribute, Lines};
 use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
 use std::collections::BTreeMap;
@@ -259,9 +259,10 @@ fn compare_held_edges(audit: &mut Audit) {
     // The force per length and its tolerance.
     let mut pulls: BTreeMap<[u32; 2], (DVec3, f64)> =
         pairs.iter().map(|&pair| (key(pair), (DVec3::ZERO, 0.0))).collect();
-    let value = |name: &str, t: usize| {
-        let attribute = contents.triangle_attributes.iter().find(|attribute| attribute.name == name);
-        attribute.and_then(|attribute| attribute.values.get(t).copied()).unwrap_or(f64::NAN)
+    let stresses = ["stress_min", "stress_max", "stress_max_x", "stress_max_y", "stress_max_z"];
+    let stresses = stresses.map(|name| contents.triangle_attributes.iter().find(|attribute| attribute.name == name));
+    let at = |attribute: Option<&Attribute>, k: usize| {
+        attribute.and_then(|attribute| attribute.values.get(k).copied()).unwrap_or(f64::NAN)
     };
     for (t, triangle) in contents.mesh.triangles.iter().enumerate() {
         for k in 0..3 {
@@ -272,8 +273,7 @@ fn compare_held_edges(audit: &mut Audit) {
             let Some((pull, tolerance)) = pulls.get_mut(&key([from, to])) else { continue };
             let [a, b, c] = [from, to, third].map(|v| vertices[v as usize]);
             let out = (a - c).reject_from(b - a).normalize_or_zero();
-            let [least, most] = ["stress_min", "stress_max"].map(|name| value(name, t));
-            let [x, y, z] = ["stress_max_x", "stress_max_y", "stress_max_z"].map(|name| value(name, t));
+            let [least, most, x, y, z] = stresses.map(|attribute| at(attribute, t));
             let direction = DVec3::new(x, y, z);
             *pull += least * out + (most - least) * direction.dot(out) * direction;
             *tolerance += most.abs() * (RELATIVE + 4.0 * audit.step / Sides::of([a, b, c]).altitude());
@@ -285,7 +285,7 @@ fn compare_held_edges(audit: &mut Audit) {
         let (pull, tolerance) = pulls[&key(pair)];
         let measured = [pull.length(), pull.x, pull.y, pull.z];
         for (attribute, value) in stated.iter().zip(measured) {
-            let own = attribute.and_then(|attribute| attribute.values.get(k).copied()).unwrap_or(f64::NAN);
+            let own = at(*attribute, k);
             audit.attribute(|| format!("{HELD_EDGES}, segment {k}"), own, Measured::within(value, tolerance));
         }
     }
