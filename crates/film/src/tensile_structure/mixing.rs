@@ -1,8 +1,8 @@
 //! Anderson's mixing, which accelerates a fixed-point iteration x ← g(x).
 //!
-//! Let f = g(x) - x be the residual of a round, and Δx and Δf the differences between rounds. The next x is g - Σ γ (Δx
-//! + Δf) with the coefficients γ for which Σ γ Δf comes nearest to f. For a linear iteration this is GMRES on a window
-//! of rounds. Source: Walker, Ni, *Anderson Acceleration for Fixed-Point Iterations* (2011).
+//! Let f = g(x) - x be the residual of a round, and Δx and Δf the differences between rounds. The next x is
+//! g - Σ γ (Δx + Δf) with the coefficients γ for which Σ γ Δf comes nearest to f. For a linear iteration this is GMRES
+//! on a window of rounds. Source: Walker, Ni, *Anderson Acceleration for Fixed-Point Iterations* (2011).
 
 /// Number of differences that are kept. With a larger number the oldest ones belong to a shape that is far away.
 const WINDOW: usize = 8;
