@@ -20,8 +20,8 @@
 //! lengthens nothing: it maps S to a surface in H with the same boundary and no more area. The topology of S plays no
 //! part; "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with
 //! triple junctions are outside of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed
-//! in all tetrahedra except those that lie wholly outside one of the half-spaces and not nearer to its plane than a small
-//! margin.
+//! in all tetrahedra except those that lie wholly outside one of the half-spaces and farther from its plane than a
+//! small margin.
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
