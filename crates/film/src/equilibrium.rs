@@ -27,8 +27,10 @@ mod constraint;
 mod contact;
 mod dense;
 mod freedom;
+mod motion;
 pub(crate) mod newton;
 mod normal_motion;
+mod relax;
 pub(crate) mod residual;
 pub(crate) mod settling;
 pub(crate) mod stability;
@@ -37,13 +39,14 @@ pub mod support;
 mod tests;
 pub(crate) mod v_cycle;
 
-pub use body::{Body, BodyDefect, Report, Stability};
+pub use body::{Body, BodyDefect};
 pub use constraint::{Constraint, Determined};
 pub use contact::Contact;
 pub use freedom::Freedom;
 pub use newton::{Aim, Outcome, Settings};
+pub use relax::{Report, Stability};
 pub use support::Support;
 
-pub(crate) use body::{Frame, Motion};
+pub(crate) use motion::{Frame, Motion};
 pub(crate) use normal_motion::{FilmState, NormalMotion, film_state};
 pub(crate) use stability::stability_warnings;

@@ -14,17 +14,19 @@
 //!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in
 //!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
+mod balance;
+
 use super::mixing::Mixing;
 use super::model::{ForceBy, Model, Renewal, Stage};
 use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
 use super::weave::StressField;
-use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
+use crate::energy::{PlaneStress, Prestress, Term};
 use crate::equilibrium::newton::{Direct, State, keeps_orientation};
-use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
+use crate::equilibrium::{Aim, Body, Frame, Freedom, Outcome, Settings, Stability};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
-use plateau_mesh::measure::{double_area_vector, normals};
+use plateau_mesh::measure::normals;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
@@ -593,149 +595,5 @@ impl Run<'_> {
             Pressure::Volume(_) => of_volumes.next().unwrap_or(0.0),
         };
         self.structure.chambers.iter().map(pressure).collect()
-    }
-
-    /// Step 3.
-    fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
-        let structure = self.structure;
-        let mut body = self.model.body(structure, 1.0, Stage::Exact)?;
-        let reference = body.vertices.clone();
-        let triangles = self.model.triangles();
-        let stresses = self.reference_stresses(&reference);
-        let mut loads = self.loads(&reference);
-        let mut densities = Vec::with_capacity(self.model.cables.len());
-        for (number, (cable, multiplier)) in self.model.cables.iter().zip(&found.length_forces).enumerate() {
-            let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
-            for (k, &segment) in cable.segments.iter().enumerate() {
-                let length = energy::length::length(segment, &reference);
-                let further = self.model.further_forces[number].get(k).copied().unwrap_or(0.0);
-                own.densities.push((cable.force(k, &reference) + multiplier + further) / length);
-            }
-            densities.push(own);
-        }
-        body.terms.clear();
-        // The forces of the cables are now those of their densities; only lengths and volumes keep their values.
-        body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
-        // The length of a mast that pushes with a given force is held at what was found. With a force density in its
-        // place all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
-        let pushing = |k: &usize| structure.cables[*k].course.is_mast() && self.model.forces_by[*k] == ForceBy::Law;
-        let pushing: Vec<usize> = (0..densities.len()).filter(pushing).collect();
-        for (place, &k) in pushing.iter().enumerate() {
-            let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
-            let held = Constraint::value(Box::new(quantity.clone()), quantity.value(&reference));
-            // Before the volumes, which come last.
-            let lengths = self.model.forces_by.iter().filter(|by| matches!(by, ForceBy::Length(_))).count();
-            body.constraints.insert(lengths + place, held);
-        }
-        body.terms.push(Box::new(match &self.model.stress_field {
-            None => Prestress::isotropic(&triangles, |t| stresses[t].along, &reference),
-            Some(_) => Prestress::plane(&triangles, |t| stresses[t], &reference),
-        }));
-        let place = body.terms.len();
-        body.terms.push(Box::new(Load { forces: loads.clone() }));
-        densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
-        self.model.contacts.iter().for_each(|contact| body.terms.push(Box::new(contact.clone())));
-        for chamber in &structure.chambers {
-            if let Pressure::Constant(pressure) = chamber.holds {
-                body.terms.push(Box::new(Volume { triangles: self.model.walls(chamber.below), pressure }));
-            }
-        }
-        for freedom in &mut body.freedoms {
-            *freedom = match *freedom {
-                Freedom::Normal | Freedom::Across(_) => Freedom::Free,
-                Freedom::AcrossOn { support, .. } => Freedom::On(support),
-                other => other,
-            };
-        }
-        let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
-        let (mut outcome, mut state) = self.solve(&mut body, &settings, "balance", 0.2)?;
-        // The balance moves vertices along the film, so the weights are renewed until they are those of the mesh that
-        // leaves.
-        for _ in 0..RENEWED_LOADS {
-            let renewed = self.loads(&body.vertices);
-            let change = renewed.iter().zip(&loads).map(|(new, old)| new.distance(*old)).fold(0.0, f64::max);
-            let largest = loads.iter().map(|load| load.length()).fold(0.0, f64::max);
-            if matches!(outcome, Outcome::Refused(_)) || change <= SAME_LOADS * largest {
-                break;
-            }
-            loads = renewed;
-            body.terms[place] = Box::new(Load { forces: loads.clone() });
-            (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
-        }
-        if matches!(outcome, Outcome::Refused(_)) {
-            return Ok(());
-        }
-        let at = &body.vertices;
-        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
-        let mut more = vec![0.0; densities.len()];
-        let by_length = (0..densities.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
-        for k in by_length.chain(pushing) {
-            more[k] = multipliers.next().unwrap_or(0.0);
-        }
-        let pressures = self.pressures(multipliers);
-        // The gradient of a volume includes the cone over the film's edge, but a pressure acts on the triangles only:
-        // the one is replaced by the other.
-        let mut forces = state.frame.gradient.clone();
-        for (chamber, &pressure) in structure.chambers.iter().zip(&pressures).filter(|(_, pressure)| **pressure != 0.0)
-        {
-            let walls = self.model.walls(chamber.below);
-            let mut cone = vec![DVec3::ZERO; at.len()];
-            Volume { triangles: walls.clone(), pressure: -1.0 }.add_gradient(at, &mut cone);
-            for triangle in &walls {
-                let sixth = double_area_vector(triangle.map(|v| at[v as usize])) / 6.0;
-                for &v in triangle {
-                    loads[v as usize] += pressure * sixth;
-                    forces[v as usize] -= pressure * sixth;
-                }
-            }
-            forces.iter_mut().zip(&cone).for_each(|(force, cone)| *force += pressure * *cone);
-        }
-        let mut contacts = vec![DVec3::ZERO; at.len()];
-        self.model.contacts.iter().for_each(|contact| contact.add_gradient(at, &mut contacts));
-        forces.iter_mut().zip(&contacts).for_each(|(force, contact)| *force -= *contact);
-        let mut cable_forces = Vec::with_capacity(densities.len());
-        for (own, more) in densities.iter().zip(more) {
-            let mut forces = Vec::with_capacity(own.segments.len());
-            own.visit_forces(at, &mut |force| forces.push(force + more));
-            cable_forces.push(forces);
-        }
-        found.pressures = pressures;
-        self.model.set_vertices(&body.vertices);
-        found.balance = Some(Balance { forces, contacts, loads, cable_forces, reference, stresses });
-        Ok(())
-    }
-
-    /// The weights of films and cables and the forces on rings, as a force on each vertex.
-    fn loads(&self, at: &[DVec3]) -> Vec<DVec3> {
-        let structure = self.structure;
-        let mut loads = self.model.film_loads(structure, at);
-        if let Some(forces) = self.model.ring_forces(structure) {
-            loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
-        }
-        for cable in &self.model.cables {
-            for &segment in &cable.segments {
-                let half = structure.up * (0.5 * cable.weight * energy::length::length(segment, at));
-                segment.into_iter().for_each(|v| loads[v as usize] -= half);
-            }
-        }
-        loads
-    }
-
-    /// Per triangle, one layer after the other, the stress that is required at the found shape.
-    fn reference_stresses(&self, at: &[DVec3]) -> Vec<PlaneStress> {
-        let weights = self.model.weights(self.structure, at);
-        let mut stresses = Vec::new();
-        for ((layer, film), weight) in self.model.layers.iter().zip(&self.structure.layers).zip(&weights) {
-            let tension = film.mean();
-            stresses.extend(layer.triangles().map(|triangle| match &self.model.stress_field {
-                Some(field) => field.required(&triangle, at),
-                None => {
-                    let [a, b, _] = triangle.map(|v| at[v as usize]);
-                    let tension = tension + weight.tension(&triangle, at);
-                    PlaneStress { direction: (b - a).normalize_or_zero(), along: tension, across: tension }
-                }
-            }));
-        }
-        stresses
     }
 }
