@@ -44,7 +44,8 @@ pub use constraint::{Constraint, Determined};
 pub use contact::Contact;
 pub use freedom::Freedom;
 pub use newton::{Aim, Outcome, Settings};
-pub use relax::{Report, Stability};
+pub use relax::Report;
+pub use stability::Stability;
 pub use support::Support;
 
 pub(crate) use motion::{Frame, Motion};

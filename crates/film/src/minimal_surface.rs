@@ -161,8 +161,8 @@ const LOST: f64 = 1.0;
 fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     let ended = match statistics.stop_reason {
         StopReason::Collapsed => "collapsed",
-        StopReason::Stalled | StopReason::Residual if statistics.flipped_triangles > 0 => "folded over",
-        StopReason::Stalled if statistics.degenerate_triangles > 0 => "collapsed in part",
+        StopReason::Stalled | StopReason::Residual if statistics.quality.flipped_triangles > 0 => "folded over",
+        StopReason::Stalled if statistics.quality.degenerate_triangles > 0 => "collapsed in part",
         StopReason::Stalled if statistics.residual > LOST => "stopped far from any",
         _ => return Ok(()),
     };

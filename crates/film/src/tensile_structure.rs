@@ -61,8 +61,8 @@ pub use options::{
 };
 pub use ponding::Ponding;
 pub use shape::{
-    CableResult, ChamberResult, EdgeForce, EdgeReaction, ForceBalance, LayerResult, Reaction, Stability, Statistics,
-    Stress, StressRange, TensileStructure, TriangleStress, WeaveStress,
+    CableResult, ChamberResult, EdgeForce, EdgeReaction, ForceBalance, LayerResult, Reaction, Statistics, Stress,
+    StressRange, TensileStructure, TriangleStress, WeaveStress,
 };
 
 use crate::minimal_surface::{self, Resolution};

@@ -66,7 +66,7 @@ fn valid(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let statistics = &surface.statistics;
     assert!(statistics.area.is_finite() && statistics.residual >= 0.0);
     if statistics.converged {
-        assert_eq!((statistics.flipped_triangles, statistics.degenerate_triangles), (0, 0));
+        assert_eq!((statistics.quality.flipped_triangles, statistics.quality.degenerate_triangles), (0, 0));
         assert!(surface.warnings.iter().all(|warning| warning.code != "not_converged"));
     } else {
         assert!(surface.warnings.iter().any(|warning| warning.code == "not_converged"));
@@ -138,7 +138,7 @@ fn four_corners_are_enough() {
             assert!(statistics.converged, "{}", statistics.residual);
             let reached = statistics.triangles as f64 / triangles as f64;
             assert!((reached - 1.0).abs() < 0.1, "{} of {triangles}", statistics.triangles);
-            let smallest = statistics.smallest_angle.to_degrees();
+            let smallest = statistics.quality.angles.0.to_degrees();
             assert!(smallest > 20.0, "{smallest} at {triangles}");
             assert_eq!(surface.mesh.vertices[..4], corners);
         }
@@ -161,7 +161,7 @@ fn long_skew_and_twisted_corners_have_good_triangles_too() {
             let statistics = &surface.statistics;
             let reached = statistics.triangles as f64 / triangles as f64;
             assert!(statistics.converged && (reached - 1.0).abs() <= 0.1, "{name}: {reached} of {triangles}");
-            let smallest = statistics.smallest_angle.to_degrees();
+            let smallest = statistics.quality.angles.0.to_degrees();
             assert!(smallest > 20.0, "{name}: {smallest} at {triangles}");
             assert_eq!(surface.mesh.vertices[..4], corners);
         }
@@ -175,7 +175,7 @@ fn a_mapped_disc_keeps_no_trace_of_its_circle() {
         for (sampling, least) in [(BoundarySampling::Refine, 20.0), (BoundarySampling::Keep, 9.0)] {
             let mapped = Options { initial_mesh: InitialMesh::Disk, boundary_sampling: sampling, ..options(2_000) };
             let statistics = solved(std::slice::from_ref(&ellipse), &mapped).statistics;
-            let smallest = statistics.smallest_angle.to_degrees();
+            let smallest = statistics.quality.angles.0.to_degrees();
             assert!(statistics.converged && smallest > least, "{length} {height} {sampling:?}: {smallest}");
         }
     }
@@ -191,7 +191,7 @@ fn a_boundary_finer_than_the_edge_length_is_graded_and_said_to_be() {
             Options { initial_mesh, boundary_sampling: sampling, ..Options::new(Resolution::EdgeLength(0.3)) };
         let surface = solved(std::slice::from_ref(&circle), &options);
         let statistics = &surface.statistics;
-        assert!(statistics.smallest_angle.to_degrees() > 20.0, "{}", statistics.smallest_angle.to_degrees());
+        assert!(statistics.quality.angles.0.to_degrees() > 20.0, "{}", statistics.quality.angles.0.to_degrees());
         assert!(statistics.triangles < 8_000, "{}", statistics.triangles);
         assert!(surface.warnings.iter().any(|warning| warning.code == "edge_length_missed"));
     }
@@ -207,7 +207,7 @@ fn an_edge_length_is_met_between_three_loops() {
         let surface = solved(&pants, &Options::new(Resolution::EdgeLength(length)));
         let statistics = &surface.statistics;
         assert!(statistics.converged && statistics.initial_mesh.name() == "sphere_with_holes");
-        let ratio = statistics.edge_lengths.mean / length;
+        let ratio = statistics.quality.edge_lengths.mean / length;
         assert!((ratio - 1.0).abs() < 0.1, "{length}: {ratio}");
     }
 }
@@ -226,7 +226,7 @@ fn spacing_from_a_thousandth_to_one_is_graded() {
         let boundary: Vec<DVec3> = half.into_iter().chain(back).map(place).collect();
         for triangles in [3_000, 20_000] {
             let surface = solved(std::slice::from_ref(&boundary), &options(triangles));
-            let smallest = surface.statistics.smallest_angle.to_degrees();
+            let smallest = surface.statistics.quality.angles.0.to_degrees();
             assert!(surface.statistics.converged);
             assert!(smallest > 20.0, "{growth} {height} {triangles}: {smallest}");
         }
@@ -266,7 +266,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
             let ratio = match wanted {
                 Resolution::Triangles(count) => statistics.triangles as f64 / count as f64,
                 Resolution::InteriorVertices(count) => (statistics.vertices - boundary) as f64 / count as f64,
-                Resolution::EdgeLength(length) => statistics.edge_lengths.mean / length,
+                Resolution::EdgeLength(length) => statistics.quality.edge_lengths.mean / length,
             };
             assert!((ratio - 1.0).abs() < 0.1, "{kind} {wanted:?}: {ratio}");
             assert_eq!(statistics.euler_characteristic, 2 - given.len() as i64);

@@ -20,7 +20,7 @@ fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     let statistics = &surface.statistics;
     assert!(statistics.converged && statistics.residual <= 1e-8, "{:?}", surface.warnings);
     assert_eq!(statistics.stop_reason, StopReason::Residual);
-    assert_eq!((statistics.flipped_triangles, statistics.degenerate_triangles), (0, 0));
+    assert_eq!((statistics.quality.flipped_triangles, statistics.quality.degenerate_triangles), (0, 0));
     let stability = statistics.stability.unwrap();
     assert_eq!((stability.stable, stability.morse_index), (Some(true), Some(0)));
     assert!(stability.lowest_eigenvalue > 0.0);

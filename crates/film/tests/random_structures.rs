@@ -287,7 +287,7 @@ fn ended(structure: &Structure, triangles: usize) -> Result<Ended, String> {
             if shape.statistics.converged && shape.statistics.stability.is_none_or(|s| s.stable == Some(true)) =>
         {
             let statistics = &shape.statistics;
-            let angles = (statistics.angles.0.to_degrees(), statistics.angles.1.to_degrees());
+            let angles = (statistics.quality.angles.0.to_degrees(), statistics.quality.angles.1.to_degrees());
             Ok(Ended {
                 area: statistics.area,
                 energy: statistics.energy,

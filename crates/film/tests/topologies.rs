@@ -207,7 +207,7 @@ fn folds_that_a_closing_neck_leaves_are_opened() {
     for height in [20.0, 40.0] {
         let surface = spanned(&rings(&[0.0, height]), free(), 1500);
         assert!(surface.statistics.converged, "{height}: {:?}", surface.warnings);
-        assert_eq!((surface.statistics.components, surface.statistics.flipped_triangles), (2, 0));
+        assert_eq!((surface.statistics.components, surface.statistics.quality.flipped_triangles), (2, 0));
         assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
     }
 }

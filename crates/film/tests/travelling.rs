@@ -42,8 +42,8 @@ fn found(structure: &Structure, resolution: Resolution) -> TensileStructure {
         statistics.triangles,
         statistics.area,
         statistics.iterations,
-        statistics.angles.0.to_degrees(),
-        statistics.angles.1.to_degrees(),
+        statistics.quality.angles.0.to_degrees(),
+        statistics.quality.angles.1.to_degrees(),
         statistics.residual,
         result.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>()
     );

@@ -130,7 +130,7 @@ fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
     let expected = solve(&[boundary], &Options::new(Resolution::Triangles(1500)), &Execution::default()).unwrap();
     let statistics = &surface.statistics;
     assert!(statistics.initial_area > 1.3 * statistics.area);
-    assert_eq!((statistics.flipped_triangles, statistics.degenerate_triangles), (0, 0));
+    assert_eq!((statistics.quality.flipped_triangles, statistics.quality.degenerate_triangles), (0, 0));
     assert!(
         (statistics.area / expected.statistics.area - 1.0).abs() < 0.01,
         "{} {}",

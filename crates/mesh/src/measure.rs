@@ -41,6 +41,39 @@ impl Spread {
     }
 }
 
+/// The quality of the triangles of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quality {
+    /// Lengths of all edges.
+    pub edge_lengths: Spread,
+    /// Smallest and largest inner angle of a triangle, radians.
+    pub angles: (f64, f64),
+    /// Number of triangles whose normal points against those of their vertices.
+    pub flipped_triangles: usize,
+    /// Number of triangles whose shortest altitude is below 1e-10 of their longest edge.
+    pub degenerate_triangles: usize,
+}
+
+impl Quality {
+    /// The quality of a mesh with these edge lengths and this number of flipped triangles, which depend on how its
+    /// sheets are oriented and where they meet.
+    #[must_use]
+    pub fn of(mesh: &Mesh, edge_lengths: &[f64], flipped_triangles: usize) -> Self {
+        Self {
+            edge_lengths: Spread::of(edge_lengths.iter().copied()),
+            angles: angle_range(mesh),
+            flipped_triangles,
+            degenerate_triangles: degenerate_triangles(mesh),
+        }
+    }
+
+    /// Whether no triangle is flipped or degenerate.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.flipped_triangles == 0 && self.degenerate_triangles == 0
+    }
+}
+
 /// A power of two within a factor of two above a length; 1 for zero. Products and quotients by it are exact.
 #[must_use]
 #[inline]

@@ -3,21 +3,9 @@
 use super::body::{Body, BodyDefect};
 use super::motion::{Frame, Motion};
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
-use super::stability::{self, Unknown, WithMargin};
+use super::stability::{self, Stability, Unknown, WithMargin};
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Execution};
-
-/// The stability of an equilibrium.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stability {
-    /// Number of negative eigenvalues of the second variation on the constraints' tangent space; 0 for a local minimum.
-    /// `None` if rounding does not decide the sign of an eigenvalue.
-    pub morse_index: Option<usize>,
-    /// Number of eigenvalues that are negative beyond rounding.
-    pub least_index: usize,
-    /// Lowest eigenvalue against the lumped mass, in 1/unit².
-    pub lowest_eigenvalue: f64,
-}
 
 /// How [`Body::relax`] ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +26,12 @@ pub struct Report {
 }
 
 impl Report {
-    fn new(outcome: Outcome, constraints: usize, state: &State<Frame>, stability: Option<Stability>) -> Self {
+    /// The report about a solve of a body with this number of constraints.
+    fn new(outcome: Outcome, constraints: usize, state: &State<Frame>) -> Self {
         // The rows of the terms' rank-one parts follow those of the constraints.
         let multipliers = state.constraints[..constraints].iter().map(|constraint| constraint.multiplier).collect();
-        Self { outcome, energy: state.energy, residual: state.residual, multipliers, stability, lowest_mode: None }
+        let (energy, residual) = (state.energy, state.residual);
+        Self { outcome, energy, residual, multipliers, stability: None, lowest_mode: None }
     }
 }
 
@@ -62,58 +52,47 @@ impl Body {
     ) -> Result<Report, BodyDefect> {
         self.check()?;
         let mut left = settings.max_steps;
-        let count_of_constraints = self.constraints.len();
         loop {
-            let mut vertices = self.vertices.clone();
-            let motion = Motion::new(self);
             let mut taken = 0;
             let mut count = |energy: f64, residual: f64| {
                 taken += 1;
                 record(energy, residual);
             };
-            let (report, solved) = match Direct::new(motion.matrix()) {
-                Err(error) => {
-                    let state = motion.state(&vertices);
-                    (Report::new(Outcome::Refused(error), count_of_constraints, &state, None), false)
-                }
-                Ok(mut direct) => {
-                    let round = Settings { max_steps: left, ..*settings };
-                    let (outcome, state) = iterate(&mut vertices, &motion, &mut direct, &round, exec, &mut count);
-                    let solved = outcome == Outcome::Converged;
-                    let analysed = if solved {
-                        stability::analyse(&vertices, &motion, &state, &mut direct, WithMargin::No, exec)
-                    } else {
-                        Ok(None)
-                    };
-                    let report = match analysed {
-                        Ok(variation) => {
-                            let found = variation.as_ref().map(|variation| Stability {
-                                morse_index: variation.morse_index.decided(),
-                                least_index: variation.morse_index.least,
-                                lowest_eigenvalue: variation.lowest.eigenvalue,
-                            });
-                            let lowest_mode =
-                                variation.map(|variation| motion.displacements(&state, &variation.lowest.vector));
-                            Report { lowest_mode, ..Report::new(outcome, count_of_constraints, &state, found) }
-                        }
-                        Err(Unknown::Refused(_)) => Report::new(outcome, count_of_constraints, &state, None),
-                        Err(Unknown::Interrupted(interruption)) => {
-                            Report::new(Outcome::Interrupted(interruption), count_of_constraints, &state, None)
-                        }
-                    };
-                    (report, solved)
-                }
-            };
-            drop(motion);
-            self.vertices = vertices;
+            let report = self.relax_once(&Settings { max_steps: left, ..*settings }, exec, &mut count);
             left = left.saturating_sub(taken);
-            if !solved || self.renew() <= settings.tolerance {
+            if report.outcome != Outcome::Converged || self.renew() <= settings.tolerance {
                 return Ok(report);
             }
             if left == 0 {
                 return Ok(Report { outcome: Outcome::StepsUsed, ..report });
             }
         }
+    }
+
+    /// Moves the body to the nearest equilibrium with its present coefficients and analyses the stability there.
+    fn relax_once(&mut self, settings: &Settings, exec: &Execution, record: &mut dyn FnMut(f64, f64)) -> Report {
+        let constraints = self.constraints.len();
+        let mut vertices = self.vertices.clone();
+        let motion = Motion::new(self);
+        let mut direct = match Direct::new(motion.matrix()) {
+            Ok(direct) => direct,
+            Err(error) => return Report::new(Outcome::Refused(error), constraints, &motion.state(&vertices)),
+        };
+        let (outcome, state) = iterate(&mut vertices, &motion, &mut direct, settings, exec, record);
+        let mut report = Report::new(outcome, constraints, &state);
+        if outcome == Outcome::Converged {
+            match stability::analyse(&vertices, &motion, &state, &mut direct, WithMargin::No, exec) {
+                Ok(Some(variation)) => {
+                    report.stability = Some(variation.stability());
+                    report.lowest_mode = Some(motion.displacements(&state, &variation.lowest.vector));
+                }
+                Ok(None) | Err(Unknown::Refused(_)) => {}
+                Err(Unknown::Interrupted(interruption)) => report.outcome = Outcome::Interrupted(interruption),
+            }
+        }
+        drop(motion);
+        self.vertices = vertices;
+        report
     }
 
     /// Runs one solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the

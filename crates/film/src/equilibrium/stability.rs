@@ -97,6 +97,35 @@ pub(crate) struct SecondVariation {
     pub margin: Option<Margin>,
 }
 
+/// Second variation of the energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "EquilibriumStability"))]
+#[non_exhaustive]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is.
+    pub stable: Option<bool>,
+    /// Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one.
+    pub morse_index: Option<usize>,
+    /// Number of eigenvalues that are negative beyond rounding. It is not serialised.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub least_index: usize,
+    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+}
+
+impl SecondVariation {
+    pub fn stability(&self) -> Stability {
+        let morse_index = self.morse_index.decided();
+        Stability {
+            stable: morse_index.map(|index| index == 0),
+            morse_index,
+            least_index: self.morse_index.least,
+            lowest_eigenvalue: self.lowest.eigenvalue,
+        }
+    }
+}
+
 /// How far a stable state is from the edge of stability.
 ///
 /// The second variation K is the difference of a positive semidefinite part D, which resists stretching, and a part
@@ -153,6 +182,21 @@ impl Margin {
             }
         }
         Ok(value.is_finite().then_some(Self { value, motion }))
+    }
+
+    /// Computes the margin from the lowest mode, with the factor of the matrix.
+    fn near(
+        lowest: &Mode,
+        matrix: &SymmetricMatrix,
+        stretching: &SymmetricMatrix,
+        bordered: &Bordered,
+        exec: &Execution,
+    ) -> Result<Option<Self>, Interruption> {
+        Self::of(matrix, stretching, lowest.vector.clone(), |x| {
+            exec.look(x.len() as u64)?;
+            bordered.apply(x);
+            Ok(true)
+        })
     }
 }
 
@@ -322,11 +366,7 @@ pub(crate) fn analyse<E: Equations>(
                 WithMargin::No => None,
                 WithMargin::Yes => {
                     let stretching = stretching(vertices, equations, state, matrix);
-                    Margin::of(matrix, &stretching, lowest.vector.clone(), |x| {
-                        exec.look(x.len() as u64)?;
-                        bordered.apply(x);
-                        Ok(true)
-                    })?
+                    Margin::near(&lowest, matrix, &stretching, &bordered, exec)?
                 }
             };
             let morse_index = checked(MorseIndex::exactly(0), &lowest);

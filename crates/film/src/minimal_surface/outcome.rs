@@ -4,12 +4,13 @@ use super::curvature::Curvature;
 use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
-use super::statistics::{self, Statistics};
+use super::statistics::{self, Facts, Origin, Statistics};
 use super::touching_boundaries::{JoinedLoops, own_boundaries};
 use crate::equilibrium::stability_warnings;
 use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
+use plateau_mesh::measure::Quality;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Error, Mesh};
 
@@ -84,7 +85,7 @@ fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) ->
 
 /// A warning if a neck needed a finer mesh than was asked for.
 fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
-    let Statistics { triangles, edge_lengths, .. } = statistics;
+    let Statistics { triangles, quality: Quality { edge_lengths, .. }, .. } = statistics;
     let asked = match options.resolution {
         Resolution::Triangles(count) => format!("{count} triangles were asked for"),
         Resolution::EdgeLength(length) => format!("edges of the length {length:.4e} were asked for"),
@@ -103,7 +104,7 @@ fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
 /// A warning if the mean edge length differs from the wanted one.
 fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
     let Resolution::EdgeLength(length) = options.resolution else { return None };
-    let mean = statistics.edge_lengths.mean;
+    let mean = statistics.quality.edge_lengths.mean;
     let missed =
         (mean / length - 1.0).abs() > RESOLUTION_TOLERANCE && !matches!(options.initial_mesh, InitialMesh::Given(_));
     missed.then(|| {
@@ -198,6 +199,40 @@ fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
     (count > 0).then(|| Warning::new(WarningCode::HeldPoints, detail).with_count("count", count))
 }
 
+/// The warnings that follow from the figures of the film and of the run.
+fn of_statistics(statistics: &Statistics, measured: &Curvature, options: &Options) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if !statistics.pinches.is_empty() {
+        let detail = format!(
+            "the film came apart at {} places; its topology is not the initial mesh's",
+            statistics.pinches.len()
+        );
+        warnings
+            .push(Warning::new(WarningCode::TopologyChanged, detail).with_count("pinches", statistics.pinches.len()));
+    }
+    if let Some(spanning) = &statistics.spanning {
+        warnings.extend(spanning.warnings());
+    }
+    match refined(statistics, options) {
+        Some(warning) => warnings.push(warning),
+        None => {
+            warnings.extend(missed_edge_length(statistics, options));
+            warnings.extend(missed_triangles(statistics, options));
+        }
+    }
+    if !statistics.converged {
+        warnings.push(statistics.not_converged(measured.residual_felt, options.tolerance));
+    }
+    warnings.extend(not_minimal(statistics, measured, options.tolerance));
+    if let Some(stability) = statistics.stability {
+        warnings.extend(stability_warnings(stability.morse_index, stability.least_index, |index| {
+            format!("the surface is stationary but no minimum ({index}): ask for on_unstable descend to leave it")
+        }));
+    }
+    warnings.extend(near_critical(statistics));
+    warnings
+}
+
 /// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
 pub(super) fn finish(
     input: Input,
@@ -227,38 +262,11 @@ pub(super) fn finish(
         return Err(Error::no_result(Reason::InvalidMesh, format!("the solver moved boundary point {k} of the input")));
     }
     let measured = Curvature::of(&film);
-    let statistics =
-        statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
-    let mut warnings = Vec::new();
-    warnings.extend(input.warnings());
-    if !statistics.pinches.is_empty() {
-        let detail = format!(
-            "the film came apart at {} places; its topology is not the initial mesh's",
-            statistics.pinches.len()
-        );
-        warnings
-            .push(Warning::new(WarningCode::TopologyChanged, detail).with_count("pinches", statistics.pinches.len()));
-    }
-    if let Some(spanning) = &statistics.spanning {
-        warnings.extend(spanning.warnings());
-    }
-    match refined(&statistics, options) {
-        Some(warning) => warnings.push(warning),
-        None => {
-            warnings.extend(missed_edge_length(&statistics, options));
-            warnings.extend(missed_triangles(&statistics, options));
-        }
-    }
-    if !statistics.converged {
-        warnings.push(statistics.not_converged(measured.residual_felt, options.tolerance));
-    }
-    warnings.extend(not_minimal(&statistics, &measured, options.tolerance));
-    if let Some(stability) = statistics.stability {
-        warnings.extend(stability_warnings(stability.morse_index, stability.least_index, |index| {
-            format!("the surface is stationary but no minimum ({index}): ask for on_unstable descend to leave it")
-        }));
-    }
-    warnings.extend(near_critical(&statistics));
+    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual_felt, options.tolerance);
+    let facts = Facts::of_film(&film, &topology, &measured);
+    let statistics = statistics::collect(facts, rule_met, Origin { kind, initial_area, run }, options);
+    let mut warnings = input.warnings();
+    warnings.extend(of_statistics(&statistics, &measured, options));
     // Where joined boundaries touch, a loop of the film passes from one boundary to the other.
     let boundaries = match joined {
         Some(_) => own_boundaries(&film, &input.centred)?,

@@ -1,8 +1,10 @@
 //! The record of a run: why it stopped, its iterations, and the stability of the surface that it reached.
 
 use super::options::Solver;
+use crate::equilibrium::stability::SecondVariation;
+use crate::equilibrium::{self, Outcome};
 use plateau_mesh::remesh::thin_triangles::Pinch;
-use plateau_mesh::{DVec3, Execution, Progress};
+use plateau_mesh::{DVec3, Execution, Interruption, Progress};
 
 /// Why a solver stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +37,20 @@ pub enum StopReason {
 }
 
 impl StopReason {
+    /// The reason for which a run stops whose last Newton iteration had this outcome.
+    ///
+    /// # Errors
+    /// The interruption.
+    pub(crate) fn after(outcome: Outcome) -> Result<Self, Interruption> {
+        match outcome {
+            Outcome::Converged => Ok(Self::Residual),
+            Outcome::StepsUsed => Ok(Self::MaxIterations),
+            Outcome::Stalled => Ok(Self::Stalled),
+            Outcome::Refused(_) => Ok(Self::Collapsed),
+            Outcome::Interrupted(interruption) => Err(interruption),
+        }
+    }
+
     /// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default
     /// solver's rule is the residual; those of the papers' solvers are their own, and a residual at the tolerance ends
     /// Pinkall and Polthier's too.
@@ -115,6 +131,14 @@ pub struct Stability {
     /// be computed. It is not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub margin: Option<f64>,
+}
+
+impl Stability {
+    /// The stability by the inertia of a factorisation, without a margin.
+    pub(crate) fn of(variation: &SecondVariation) -> Self {
+        let equilibrium::Stability { stable, morse_index, least_index, lowest_eigenvalue } = variation.stability();
+        Self { stable, morse_index, least_index, lowest_eigenvalue, method: StabilityMethod::Inertia, margin: None }
+    }
 }
 
 /// Method that gave a Morse index.

@@ -8,7 +8,7 @@ use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stabilit
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
-use plateau_mesh::measure::{self, Spread};
+use plateau_mesh::measure::{self, Quality};
 use plateau_mesh::remesh::thin_triangles::Pinch;
 use plateau_mesh::topology::Topology;
 
@@ -79,24 +79,28 @@ pub struct Statistics {
     pub refined: bool,
     /// The second variation of area; `None` where it was not computed.
     pub stability: Option<Stability>,
-    /// Lengths of all edges.
-    pub edge_lengths: Spread,
-    /// Smallest inner angle of a triangle, radians.
-    pub smallest_angle: f64,
-    /// Largest inner angle of a triangle, radians.
-    pub largest_angle: f64,
+    /// Edge lengths, angles, flipped and degenerate triangles.
+    pub quality: Quality,
     /// Number of edges that the solver flipped.
     pub edges_swapped: u64,
-    /// Number of triangles whose normal points against those of their vertices.
-    pub flipped_triangles: usize,
-    /// Number of triangles whose shortest altitude is below 1e-10 of their longest edge.
-    pub degenerate_triangles: usize,
     /// The changes of topology, in order.
     pub pinches: Vec<Pinch>,
     /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
     pub spanning: Option<SpanningComparison>,
     /// The junctions of a film whose sheets meet three by three along curves.
     pub junctions: Option<JunctionStatistics>,
+}
+
+impl MeanCurvature {
+    /// The figures of the free vertices; all zero if there is none.
+    pub(super) fn of(free: impl Iterator<Item = f64> + Clone) -> Self {
+        let count = free.clone().count().max(1) as f64;
+        Self {
+            max: free.clone().fold(0.0, f64::max),
+            mean: free.clone().sum::<f64>() / count,
+            rms: (free.map(|h| h * h).sum::<f64>() / count).sqrt(),
+        }
+    }
 }
 
 impl Statistics {
@@ -113,18 +117,18 @@ impl Statistics {
                 Solver::LevenbergMarquardt => "the least squares still change by more than their tolerance".to_owned(),
             });
         }
-        if self.flipped_triangles > 0 {
-            reasons.push(format!("{} triangles are folded over", self.flipped_triangles));
+        if self.quality.flipped_triangles > 0 {
+            reasons.push(format!("{} triangles are folded over", self.quality.flipped_triangles));
         }
-        if self.degenerate_triangles > 0 {
-            reasons.push(format!("{} triangles are degenerate", self.degenerate_triangles));
+        if self.quality.degenerate_triangles > 0 {
+            reasons.push(format!("{} triangles are degenerate", self.quality.degenerate_triangles));
         }
         let detail = format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name());
         Warning::new(WarningCode::NotConverged, detail)
             .with("residual", self.residual)
             .with("tolerance", tolerance)
-            .with_count("flipped_triangles", self.flipped_triangles)
-            .with_count("degenerate_triangles", self.degenerate_triangles)
+            .with_count("flipped_triangles", self.quality.flipped_triangles)
+            .with_count("degenerate_triangles", self.quality.degenerate_triangles)
     }
 }
 
@@ -135,45 +139,65 @@ pub(super) struct Origin {
     pub run: Run,
 }
 
-pub(super) fn collect(
-    film: &Film,
-    topology: &Topology,
-    measured: &Curvature,
-    origin: Origin,
-    options: &Options,
-) -> Statistics {
-    let mesh = film.mesh();
-    let area = measure::area(&mesh);
-    let free = film.fixed.iter().filter(|fixed| !**fixed).count();
-    let over_free = |sum: f64| if free == 0 { 0.0 } else { sum / free as f64 };
-    let curvature = &measured.mean_curvature;
-    let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
-    let flipped_triangles = measure::flipped_triangles(&mesh);
-    let degenerate_triangles = measure::degenerate_triangles(&mesh);
+/// Facts about the mesh of a film, with or without junctions.
+pub(super) struct Facts {
+    pub vertices: usize,
+    pub triangles: usize,
+    pub boundary_loops: usize,
+    pub components: usize,
+    pub euler_characteristic: i64,
+    pub genus: Option<i64>,
+    pub area: f64,
+    pub mean_curvature: MeanCurvature,
+    pub residual: f64,
+    pub residual_full: f64,
+    pub quality: Quality,
+    pub junctions: Option<JunctionStatistics>,
+}
+
+impl Facts {
+    pub fn of_film(film: &Film, topology: &Topology, measured: &Curvature) -> Self {
+        let mesh = film.mesh();
+        let lengths = measure::edge_lengths(&mesh, topology);
+        let free = film.fixed.iter().zip(&measured.mean_curvature).filter(|(fixed, _)| !**fixed);
+        Self {
+            vertices: mesh.vertices.len(),
+            triangles: mesh.triangles.len(),
+            boundary_loops: topology.boundary_loops().len(),
+            components: topology.components(),
+            euler_characteristic: topology.euler_characteristic(),
+            genus: Some(topology.genus()),
+            area: measure::area(&mesh),
+            mean_curvature: MeanCurvature::of(free.map(|(_, curvature)| *curvature)),
+            residual: measured.residual,
+            residual_full: measured.residual_full,
+            quality: Quality::of(&mesh, &lengths, measure::flipped_triangles(&mesh)),
+            junctions: None,
+        }
+    }
+}
+
+/// The report about a film. `rule_met` says whether the solver has met its own rule.
+pub(super) fn collect(facts: Facts, rule_met: bool, origin: Origin, options: &Options) -> Statistics {
     let Origin { kind, initial_area, run } = origin;
-    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual_felt, options.tolerance);
-    let converged = rule_met && flipped_triangles == 0 && degenerate_triangles == 0;
+    let converged = rule_met && facts.quality.is_sound();
     Statistics {
         objective: options.method.objective(),
-        objective_value: run.objective_value.unwrap_or(area),
+        objective_value: run.objective_value.unwrap_or(facts.area),
         solver: run.solver,
         initial_mesh: kind,
-        vertices: mesh.vertices.len(),
-        triangles: mesh.triangles.len(),
-        boundary_loops: topology.boundary_loops().len(),
-        components: topology.components(),
-        euler_characteristic: topology.euler_characteristic(),
-        genus: Some(topology.genus()),
-        area,
+        vertices: facts.vertices,
+        triangles: facts.triangles,
+        boundary_loops: facts.boundary_loops,
+        components: facts.components,
+        euler_characteristic: facts.euler_characteristic,
+        genus: facts.genus,
+        area: facts.area,
         initial_area,
         extrapolated_area: run.extrapolated_area,
-        mean_curvature: MeanCurvature {
-            max: curvature.iter().copied().fold(0.0, f64::max),
-            mean: over_free(curvature.iter().sum()),
-            rms: over_free(curvature.iter().map(|h| h * h).sum()).sqrt(),
-        },
-        residual: measured.residual,
-        residual_full: measured.residual_full,
+        mean_curvature: facts.mean_curvature,
+        residual: facts.residual,
+        residual_full: facts.residual_full,
         converged,
         // The residual does not show flipped or degenerate triangles. A run that ended by its residual on a mesh with
         // such triangles counts as stalled.
@@ -185,14 +209,10 @@ pub(super) fn collect(
         history: run.history,
         refined: run.refined,
         stability: run.stability,
-        edge_lengths: Spread::of(measure::edge_lengths(&mesh, topology).into_iter()),
-        smallest_angle,
-        largest_angle,
+        quality: facts.quality,
         edges_swapped: run.edges_swapped,
-        flipped_triangles,
-        degenerate_triangles,
         pinches: run.pinches,
         spanning: run.spanning,
-        junctions: None,
+        junctions: facts.junctions,
     }
 }

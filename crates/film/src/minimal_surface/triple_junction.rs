@@ -28,8 +28,8 @@ use super::initial_mesh::InitialMeshKind;
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
-use super::run::{Record, StopReason};
-use super::statistics::{MeanCurvature, Statistics};
+use super::run::{Record, Run, StopReason};
+use super::statistics::{self, Facts, MeanCurvature, Origin};
 use crate::equilibrium::newton::{Direct, Equations, State, iterate};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Unknown};
@@ -40,7 +40,7 @@ use plateau_mesh::codes::WarningCode;
 use plateau_mesh::complex::VertexKind;
 use plateau_mesh::error::{InputError, Warning};
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
-use plateau_mesh::measure::{self, Spread};
+use plateau_mesh::measure::Quality;
 use plateau_mesh::remesh::sheets::{even_out, flipped_triangles};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
 use wires::Wires;
@@ -91,7 +91,10 @@ pub(super) fn solve(
     let split = film.unstable_points();
     let morse_index = solver.morse_index.filter(|_| split.is_empty());
     let junctions = junction_statistics(&film, balance.junction_residual, morse_index);
-    let statistics = collect(&film, &balance, junctions, solver, stop_reason, initial_area, given.len(), options);
+    let is_balanced = balance.residual.max(junctions.residual) <= options.tolerance;
+    let facts = facts(&film, &balance, junctions, given.len());
+    let origin = Origin { kind: InitialMeshKind::Given, initial_area, run: solver.into_run(stop_reason) };
+    let statistics = statistics::collect(facts, is_balanced, origin, options);
     let mut warnings = Vec::new();
     if !statistics.converged {
         warnings.push(statistics.not_converged(statistics.residual, options.tolerance));
@@ -192,6 +195,12 @@ impl<'a> JunctionSolver<'a> {
         }
     }
 
+    fn into_run(self, stop_reason: StopReason) -> Run {
+        let Record { history, iterations, .. } = self.record;
+        let edges_swapped = self.edges_swapped;
+        Run { stop_reason, iterations, history, edges_swapped, ..Run::new(Solver::Newton) }
+    }
+
     /// Steps 2 and 3.
     fn run(&mut self, film: &mut JunctionFilm) -> Result<StopReason, Error> {
         if film.complex.kinds.iter().all(|kind| *kind == VertexKind::Boundary) {
@@ -211,13 +220,10 @@ impl<'a> JunctionSolver<'a> {
         }
         self.record.share = [ROUNDS_SHARE, 1.0];
         let outcome = self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)?;
-        Ok(match outcome {
+        Ok(match StopReason::after(outcome)? {
             // A flipped triangle does not show in the residual.
-            Outcome::Converged if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
-            Outcome::Converged => StopReason::Residual,
-            Outcome::StepsUsed => StopReason::MaxIterations,
-            Outcome::Stalled | Outcome::Refused(_) => StopReason::Stalled,
-            Outcome::Interrupted(interruption) => return Err(interruption.into()),
+            StopReason::Residual if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
+            reason => reason,
         })
     }
 
@@ -338,35 +344,14 @@ impl Balance {
     }
 }
 
-#[allow(clippy::too_many_arguments, reason = "one call, each argument its own kind of thing")]
-fn collect(
-    film: &JunctionFilm,
-    balance: &Balance,
-    junctions: JunctionStatistics,
-    solver: JunctionSolver,
-    stop_reason: StopReason,
-    initial_area: f64,
-    boundary_loops: usize,
-    options: &Options,
-) -> Statistics {
+/// The facts about a film and its junctions.
+fn facts(film: &JunctionFilm, balance: &Balance, junctions: JunctionStatistics, boundary_loops: usize) -> Facts {
     let complex = &film.complex;
     let mesh = Mesh::new(film.vertices.clone(), complex.triangles.clone());
-    let area = film.area();
     let inside = (0..film.vertices.len()).filter(|&v| complex.kinds[v] == VertexKind::Sheet);
-    let free: Vec<f64> = inside.map(|v| balance.mean_curvature[v]).collect();
-    let curvature = Spread::of(free.iter().copied());
-    let rms = (free.iter().map(|h| h * h).sum::<f64>() / free.len().max(1) as f64).sqrt();
-    let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
     let length = |[a, b]: [u32; 2]| film.vertices[a as usize].distance(film.vertices[b as usize]);
-    let edge_lengths: Vec<f64> = complex.edges().map(|edge| length(edge.ends)).collect();
-    let flipped_triangles = flipped_triangles(&film.vertices, complex);
-    let degenerate_triangles = measure::degenerate_triangles(&mesh);
-    let balanced = balance.residual <= options.tolerance && junctions.residual <= options.tolerance;
-    Statistics {
-        objective: options.method.objective(),
-        objective_value: area,
-        solver: Solver::Newton,
-        initial_mesh: InitialMeshKind::Given,
+    let lengths: Vec<f64> = complex.edges().map(|edge| length(edge.ends)).collect();
+    Facts {
         vertices: mesh.vertices.len(),
         triangles: mesh.triangles.len(),
         boundary_loops,
@@ -374,26 +359,11 @@ fn collect(
         euler_characteristic: complex.euler_characteristic(),
         // The genus is not defined, because a film with junctions is not a surface.
         genus: None,
-        area,
-        initial_area,
-        extrapolated_area: None,
-        mean_curvature: MeanCurvature { max: curvature.max, mean: curvature.mean, rms },
+        area: film.area(),
+        mean_curvature: MeanCurvature::of(inside.map(|v| balance.mean_curvature[v])),
         residual: balance.residual,
         residual_full: balance.residual_full,
-        converged: balanced && flipped_triangles == 0 && degenerate_triangles == 0,
-        stop_reason,
-        iterations: solver.record.iterations,
-        history: solver.record.history,
-        refined: false,
-        stability: None,
-        edge_lengths: Spread::of(edge_lengths.into_iter()),
-        smallest_angle,
-        largest_angle,
-        edges_swapped: solver.edges_swapped,
-        flipped_triangles,
-        degenerate_triangles,
-        pinches: Vec::new(),
-        spanning: None,
+        quality: Quality::of(&mesh, &lengths, flipped_triangles(&film.vertices, complex)),
         junctions: Some(junctions),
     }
 }

@@ -476,9 +476,9 @@ impl Run<'_> {
             self.model.set_vertices(&body.vertices);
             found.energy = state.energy;
             self.multipliers(&state, found);
-            match outcome {
+            match StopReason::after(outcome).map_err(Error::from)? {
                 // Without a step the residual is that of the reference shape itself.
-                Outcome::Converged if self.solves == solves => {
+                StopReason::Residual if self.solves == solves => {
                     found.residual = state.residual;
                     if self.slacken(found) || renewal == Renewal::Balance {
                         continue;
@@ -486,13 +486,11 @@ impl Run<'_> {
                     let flipped = self.model.flipped() > 0;
                     return Ok(if flipped { StopReason::Stalled } else { StopReason::Residual });
                 }
-                Outcome::Converged | Outcome::StepsUsed => {}
-                Outcome::Stalled => {
+                StopReason::Residual | StopReason::MaxIterations => {}
+                reason => {
                     self.measure(found)?;
-                    return Ok(StopReason::Stalled);
+                    return Ok(reason);
                 }
-                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
-                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
             }
             let reached = self.model.unknowns();
             let mixed = mixing.next(start, reached.clone());
@@ -517,12 +515,9 @@ impl Run<'_> {
             found.residual = state.residual;
             found.energy = state.energy;
             self.multipliers(&state, found);
-            match outcome {
-                Outcome::Converged => {}
-                Outcome::Stalled => return Ok(StopReason::Stalled),
-                Outcome::StepsUsed => return Ok(StopReason::MaxIterations),
-                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
-                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
+            let reason = StopReason::after(outcome).map_err(Error::from)?;
+            if reason != StopReason::Residual {
+                return Ok(reason);
             }
             let change = if self.structure.has_heavy_layers() {
                 weights.iter_mut().map(|weight| weight.renew(&body.vertices)).fold(0.0, f64::max)

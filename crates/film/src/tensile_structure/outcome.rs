@@ -7,13 +7,13 @@ use super::options::{
 };
 use super::ponding::{self, Ponding, Roof};
 use super::reactions::{Hold, contact_angles, edge_forces, holds, reactions, sums};
-use super::shape::{CableResult, ChamberResult, LayerResult, Stability, Statistics, TensileStructure};
+use super::shape::{CableResult, ChamberResult, LayerResult, Statistics, TensileStructure};
 use super::stress::{of_all, of_triangles, stress};
 use super::warnings::{piercing, warn};
 use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
-use plateau_mesh::measure::{self, Spread, double_area_vector};
+use plateau_mesh::measure::{self, Quality, double_area_vector};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 
 /// A cable counts as slack below this fraction of the film's tension times the cable's length. Rounding errors are far
@@ -122,7 +122,7 @@ pub(super) fn finish(
         return Err(error);
     }
     let cables = cables(&model, &found, structure, &at);
-    let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
+    let quality = Quality::of(&film, &edge_lengths, model.flipped());
     let (minimum_slope, flattest_place) = flattest(&triangles, &at, structure.up);
     let (rims, folds) = (model.boundaries(), &model.layers[0].film.locked);
     let ponding = ponding::find(&Roof { triangles: &triangles, at: &at, rims, folds, up: structure.up }, exec)?;
@@ -145,24 +145,16 @@ pub(super) fn finish(
         layers,
         chambers,
         residual: found.residual,
-        converged: found.stop_reason == StopReason::Residual && flipped == 0 && degenerate == 0,
+        converged: found.stop_reason == StopReason::Residual && quality.is_sound(),
         stop_reason: found.stop_reason,
         iterations: found.iterations,
         balance,
         contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(&model, balance, &holds, &at)),
-        stability: found.stability.map(|stability| Stability {
-            stable: stability.morse_index.map(|index| index == 0),
-            morse_index: stability.morse_index,
-            least_index: stability.least_index,
-            lowest_eigenvalue: stability.lowest_eigenvalue,
-        }),
+        stability: found.stability,
         minimum_slope,
         flattest_place: flattest_place + model.centre,
         ponding: ponding.map(|ponding| Ponding { place: ponding.place + model.centre, ..ponding }),
-        edge_lengths,
-        angles: measure::angle_range(&film),
-        flipped_triangles: flipped,
-        degenerate_triangles: degenerate,
+        quality,
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
@@ -173,14 +165,7 @@ pub(super) fn finish(
         Err(cancelled) => return Err(cancelled.into()),
     }
     let mut vertices = mesh.vertices;
-    for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
-        // Backwards, so that of merged points the first gives the place.
-        for (&point, &v) in points.iter().zip(numbers).rev() {
-            if matches!(holds[v as usize], Hold::Fixed) {
-                vertices[v as usize] = point;
-            }
-        }
-    }
+    place_supports(structure, &model, &holds, &mut vertices);
     let travel = |(ring, moving): (&Ring, &MovingRing)| {
         let start = structure.boundaries[ring.boundary][0];
         (vertices[model.input_vertices[ring.boundary][0] as usize] - start).dot(moving.axis)
@@ -202,13 +187,25 @@ pub(super) fn finish(
     })
 }
 
+/// Gives the boundary's fixed vertices exactly the coordinates of the input.
+fn place_supports(structure: &Structure, model: &Model, holds: &[Hold], vertices: &mut [DVec3]) {
+    for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
+        // Backwards, so that of merged points the first gives the place.
+        for (&point, &v) in points.iter().zip(numbers).rev() {
+            if matches!(holds[v as usize], Hold::Fixed) {
+                vertices[v as usize] = point;
+            }
+        }
+    }
+}
+
 /// The figures of each layer, and the lengths of the edges of all.
 fn measure_layers(
     model: &Model,
     found: &Found,
     structure: &Structure,
     at: &[DVec3],
-) -> Result<(Vec<LayerResult>, Spread), Error> {
+) -> Result<(Vec<LayerResult>, Vec<f64>), Error> {
     let (mut layers, mut lengths, mut first) = (Vec::new(), Vec::new(), 0);
     for (layer, film) in model.layers.iter().zip(&structure.layers) {
         let mesh = layer.film.mesh();
@@ -220,7 +217,7 @@ fn measure_layers(
         layers.push(LayerResult { triangles: triangles.len(), area: measure::area(&mesh), stress });
         first += triangles.len();
     }
-    Ok((layers, Spread::of(lengths.into_iter())))
+    Ok((layers, lengths))
 }
 
 /// The least slope of a triangle against the horizontal, in radians, and the centroid of the first triangle that has

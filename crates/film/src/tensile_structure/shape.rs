@@ -2,9 +2,10 @@
 
 use super::options::{BoundaryPoint, WeaveHold};
 use super::ponding::Ponding;
+use crate::equilibrium::Stability;
 use crate::minimal_surface::StopReason;
 use plateau_mesh::error::Warning;
-use plateau_mesh::measure::Spread;
+use plateau_mesh::measure::Quality;
 use plateau_mesh::{DVec3, Mesh};
 
 /// A support at one vertex: the end of a cable, or an anchor in the air.
@@ -168,23 +169,6 @@ pub struct ForceBalance {
     pub residual_force: f64,
 }
 
-/// Second variation of the energy.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "EquilibriumStability"))]
-#[non_exhaustive]
-pub struct Stability {
-    /// Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is.
-    pub stable: Option<bool>,
-    /// Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one.
-    pub morse_index: Option<usize>,
-    /// Number of eigenvalues that are negative beyond rounding. It is not serialised.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub least_index: usize,
-    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
-    pub lowest_eigenvalue: f64,
-}
-
 /// Figures of the shape and of the run.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -224,14 +208,8 @@ pub struct Statistics {
     pub flattest_place: DVec3,
     /// The water that stands on the film after rain; `None` if it runs off.
     pub ponding: Option<Ponding>,
-    /// Lengths of the film's edges.
-    pub edge_lengths: Spread,
-    /// Smallest and largest inner angle, in radians.
-    pub angles: (f64, f64),
-    /// Number of flipped triangles.
-    pub flipped_triangles: usize,
-    /// Number of degenerate triangles.
-    pub degenerate_triangles: usize,
+    /// Edge lengths, angles, flipped and degenerate triangles of all layers.
+    pub quality: Quality,
 }
 
 /// A tensile structure in equilibrium.

@@ -10,23 +10,20 @@
 //!    this is a convex combination map (Tutte 1963, Floater 1997).
 //! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
 
-use super::domain::{Shape, largest_height};
-use super::harmonic_map::harmonic;
+mod mapping;
+
+use super::domain::Shape;
 use super::layout::{GRADING, GRADING_STEP, Goal, Layout, TOLERATED, grading};
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{PlaneError, PlaneMesh, PlaneRegion};
-use super::sampling::{Sampled, numbers, sample};
+use super::sampling::{Sampled, sample};
 use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::harmonic::Dirichlet;
 use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use glam::DVec2;
-use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
-use plateau_mesh::measure;
-use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
-use plateau_mesh::remesh::isotropic::{RUNAWAY, resample};
+use plateau_mesh::remesh::isotropic::resample;
 use plateau_mesh::remesh::subdivision::subdivide;
-use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
 
 /// A film at a coarse resolution, and the number of subdivisions to the wanted one.
@@ -72,15 +69,6 @@ const AIM: f64 = 1.01;
 const COARSE_TRIANGLES: f64 = 450.0;
 /// A size is accepted if it meets the resolution to within this fraction.
 const CLOSE_ENOUGH: f64 = 0.02;
-/// Largest number of rounds of solving and isotropic remeshing that improve a mesh that was mapped into space.
-const ROUNDS: u32 = 8;
-/// The area has settled if a round leaves more than this fraction of it.
-const SETTLED_AREA: f64 = 0.998;
-/// A projected mesh whose smallest angle (radians) is at least this is not remeshed.
-const GOOD_ANGLE: f64 = 0.44;
-/// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
-/// longer.
-const LARGEST_RESAMPLED: f64 = 20_000.0;
 /// If the boundary is kept, a fine mesh is made by splitting the edges of a coarse mesh. The coarse mesh has this many
 /// triangles, or eight per boundary point if that is more.
 const FINEST_MAPPED: usize = 2_000;
@@ -474,131 +462,5 @@ impl Spanning<'_> {
             _ => 0.0,
         };
         Ok(Layout { boundaries, domain, sites, triangles, mean_edge, scale: mean_scale })
-    }
-
-    /// Maps a plane mesh into space and orders its vertices: the points of the polygons, then the added points, then
-    /// the fixed points inside, then the rest. Also returns the positions in the plane in that order.
-    fn carry(&self, meshed: &Meshed, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
-        let PlaneMesh { points, topology } = &meshed.plane;
-        let boundary: usize = meshed.boundaries.iter().map(|boundary| boundary.points.len()).sum();
-        let mut place = numbers(&meshed.boundaries);
-        place.extend(boundary as u32..points.len() as u32);
-        let mut in_plane = vec![DVec2::ZERO; points.len()];
-        points.iter().zip(&place).for_each(|(&p, &v)| in_plane[v as usize] = p);
-        let mut vertices = vec![DVec3::ZERO; points.len()];
-        let in_space = meshed.boundaries.iter().flat_map(|boundary| &boundary.points);
-        in_space.zip(&place).for_each(|(&p, &v)| vertices[v as usize] = p);
-        vertices[boundary..boundary + pinned.pins.points.len()].copy_from_slice(&pinned.pins.points);
-        let mut triangles: Vec<[u32; 3]> =
-            topology.triangles().iter().map(|triangle| triangle.map(|v| place[v as usize])).collect();
-        let mut first = 0;
-        let loops: Vec<Vec<u32>> = meshed
-            .boundaries
-            .iter()
-            .map(|boundary| {
-                let range = first..first + boundary.points.len();
-                first = range.end;
-                place[range].to_vec()
-            })
-            .collect();
-        let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary + pinned.pins.points.len()).collect();
-        let mut locked: Vec<[u32; 2]> = meshed
-            .domain
-            .segments
-            .iter()
-            .map(|segment| {
-                let [a, b] = segment.map(|v| place[v as usize]);
-                [a.min(b), a.max(b)]
-            })
-            .collect();
-        locked.sort_unstable();
-        locked.dedup();
-        self.lift(&in_plane, &triangles, &fixed, &mut vertices)?;
-        orient_along(&mut triangles, &loops[0]);
-        let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
-        Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
-    }
-
-    /// Improves a film whose map from the plane has stretched its triangles. Each round distributes the vertices evenly
-    /// and solves towards the minimal surface, where the triangles have to be good, until the area settles.
-    fn even_out(&self, film: &mut Film) -> Result<(), Error> {
-        let flat = self.is_plane();
-        for _ in 0..if flat { 0 } else { 2 } {
-            flip_to_delaunay(film, self.exec)?;
-            tangential_relaxation(film, 2);
-            self.exec.look(3 * film.triangles().len() as u64)?;
-        }
-        flip_to_delaunay(film, self.exec)?;
-        let count = film.triangles().len() as f64;
-        let mapped = self.shape.is_mapped();
-        if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
-            return Ok(());
-        }
-        let relaxed = film.clone();
-        let mut area = f64::INFINITY;
-        for _ in 0..ROUNDS {
-            resample(film, count, 3, self.options.boundary_edges(), self.exec)?;
-            if film.triangles().len() as f64 > RUNAWAY * count {
-                *film = relaxed;
-                return Ok(());
-            }
-            let settled = film.area() > SETTLED_AREA * area;
-            area = film.area();
-            if settled || flat {
-                break;
-            }
-            let solved = Dirichlet::new(film).and_then(|mut dirichlet| {
-                dirichlet.step(film)?;
-                dirichlet.step(film)
-            });
-            if solved.is_err() {
-                // A neck closes here. The solver reports it.
-                break;
-            }
-            flip_to_delaunay(film, self.exec)?;
-        }
-        resample(film, count, 5, self.options.boundary_edges(), self.exec)?;
-        // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In
-        // the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
-        let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;
-        if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count || worse() {
-            *film = relaxed;
-        }
-        Ok(())
-    }
-
-    /// Whether all boundaries lie in the plane of the domain, up to rounding.
-    fn is_plane(&self) -> bool {
-        match &self.shape {
-            Shape::Plane(frame) => {
-                let limit = 1e-13 * self.largest_size();
-                let fixed = self.constraints.points.iter().chain(self.constraints.polylines.iter().flatten());
-                largest_height(frame, self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
-            }
-            Shape::Disc { .. } | Shape::Sphere(_) => false,
-        }
-    }
-
-    /// Positions of the free vertices in space.
-    fn lift(
-        &self,
-        in_plane: &[DVec2],
-        triangles: &[[u32; 3]],
-        fixed: &[bool],
-        vertices: &mut [DVec3],
-    ) -> Result<(), Error> {
-        let free = || (0..fixed.len()).filter(|&v| !fixed[v]);
-        match &self.shape {
-            Shape::Plane(frame) if self.is_plane() => free().for_each(|v| vertices[v] = frame.lift(in_plane[v])),
-            Shape::Plane(frame) => {
-                harmonic(in_plane, triangles, fixed, vertices, self.exec)?;
-                for v in free() {
-                    let height = (vertices[v] - frame.origin).dot(frame.normal);
-                    vertices[v] = frame.lift(in_plane[v]) + height * frame.normal;
-                }
-            }
-            Shape::Disc { .. } | Shape::Sphere(_) => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
-        }
-        Ok(())
     }
 }

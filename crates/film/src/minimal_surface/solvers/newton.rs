@@ -13,25 +13,22 @@
 //!    compared with a finer one. Where its mesh is too coarse, the mesh is refined, and the film is solved again from
 //!    step 1. If Newton's method stalls on the refined mesh, the degenerate triangles are removed once.
 
-use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
+mod polish;
+mod settle;
+
+pub(crate) use polish::{LEAST_SLID_ANGLE, NARROW, WIDE, WIDENINGS};
+
+use crate::equilibrium::newton::{Aim, Direct, Equations, Settings, iterate, keeps_orientation};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::extrapolation::Finer;
-use crate::minimal_surface::harmonic::{Dirichlet, too_large};
+use crate::minimal_surface::harmonic::too_large;
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
-use crate::minimal_surface::run::{
-    ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
-};
-use crate::minimal_surface::solvers::necks::{
-    self, Look, finer_sizes, has_fine_ends, is_calm, longest_free_edges, sizes_at_narrow_ends,
-};
+use crate::minimal_surface::run::{ExtrapolatedArea, Record, Run, Stability, StopReason, geometric_part};
+use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm, sizes_at_narrow_ends};
 use plateau_mesh::film::Film;
-use plateau_mesh::remesh::area_flips::flip_to_less_area;
-use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
-use plateau_mesh::remesh::sliding::{SWEEPS, slide};
-use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
@@ -42,19 +39,6 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 /// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Largest number of rounds of Pinkall-Polthier solves before Newton's method begins.
-const MAX_ROUNDS: u32 = 16;
-/// Number of first rounds with a single solve each, because a poor start needs new triangles first.
-const SINGLE_ROUNDS: u32 = 3;
-/// Largest number of solves in each later round.
-const SOLVES_PER_ROUND: u32 = 4;
-/// Number of tangential relaxations after each round's solves.
-const RELAXATIONS_PER_ROUND: u32 = 4;
-/// The rounds end when one of them changes the area by less than this fraction and no triangle is flipped.
-const SETTLED_AREA: f64 = 1e-3;
-/// After a neck has been refined, the rounds end only if the last solve also moved no vertex further than this fraction
-/// of the vertex's longest edge.
-const SETTLED_MOTION: f64 = 0.05;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near
@@ -62,18 +46,6 @@ pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// residual is no measure of nearness, because at vertices of uneven triangles it stays above 1 on the exact surface,
 /// however fine the mesh.
 const NEARLY_STATIONARY: f64 = 1.0;
-/// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
-/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. The
-/// angle is above the 20 degrees that are promised, because a solve makes some angles smaller again.
-pub(crate) const NARROW: f64 = 0.384;
-/// Angles are widened to this (radians, 28 degrees) where that is possible.
-pub(crate) const WIDE: f64 = 0.489;
-/// Largest number of rounds of widening and solving. There are several because a solve may shrink angles again.
-pub(crate) const WIDENINGS: u32 = 4;
-/// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less.
-pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
-/// Largest number of rounds of flips that open folds. There are several because a solve may close folds again.
-const OPENINGS: u32 = 4;
 /// Largest number of returns to step 1 after Newton's method has stalled or left flipped triangles, and largest number
 /// of unstable surfaces that are left.
 const MAX_RETURNS: u32 = 2;
@@ -224,12 +196,10 @@ impl<'a> Solve<'a> {
             if stability.stable == Some(true) {
                 let own = variation.margin.as_ref().map(|margin| margin.value);
                 let look = self.look(film, &pattern, direct, variation.margin)?;
-                let finer = match look {
-                    Look::Unresolved(_) if may_refine && looks < MOST_LOOKS => match finer_sizes(film) {
-                        Some(sizes) => self.refined(film, sizes)?,
-                        None => None,
-                    },
-                    _ => None,
+                let may_refine_again = may_refine && looks < MOST_LOOKS && matches!(look, Look::Unresolved(_));
+                let finer = match may_refine_again.then(|| finer_sizes(film)).flatten() {
+                    Some(sizes) => self.refined(film, sizes)?,
+                    None => None,
                 };
                 if let Some(finer) = finer {
                     looks += 1;
@@ -375,88 +345,6 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// Opens the folds of a film with flipped triangles by flips that reduce the area, and lets it converge again, as
-    /// long as that leaves fewer flipped triangles. Returns the pattern and the factorisation of the new connectivity;
-    /// `None` if no triangle is flipped, or if it does not help.
-    fn open_folds(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
-        let mut opened = None;
-        for _ in 0..OPENINGS {
-            self.exec.look(film.triangles().len() as u64)?;
-            let flipped = film.flipped_triangles();
-            let mut better = film.clone();
-            let flips = if flipped == 0 { 0 } else { flip_to_less_area(&mut better, self.exec)? };
-            if flips == 0 {
-                break;
-            }
-            let pattern = Pattern::new(better.triangles(), &better.fixed);
-            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
-            let outcome = self.newton(&mut better, &pattern, &mut direct, Aim::Minimum)?;
-            if outcome != StopReason::Residual || better.flipped_triangles() >= flipped {
-                break;
-            }
-            *film = better;
-            self.edges_swapped += flips;
-            opened = Some((pattern, direct));
-        }
-        Ok(opened)
-    }
-
-    /// Widens the small angles of a converged film, opens its flipped triangles and lets it converge again, as long as
-    /// that leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and the factorisation of the
-    /// connectivity that remains.
-    fn widen(&mut self, film: &mut Film, pattern: Pattern, direct: Direct) -> Result<(Pattern, Direct), Error> {
-        let (mut pattern, mut direct) = (pattern, direct);
-        for _ in 0..if self.may_widen { WIDENINGS } else { 0 } {
-            self.exec.look(film.triangles().len() as u64)?;
-            let (before, flipped) = (smallest_angle(film), film.flipped_triangles());
-            if before >= NARROW && flipped == 0 {
-                break;
-            }
-            let mut widened = film.clone();
-            if widen(&mut widened, WIDE, self.exec)?.is_none() {
-                break;
-            }
-            let new_pattern = Pattern::new(widened.triangles(), &widened.fixed);
-            let mut solver = Direct::new(new_pattern.matrix()).map_err(too_large)?;
-            let reason = self.newton(&mut widened, &new_pattern, &mut solver, Aim::Minimum)?;
-            let flipped_after = widened.flipped_triangles();
-            let improves = flipped_after < flipped || (flipped_after == flipped && smallest_angle(&widened) > before);
-            if reason != StopReason::Residual || !improves {
-                break;
-            }
-            (*film, pattern, direct) = (widened, new_pattern, solver);
-        }
-        Ok((pattern, direct))
-    }
-
-    /// Lets the vertices of a converged film slide along it to where its triangles have less area, and corrects it
-    /// along the normals. The film stays as it was if it does not converge again, if its area rises, or if an angle
-    /// gets too small.
-    fn slide(&mut self, film: &mut Film, pattern: &Pattern, direct: &mut Direct) -> Result<(), Error> {
-        let before = film.vertices.clone();
-        let (rows, iterations) = (self.record.history.len(), self.record.iterations);
-        let (area, angle, flipped) = (film.area(), smallest_angle(film), film.flipped_triangles());
-        let slid = slide(film, self.radius, SWEEPS, self.exec);
-        if slid.is_ok() && film.vertices == before {
-            return Ok(());
-        }
-        let outcome = match slid {
-            Ok(()) => self.newton(film, pattern, direct, Aim::Stationary),
-            Err(interruption) => Err(interruption.into()),
-        };
-        let keeps = |film: &Film| {
-            film.area() <= area
-                && film.flipped_triangles() <= flipped
-                && smallest_angle(film) >= angle.min(LEAST_SLID_ANGLE)
-        };
-        if !matches!(outcome, Ok(StopReason::Residual)) || !keeps(film) {
-            film.vertices = before;
-            self.record.history.truncate(rows);
-            self.record.iterations = iterations;
-        }
-        outcome.map(|_| ())
-    }
-
     /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a
     /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
@@ -492,62 +380,7 @@ impl<'a> Solve<'a> {
             let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
             self.record.iteration("newton", area, residual, 0.5 + 0.4 * part);
         });
-        Ok(match outcome {
-            Outcome::Converged => StopReason::Residual,
-            Outcome::StepsUsed => StopReason::MaxIterations,
-            Outcome::Stalled => StopReason::Stalled,
-            Outcome::Refused(_) => StopReason::Collapsed,
-            Outcome::Interrupted(interruption) => return Err(interruption.into()),
-        })
-    }
-
-    /// Step 1: rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles and
-    /// no triangle is flipped. Returns whether a linear system was refused.
-    fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
-        let mut area = film.area();
-        // The area of a thin neck is a small part of the film's area and does not tell whether the neck has settled.
-        let refined = self.refined;
-        let mut moved = 0.0;
-        for round in 0..MAX_ROUNDS {
-            self.improve(film)?;
-            self.exec.look(film.triangles().len() as u64)?;
-            let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
-            let before_round = area;
-            for _ in 0..if round < SINGLE_ROUNDS { 1 } else { SOLVES_PER_ROUND } {
-                if self.record.iterations >= self.limit {
-                    return Ok(false);
-                }
-                self.exec.look(film.triangles().len() as u64)?;
-                let start = if refined { film.vertices.clone() } else { Vec::new() };
-                if dirichlet.step(film).is_err() {
-                    return Ok(true);
-                }
-                if refined {
-                    moved = largest_motion(film, &start);
-                }
-                let before = std::mem::replace(&mut area, film.area());
-                let residual = self.state(film, &dirichlet.pattern).residual;
-                let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
-                self.record.iteration("pinkall_polthier", area, residual, fraction);
-                if (before - area).abs() <= SETTLED_AREA * area && moved <= SETTLED_MOTION {
-                    break;
-                }
-            }
-            let settled = (before_round - area).abs() <= SETTLED_AREA * area && moved <= SETTLED_MOTION;
-            if settled && film.flipped_triangles() == 0 {
-                break;
-            }
-        }
-        self.improve(film)?;
-        Ok(false)
-    }
-
-    /// Improves the triangles without moving the film: Delaunay flips, tangential relaxation, and Delaunay flips again.
-    fn improve(&mut self, film: &mut Film) -> Result<(), Interruption> {
-        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
-        tangential_relaxation(film, RELAXATIONS_PER_ROUND);
-        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
-        Ok(())
+        Ok(StopReason::after(outcome)?)
     }
 
     /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
@@ -565,14 +398,7 @@ impl<'a> Solve<'a> {
             Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
             Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
         };
-        let stability = Stability {
-            stable: variation.morse_index.decided().map(|index| index == 0),
-            morse_index: variation.morse_index.decided(),
-            least_index: variation.morse_index.least,
-            lowest_eigenvalue: variation.lowest.eigenvalue,
-            method: StabilityMethod::Inertia,
-            margin: None,
-        };
+        let stability = Stability::of(&variation);
         self.unstable_mode = (stability.least_index > 0).then(|| {
             let heights = &variation.lowest.vector;
             let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
@@ -609,16 +435,6 @@ impl<'a> Solve<'a> {
     fn state(&self, film: &Film, pattern: &Pattern) -> FilmState {
         NormalMotion { pattern, triangles: film.triangles(), radius: self.radius }.state(&film.vertices)
     }
-}
-
-/// Largest distance of a vertex from its `start`, as a fraction of its longest edge.
-fn largest_motion(film: &Film, start: &[DVec3]) -> f64 {
-    let moved = film.vertices.iter().zip(start).map(|(end, start)| end.distance(*start));
-    moved
-        .zip(longest_free_edges(film))
-        .filter(|&(_, edge)| edge > 0.0)
-        .map(|(moved, edge)| moved / edge)
-        .fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::super::options::{FreeTopology, InitialMesh, Newton, Resolution, Topol
 use super::angles::{THIRD_OF_TURN, angles_around};
 use super::wires::Rim;
 use super::*;
+use plateau_mesh::measure::Spread;
 
 /// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths
 /// (degrees), `m` segments a half-circle and `n` rows from the axis; and the two loops of wire.

@@ -172,6 +172,54 @@ fn ends_freely(structure: &Structure, cable: &Cable) -> bool {
 /// Largest distance of a boundary's point from the surface on which it slides, as a fraction of the boundaries' radius.
 const ON_SUPPORT: f64 = 1e-9;
 
+/// The segments of its boundary along which a part slides: none for a point. `None`, with an error, if a point does not
+/// exist or cannot slide. The boundary has `count` points, and `name` is the field that names the part.
+fn slid_segments(
+    structure: &Structure,
+    k: usize,
+    part: SlidingPart,
+    name: &'static str,
+    count: usize,
+    errors: &mut Vec<InputError>,
+) -> Option<Vec<usize>> {
+    let place = || Place::field("supports").at(k);
+    let exists = |point: usize, field: &'static str, errors: &mut Vec<InputError>| {
+        let detail = format!("the boundary has {count} points, numbered from 0");
+        require(errors, point < count, place().then(name).then(field), &detail);
+        point < count
+    };
+    match part {
+        SlidingPart::Edge { from, to, .. } => {
+            if !exists(from, "from", errors) || !exists(to, "to", errors) {
+                return None;
+            }
+            if from == to {
+                let detail = "must be another point than the one at which the edge begins";
+                errors.push(InputError::new(place().then(name).then("to"), detail));
+                return None;
+            }
+            Some(stretch(count, from, to).collect())
+        }
+        SlidingPart::Boundary(_) => Some((0..count).collect()),
+        SlidingPart::Point(BoundaryPoint { boundary, point }) => {
+            if !exists(point, "point", errors) {
+                return None;
+            }
+            let inside = |cable: &Cable| match cable.course {
+                Course::Boundary { boundary: own, from, to } => {
+                    own == boundary && stretch(count, from, to).skip(1).any(|inner| inner == point)
+                }
+                Course::Across(_) | Course::Air(_) | Course::Mast(_) => false,
+            };
+            if structure.cables.iter().any(inside) {
+                errors.push(InputError::new(place().then(name), "lies inside the stretch of a cable"));
+                return None;
+            }
+            Some(Vec::new())
+        }
+    }
+}
+
 pub(super) fn check_sliding(
     structure: &Structure,
     k: usize,
@@ -191,42 +239,7 @@ pub(super) fn check_sliding(
         errors.push(InputError::new(inside, detail));
         return;
     };
-    let count = points.len();
-    let exists = |point: usize, field: &'static str, errors: &mut Vec<InputError>| {
-        let detail = format!("the boundary has {count} points, numbered from 0");
-        require(errors, point < count, place().then(name).then(field), &detail);
-        point < count
-    };
-    let segments: Vec<usize> = match sliding.part {
-        SlidingPart::Edge { from, to, .. } => {
-            if !exists(from, "from", errors) || !exists(to, "to", errors) {
-                return;
-            }
-            if from == to {
-                let detail = "must be another point than the one at which the edge begins";
-                errors.push(InputError::new(place().then(name).then("to"), detail));
-                return;
-            }
-            stretch(count, from, to).collect()
-        }
-        SlidingPart::Boundary(_) => (0..count).collect(),
-        SlidingPart::Point(BoundaryPoint { point, .. }) => {
-            if !exists(point, "point", errors) {
-                return;
-            }
-            let inside = |cable: &Cable| match cable.course {
-                Course::Boundary { boundary: own, from, to } => {
-                    own == boundary && stretch(count, from, to).skip(1).any(|inner| inner == point)
-                }
-                Course::Across(_) | Course::Air(_) | Course::Mast(_) => false,
-            };
-            if structure.cables.iter().any(inside) {
-                errors.push(InputError::new(place().then(name), "lies inside the stretch of a cable"));
-                return;
-            }
-            Vec::new()
-        }
-    };
+    let Some(segments) = slid_segments(structure, k, sliding.part, name, points.len(), errors) else { return };
     if !matches!(sliding.part, SlidingPart::Point(_)) {
         let detail = "an edge slides on a plane, a sphere or a cylinder; only a point slides on a line or a circle";
         require(errors, sliding.on.dimension() == 2, place().then("on"), detail);

@@ -3,7 +3,8 @@
 use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
-use plateau_film::tensile_structure::{self as geometry, Stability, Stress};
+use plateau_film::equilibrium::Stability;
+use plateau_film::tensile_structure::{self as geometry, Stress};
 use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -240,10 +241,10 @@ impl TensileStatistics {
             converged: statistics.converged,
             stop_reason: statistics.stop_reason.name(),
             iterations: statistics.iterations,
-            edge_lengths: statistics.edge_lengths,
-            angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
-            flipped_triangles: statistics.flipped_triangles,
-            degenerate_triangles: statistics.degenerate_triangles,
+            edge_lengths: statistics.quality.edge_lengths,
+            angles_deg: AngleRange { min: statistics.quality.angles.0.to_degrees(), max: statistics.quality.angles.1.to_degrees() },
+            flipped_triangles: statistics.quality.flipped_triangles,
+            degenerate_triangles: statistics.quality.degenerate_triangles,
             self_intersections: crossings.pairs,
             self_intersections_skipped: crossings.skipped,
         }
