@@ -66,7 +66,7 @@ pub use shape::{
 };
 
 use crate::minimal_surface::{self, Resolution};
-use catenary::{Catenary, TooSmall};
+use catenary::{Catenary, NoCatenary};
 use form_finding::{Coarse, Found};
 use model::Model;
 use plateau_mesh::error::Step;
@@ -167,9 +167,9 @@ fn check_catenaries(structure: &Structure) -> Result<(), Error> {
         if catenary::are_plumb(ends, structure.up) {
             return plumb_refusal(structure, cable, ends, place());
         }
-        let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
+        let NoCatenary { bound } = Catenary::find(cable, ends, structure.up).err()?;
         let detail =
-            format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
+            format!("must be at least {bound:.6}: no cable of this weight hangs between these points with less");
         Some(InputError::new(place().then("value"), detail))
     };
     let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
@@ -181,10 +181,10 @@ fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: 
     let force = catenary::plumb_force(cable, ends, structure.up);
     match force {
         Some(Ok(_)) => None,
-        Some(Err(TooSmall { least })) => {
-            let bound = if matches!(cable.mode, CableMode::UnstressedLength(_)) { "less" } else { "more" };
+        Some(Err(NoCatenary { bound })) => {
+            let side = if matches!(cable.mode, CableMode::UnstressedLength(_)) { "less" } else { "more" };
             let detail = format!(
-                "must be {bound} than {least:.6}: the lowest part of this cable, which hangs straight down, would push"
+                "must be {side} than {bound:.6}: the lowest part of this cable, which hangs straight down, would push"
             );
             Some(InputError::new(place.then("value"), detail))
         }

@@ -28,7 +28,7 @@ const VERTICAL: f64 = 1e-6;
 ///
 /// # Errors
 /// The bound on the cable's value beyond which a part of the cable would have to push.
-pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<Result<f64, TooSmall>> {
+pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<Result<f64, NoCatenary>> {
     let span = ends[1] - ends[0];
     let length = span.length();
     if cable.weight <= 0.0 || !are_plumb(ends, up) {
@@ -48,12 +48,12 @@ pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<
     };
     let least = cable.weight * (height - lowest);
     if force <= least {
-        let least = match cable.mode {
+        let bound = match cable.mode {
             CableMode::ForceDensity(_) => least / length,
             CableMode::UnstressedLength(_) => length / (1.0 + least / cable.axial_stiffness.unwrap_or(1.0)),
             _ => least,
         };
-        return Some(Err(TooSmall { least }));
+        return Some(Err(NoCatenary { bound }));
     }
     Some(Ok(force - cable.weight * height))
 }
@@ -81,15 +81,16 @@ pub(super) struct Catenary {
 
 /// No cable that only pulls hangs between two points with the given value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TooSmall {
-    /// The least value for which there is such a cable. If the value is an unstressed length, this is the largest one.
-    pub least: f64,
+pub(super) struct NoCatenary {
+    /// The bound on the value beyond which there is such a cable: the largest unstressed length, or the least of any
+    /// other value.
+    pub bound: f64,
 }
 
 impl Catenary {
     /// The tautest catenary of a cable between two points. `None` if the cable has no weight, if the points are one
-    /// above the other, or if the cable's value is beyond all catenaries in a way that [`TooSmall`] does not describe.
-    pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, TooSmall> {
+    /// above the other, or if the cable's value is beyond all catenaries in a way that [`NoCatenary`] does not describe.
+    pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, NoCatenary> {
         let span = ends[1] - ends[0];
         let across = span.reject_from_normalized(up);
         let (width, rise) = (across.length(), span.dot(up));
@@ -126,7 +127,7 @@ impl Catenary {
             if taut < LEAST_PARAMETER * width || !taut.is_finite() {
                 let by_force =
                     matches!(cable.mode, CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_));
-                return if by_force { Err(TooSmall { least }) } else { Ok(None) };
+                return if by_force { Err(NoCatenary { bound: least }) } else { Ok(None) };
             }
         }
         let (mut below, mut above) = (taut, taut * SCAN);
@@ -221,6 +222,6 @@ mod tests {
             assert!((found.a - 6.0).abs() < 1e-4, "{mode:?} {}", found.a);
         }
         let refused = Catenary::find(&cable(CableMode::Force(1.0), None), ends, DVec3::Z);
-        assert!(refused.is_err_and(|error| error.least > 1.0));
+        assert!(refused.is_err_and(|error| error.bound > 1.0));
     }
 }
