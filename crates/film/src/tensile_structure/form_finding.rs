@@ -292,7 +292,7 @@ impl Run<'_> {
             }
             let at = self.model.vertices();
             let count = released.len();
-            released.retain(|&k| length(k).is_some_and(|length| self.model.cables[k].length(&at) <= length));
+            released.retain(|&k| length(k).is_some_and(|length| self.model.cables[k].term.length(&at) <= length));
             if released.len() == count {
                 *found = Found { slack: released, ..loose };
                 return Ok(());
@@ -541,7 +541,7 @@ impl Run<'_> {
     fn slacken(&mut self, found: &mut Found) -> bool {
         let mut any = false;
         for (k, force) in found.length_forces.iter_mut().enumerate() {
-            if *force < 0.0 && matches!(self.model.forces_by[k], ForceBy::Elastic { .. }) {
+            if *force < 0.0 && matches!(self.model.cables[k].by, ForceBy::Elastic { .. }) {
                 self.model.let_go(k);
                 *force = 0.0;
                 any = true;
@@ -575,8 +575,8 @@ impl Run<'_> {
     /// The constraints' multipliers: the forces of cables of given length, and the pressures of given volumes.
     fn multipliers(&self, state: &State<Frame>, found: &mut Found) {
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
-        for (force, by) in found.length_forces.iter_mut().zip(&self.model.forces_by) {
-            if *by != ForceBy::Law {
+        for (force, cable) in found.length_forces.iter_mut().zip(&self.model.cables) {
+            if cable.by != ForceBy::Law {
                 *force = multipliers.next().unwrap_or(0.0);
             }
         }

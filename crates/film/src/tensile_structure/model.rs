@@ -40,8 +40,8 @@ pub(super) struct Model {
     joined: usize,
     /// The rings that move, in the order of the input.
     pub rings: Vec<MovingRing>,
-    /// For each cable its vertices from the first end to the last.
-    pub chains: Vec<Vec<u32>>,
+    /// The cables in the order of the input.
+    pub cables: Vec<ModelCable>,
     /// The vertices of the free points.
     pub free: Vec<u32>,
     /// For each input point its vertex.
@@ -55,20 +55,10 @@ pub(super) struct Model {
     /// The energies of the edges that meet their surface at a given angle, and the vertices of these edges.
     pub contacts: Vec<Contact>,
     pub at_contacts: BTreeSet<u32>,
-    pub cables: Vec<energy::Cable>,
-    /// For each cable, the quantity that determines its force.
-    pub forces_by: Vec<ForceBy>,
-    /// The force of each cable with which form finding begins.
-    pub start_forces: Vec<f64>,
-    /// For each cable, the damping of the changes of that force.
-    swings: Vec<Swing>,
     /// Mean length of the edges of the initial mesh.
     start_edge: f64,
     /// The stresses of a woven film.
     pub stress_field: Option<StressField>,
-    /// For each cable and each of its segments, the force that the pull of a woven film along the cable adds; empty for
-    /// other films and for cables in the air.
-    pub further_forces: Vec<Vec<f64>>,
     pub warnings: Vec<Warning>,
 }
 
@@ -87,6 +77,42 @@ impl Layer {
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
         self.film.triangles().iter().map(|triangle| triangle.map(|v| self.numbers[v as usize]))
     }
+}
+
+/// A cable of the model.
+#[derive(Clone, Debug)]
+pub(super) struct ModelCable {
+    /// Its vertices from the first end to the last.
+    pub chain: Vec<u32>,
+    /// Its energy.
+    pub term: energy::Cable,
+    /// The quantity that determines its force.
+    pub by: ForceBy,
+    /// The force with which form finding begins.
+    pub start_force: f64,
+    /// The damping of the changes of that force.
+    swing: Swing,
+    /// For each segment the force that the pull of a woven film along the cable adds; empty for other films and for
+    /// cables in the air.
+    pub further_forces: Vec<f64>,
+}
+
+impl ModelCable {
+    /// The first and the last vertex.
+    pub fn ends(&self) -> [u32; 2] {
+        [self.chain[0], self.chain[self.chain.len() - 1]]
+    }
+
+    /// Sets the vertices of the cable, and the segments of its energy.
+    pub fn set_chain(&mut self, chain: Vec<u32>) {
+        self.term.segments = segments(&chain);
+        self.chain = chain;
+    }
+}
+
+/// The segments between the vertices of a chain.
+fn segments(chain: &[u32]) -> Vec<[u32; 2]> {
+    chain.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 /// A ring that moves along its axis as a whole.
@@ -124,13 +150,13 @@ pub(super) enum Stage {
 impl Model {
     /// Whether the length of a cable is given, exactly or by its stiffness.
     pub fn holds_length(&self, k: usize) -> bool {
-        matches!(self.forces_by[k], ForceBy::Length(_) | ForceBy::Elastic { .. })
+        matches!(self.cables[k].by, ForceBy::Length(_) | ForceBy::Elastic { .. })
     }
 
     /// Whether the length of a cable is a constraint already in [`Stage::Settling`].
     pub fn constrains_length(&self, k: usize) -> bool {
-        match self.forces_by[k] {
-            ForceBy::Length(_) => self.cables[k].segments.len() <= 1,
+        match self.cables[k].by {
+            ForceBy::Length(_) => self.cables[k].term.segments.len() <= 1,
             ForceBy::Elastic { .. } => true,
             ForceBy::Law | ForceBy::Equation(_) => false,
         }
@@ -140,13 +166,17 @@ impl Model {
     /// slide; each as its vertex, the index of its boundary and its index among the points of that boundary.
     pub fn corners(&self) -> Vec<(u32, usize, usize)> {
         let mut moves = vec![false; self.films];
-        for chain in &self.chains {
+        for ModelCable { chain, .. } in &self.cables {
             for &v in chain.iter().filter(|&&v| (v as usize) < self.films) {
                 moves[v as usize] = true;
             }
         }
-        let inner: BTreeSet<u32> =
-            self.chains.iter().flat_map(|chain| chain.get(1..chain.len() - 1).unwrap_or_default()).copied().collect();
+        let inner: BTreeSet<u32> = self
+            .cables
+            .iter()
+            .flat_map(|own| own.chain.get(1..own.chain.len() - 1).unwrap_or_default())
+            .copied()
+            .collect();
         let slides =
             |v: u32| self.sliding.iter().any(|(own, freedom)| *own == v && matches!(freedom, Freedom::AcrossOn { .. }));
         let corner = |v: u32| moves[v as usize] && !inner.contains(&v) && !slides(v);
@@ -163,12 +193,12 @@ impl Model {
 
     /// Lets a cable bear no force.
     pub fn let_go(&mut self, k: usize) {
-        self.forces_by[k] = ForceBy::Law;
-        self.cables[k].law = Law::Force(0.0);
+        self.cables[k].by = ForceBy::Law;
+        self.cables[k].term.law = Law::Force(0.0);
     }
 
     pub fn is_let_go(&self, k: usize) -> bool {
-        self.forces_by[k] == ForceBy::Law && self.cables[k].law == Law::Force(0.0)
+        self.cables[k].by == ForceBy::Law && self.cables[k].term.law == Law::Force(0.0)
     }
 
     /// All vertices: those of the layers, then those in the air.
@@ -227,11 +257,11 @@ impl Model {
 
     /// The catenary of a heavy cable in the air between its present ends.
     fn catenary(&self, structure: &Structure, k: usize, at: &[DVec3]) -> Option<Catenary> {
-        let (cable, chain) = (&structure.cables[k], &self.chains[k]);
+        let (cable, own) = (&structure.cables[k], &self.cables[k]);
         if !matches!(cable.course, Course::Air(_)) {
             return None;
         }
-        let ends = [chain[0], chain[chain.len() - 1]].map(|v| at[v as usize]);
+        let ends = own.ends().map(|v| at[v as usize]);
         Catenary::find(cable, ends, structure.up).ok().flatten()
     }
 
@@ -239,9 +269,9 @@ impl Model {
     pub fn hang(&mut self, structure: &Structure) {
         let at = self.vertices();
         let count = self.films;
-        for k in 0..self.chains.len() {
+        for k in 0..self.cables.len() {
             let Some(catenary) = self.catenary(structure, k, &at) else { continue };
-            let (chain, length) = (&self.chains[k], catenary.length());
+            let (chain, length) = (&self.cables[k].chain, catenary.length());
             for (i, &v) in chain.iter().enumerate().take(chain.len() - 1).skip(1) {
                 let from_first = length * i as f64 / (chain.len() - 1) as f64;
                 self.air[v as usize - count] = catenary.point(from_first);
@@ -254,8 +284,8 @@ impl Model {
     pub fn renew_start_forces(&mut self, structure: &Structure) {
         let at = self.vertices();
         for (k, cable) in structure.cables.iter().enumerate() {
-            let term = &self.cables[k];
-            let force = self.start_forces[k];
+            let own = &mut self.cables[k];
+            let (term, force) = (&own.term, own.start_force);
             // A shallow cable's sag is inversely proportional to its force, and the horizontal component of a force is
             // proportional to it.
             let wanted = match cable.mode {
@@ -269,7 +299,7 @@ impl Model {
                 }
                 _ => start_force(cable, structure, &term.segments, &at),
             };
-            self.start_forces[k] += self.swings[k].damped(wanted - force);
+            own.start_force += own.swing.damped(wanted - force);
         }
     }
 

@@ -1,7 +1,7 @@
 //! A shape that was found: mesh, forces, figures and warnings, at the position of the caller's boundaries.
 
 use super::form_finding::{Ending, Found};
-use super::model::{Model, MovingRing, forces};
+use super::model::{Model, ModelCable, MovingRing, forces};
 use super::options::{
     CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord, layer_place,
 };
@@ -73,7 +73,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
 
 /// The error of the first cable that would have to push, or that is slack at its given length.
 fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec3]) -> Option<Error> {
-    let mean = |(term, &further): (&crate::energy::Cable, &f64)| forces(term, further, at).0;
+    let mean = |(cable, &further): (&ModelCable, &f64)| forces(&cable.term, further, at).0;
     let is_cable = |k: &usize| !structure.cables[*k].course.is_mast();
     let all = model.cables.iter().zip(&found.length_forces).map(mean).enumerate();
     let pushes = all.filter(|(_, force)| *force < 0.0).map(|(k, _)| k).find(is_cable);
@@ -236,7 +236,7 @@ fn flattest(triangles: &[[u32; 3]], at: &[DVec3], up: DVec3) -> (f64, DVec3) {
 
 fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> Vec<CableResult> {
     let one = |(k, cable): (usize, &super::options::Cable)| {
-        let term = &model.cables[k];
+        let term = &model.cables[k].term;
         let segment_forces = match &found.balance {
             Some(balance) => balance.cable_forces[k].clone(),
             None => (0..term.segments.len()).map(|s| term.force(s, at) + found.length_forces[k]).collect(),
@@ -255,7 +255,7 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
         let widen = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
         CableResult {
             force_range: range.fold((f64::INFINITY, f64::NEG_INFINITY), widen),
-            vertices: model.chains[k].clone(),
+            vertices: model.cables[k].chain.clone(),
             force,
             length,
             unstressed_length: cable.axial_stiffness.map(|stiffness| length / (1.0 + force / stiffness)),

@@ -1,7 +1,7 @@
 //! The forces at the supports of the found shape, and their sums.
 
 use super::form_finding::{Balance, Found};
-use super::model::{Model, MovingRing};
+use super::model::{Model, ModelCable, MovingRing};
 use super::options::BoundaryPoint;
 use super::shape::{EdgeForce, EdgeReaction, ForceBalance, Reaction, TriangleStress};
 use crate::equilibrium::{Freedom, Support};
@@ -22,7 +22,7 @@ pub(super) enum Hold<'a> {
 pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
     let fixed = model.fixed().into_iter();
     let mut holds: Vec<Hold> = fixed.map(|fixed| if fixed { Hold::Fixed } else { Hold::Nothing }).collect();
-    for chain in &model.chains {
+    for ModelCable { chain, .. } in &model.cables {
         for &v in chain.get(1..chain.len() - 1).unwrap_or_default() {
             holds[v as usize] = Hold::Nothing;
         }
@@ -121,7 +121,7 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold], edge_force
     let Some(balance) = &found.balance else { return Reactions::default() };
     let held = |v: u32| !matches!(holds[v as usize], Hold::Nothing);
     let mut single = vec![false; holds.len()];
-    let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
+    let ends = model.cables.iter().flat_map(ModelCable::ends);
     let points = model.sliding.iter().filter(|(_, freedom)| matches!(freedom, Freedom::On(_))).map(|(v, _)| *v);
     for v in ends.chain(points) {
         single[v as usize] = held(v) && !matches!(holds[v as usize], Hold::Guided(_));
@@ -200,7 +200,7 @@ pub(super) fn edge_forces(
 
 /// The segments of all cables, with the lower number first.
 fn on_chains(model: &Model) -> BTreeSet<[u32; 2]> {
-    let pairs = model.chains.iter().flat_map(|chain| chain.windows(2));
+    let pairs = model.cables.iter().flat_map(|cable| cable.chain.windows(2));
     pairs.map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]).collect()
 }
 
@@ -218,7 +218,7 @@ fn clamped_ends(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) 
         }
     }
     let mut forces = BTreeMap::new();
-    for ((chain, cable), segments) in model.chains.iter().zip(&model.cables).zip(&balance.cable_forces) {
+    for (ModelCable { chain, term: cable, .. }, segments) in model.cables.iter().zip(&balance.cable_forces) {
         let [Some(&first), Some(&last)] = [segments.first(), segments.last()] else { continue };
         let count = chain.len();
         for (end, next, force) in [(chain[0], chain[1], first), (chain[count - 1], chain[count - 2], last)] {

@@ -4,7 +4,7 @@
 //! and where a point moves by itself. All others move along their stretch. Any vertex inside a stretch may become the
 //! vertex of an input point there, because only their order distinguishes the input points of a stretch.
 
-use super::model::Model;
+use super::model::{Model, ModelCable};
 use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
 use crate::equilibrium::Freedom;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
@@ -53,9 +53,10 @@ impl Model {
                 }
             }
         };
-        for (k, (cable, chain)) in structure.cables.iter().zip(&self.chains).enumerate() {
+        for (k, (cable, own)) in structure.cables.iter().zip(&self.cables).enumerate() {
             if let Course::Boundary { boundary, .. } = cable.course {
-                mark(boundary, chain[0], chain[chain.len() - 1], &|along| along.cable = Some(k));
+                let [from, to] = own.ends();
+                mark(boundary, from, to, &|along| along.cable = Some(k));
             }
         }
         for (k, sliding) in structure.sliding.iter().enumerate() {
@@ -76,7 +77,7 @@ impl Model {
 
     /// Vertices of the boundaries that keep their identity wherever they stand.
     fn named(&self, structure: &Structure) -> BTreeSet<u32> {
-        let ends = self.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
+        let ends = self.cables.iter().flat_map(ModelCable::ends);
         let points = structure.sliding.iter().filter_map(|sliding| match sliding.part {
             SlidingPart::Point(point) => Some(self.input_vertex(point)),
             SlidingPart::Edge { .. } | SlidingPart::Boundary(_) => None,
@@ -137,7 +138,7 @@ impl Model {
         let mut crossed = BTreeSet::new();
         let lines = || {
             let across = |(cable, _): &(&super::options::Cable, _)| matches!(cable.course, Course::Across(_));
-            structure.cables.iter().zip(&self.chains).filter(across).map(|(_, chain)| chain)
+            structure.cables.iter().zip(&self.cables).filter(across).map(|(_, own)| &own.chain)
         };
         for chain in lines() {
             let mut curve = Curve { vertices: chain.clone(), stretches: Vec::new() };
@@ -222,18 +223,17 @@ impl Model {
             ring.vertices = vertices;
         }
         let mut lines = moving.curves.into_iter().skip(boundaries);
-        for k in 0..self.chains.len() {
-            let chain = &self.chains[k];
+        for k in 0..self.cables.len() {
+            let chain = &self.cables[k].chain;
             let chain = match structure.cables[k].course {
                 Course::Boundary { boundary, .. } => {
-                    let ends = [chain[0], chain[chain.len() - 1]].map(renumbered);
+                    let ends = self.cables[k].ends().map(renumbered);
                     self.between(boundary, ends)
                 }
                 Course::Across(_) => lines.next().map(|curve| curve.vertices).unwrap_or_default(),
                 Course::Air(_) | Course::Mast(_) => chain.iter().map(|&v| renumbered(v)).collect(),
             };
-            self.cables[k].segments = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            self.chains[k] = chain;
+            self.cables[k].set_chain(chain);
         }
         self.renew_sliding(structure);
     }
@@ -294,15 +294,16 @@ impl Model {
         let rings = self.rings.iter_mut().flat_map(|ring| &mut ring.vertices);
         points
             .chain(&mut self.free)
-            .chain(self.chains.iter_mut().flatten())
+            .chain(self.cables.iter_mut().flat_map(|cable| &mut cable.chain))
             .chain(rings)
             .for_each(|v| *v = renumbered(*v));
         for (points, rim) in self.input_vertices.iter().zip(&mut self.layers[0].film.boundaries) {
             let first = points.first().and_then(|first| rim.iter().position(|v| v == first)).unwrap_or(0);
             rim.rotate_left(first);
         }
-        for (cable, chain) in self.cables.iter_mut().zip(&self.chains) {
-            cable.segments = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        for cable in &mut self.cables {
+            let chain = std::mem::take(&mut cable.chain);
+            cable.set_chain(chain);
         }
         self.renew_sliding(structure);
     }

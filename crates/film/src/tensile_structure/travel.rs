@@ -14,7 +14,7 @@
 //! is no equilibrium.
 
 use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Run, Stop};
-use super::model::{Model, Stage};
+use super::model::{Model, ModelCable, Stage};
 use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
 use super::remeshing::Fineness;
 use super::taut_start::{Held, taut};
@@ -201,7 +201,8 @@ impl Run<'_> {
 
     /// The first mesh of a taut start, if there is one.
     fn taut_model(&self, coarse: Coarse, start: &Model, held: Held) -> Result<Option<Model>, Stop> {
-        let Some(structure) = taut(self.structure, &start.start_forces, held) else { return Ok(None) };
+        let forces: Vec<f64> = start.cables.iter().map(|cable| cable.start_force).collect();
+        let Some(structure) = taut(self.structure, &forces, held) else { return Ok(None) };
         match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
             Ok(mut model) => {
                 (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
@@ -440,7 +441,7 @@ impl Run<'_> {
     fn start_multipliers(&self, body: &Body) -> Vec<f64> {
         let lengths = (0..self.structure.cables.len()).filter(|&k| self.model.constrains_length(k));
         let mut multipliers: Vec<f64> = lengths
-            .map(|k| if self.structure.cables[k].course.is_mast() { 0.0 } else { self.model.start_forces[k] })
+            .map(|k| if self.structure.cables[k].course.is_mast() { 0.0 } else { self.model.cables[k].start_force })
             .collect();
         multipliers.resize(body.constraints.len(), 0.0);
         multipliers
@@ -568,7 +569,7 @@ impl Run<'_> {
         }
         let mut shortest = f64::INFINITY;
         for (k, cable) in self.structure.cables.iter().enumerate() {
-            let length = self.model.cables[k].length(&at);
+            let length = self.model.cables[k].term.length(&at);
             if matches!(cable.course, Course::Air(_)) && !self.model.holds_length(k) {
                 shortest = shortest.min(length);
             }
@@ -576,8 +577,7 @@ impl Run<'_> {
             if length < least * watch.span && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
                 // The error names the end of the cable if that end moves, because its place is wrong, not the cable.
-                let chain = &self.model.chains[k];
-                let end = [chain[0], chain[chain.len() - 1]].into_iter().find_map(|v| self.place_of(v));
+                let end = self.model.cables[k].ends().into_iter().find_map(|v| self.place_of(v));
                 let own = match end {
                     Some(end) => InputError::new(end, format!("moves to the other end of cable {}", cable.name)),
                     None => InputError::new(cable_place(self.structure, k), "shrinks to nothing"),
@@ -639,7 +639,7 @@ impl Run<'_> {
                 place(at[v as usize])
             );
             // A support does not move: the other end of one of its two sides has moved too far.
-            let ends = self.model.chains.iter().map(|chain| [chain[0], chain[chain.len() - 1]]);
+            let ends = self.model.cables.iter().map(ModelCable::ends);
             let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
             let own = self
                 .place_of(v)

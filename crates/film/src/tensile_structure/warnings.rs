@@ -106,7 +106,7 @@ pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -
         if !matches!(cable.course, Course::Air(_) | Course::Mast(_)) {
             continue;
         }
-        for ends in model.chains[k].windows(2) {
+        for ends in model.cables[k].chain.windows(2) {
             let ends = [ends[0], ends[1]].map(|v| at[v as usize]);
             if let Some(place) = passage(ends, &at, &triangles, exec)? {
                 let DVec3 { x, y, z } = place + model.centre;

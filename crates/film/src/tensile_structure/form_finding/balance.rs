@@ -4,7 +4,7 @@ use super::{BALANCE_STEPS, BALANCED, Balance, Found, RENEWED_LOADS, Run, SAME_LO
 use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
 use crate::equilibrium::newton::State;
 use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings};
-use crate::tensile_structure::model::{ForceBy, Stage};
+use crate::tensile_structure::model::{ForceBy, ModelCable, Stage};
 use crate::tensile_structure::options::Pressure;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
@@ -67,17 +67,19 @@ impl Run<'_> {
 
     fn given(&self, reference: &[DVec3], found: &Found) -> Given {
         let mut densities = Vec::with_capacity(self.model.cables.len());
-        for (number, (cable, multiplier)) in self.model.cables.iter().zip(&found.length_forces).enumerate() {
+        for (ModelCable { term: cable, further_forces, .. }, multiplier) in
+            self.model.cables.iter().zip(&found.length_forces)
+        {
             let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
             for (k, &segment) in cable.segments.iter().enumerate() {
                 let length = energy::length::length(segment, reference);
-                let further = self.model.further_forces[number].get(k).copied().unwrap_or(0.0);
+                let further = further_forces.get(k).copied().unwrap_or(0.0);
                 own.densities.push((cable.force(k, reference) + multiplier + further) / length);
             }
             densities.push(own);
         }
         let cables = &self.structure.cables;
-        let pushes = |&k: &usize| cables[k].course.is_mast() && self.model.forces_by[k] == ForceBy::Law;
+        let pushes = |&k: &usize| cables[k].course.is_mast() && self.model.cables[k].by == ForceBy::Law;
         let pushing = (0..densities.len()).filter(pushes).collect();
         Given { stresses: self.reference_stresses(reference), densities, pushing }
     }
@@ -95,7 +97,7 @@ impl Run<'_> {
             let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
             let held = Constraint::value(Box::new(quantity.clone()), quantity.value(reference));
             // Before the volumes, which come last.
-            let lengths = self.model.forces_by.iter().filter(|by| matches!(by, ForceBy::Length(_))).count();
+            let lengths = self.model.cables.iter().filter(|cable| matches!(cable.by, ForceBy::Length(_))).count();
             body.constraints.insert(lengths + place, held);
         }
         let triangles = self.model.triangles();
@@ -126,7 +128,7 @@ impl Run<'_> {
     fn found_multipliers(&self, state: &State<Frame>, pushing: &[usize]) -> (Vec<f64>, Vec<f64>) {
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         let mut more = vec![0.0; self.model.cables.len()];
-        let by_length = (0..more.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
+        let by_length = (0..more.len()).filter(|&k| matches!(self.model.cables[k].by, ForceBy::Length(_)));
         for k in by_length.chain(pushing.iter().copied()) {
             more[k] = multipliers.next().unwrap_or(0.0);
         }
@@ -159,7 +161,7 @@ impl Run<'_> {
         if let Some(forces) = self.model.ring_forces(structure) {
             loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
         }
-        for cable in &self.model.cables {
+        for ModelCable { term: cable, .. } in &self.model.cables {
             for &segment in &cable.segments {
                 let half = structure.up * (0.5 * cable.weight * energy::length::length(segment, at));
                 segment.into_iter().for_each(|v| loads[v as usize] -= half);

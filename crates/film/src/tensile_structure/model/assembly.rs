@@ -2,7 +2,7 @@
 //! chambers.
 
 use super::cable_force::ForceBy;
-use super::{Layer, Model, Renewal, Stage};
+use super::{Layer, Model, ModelCable, Renewal, Stage};
 use crate::energy::cable::CableCondition;
 use crate::energy::{self, Load, Term, Volume, Weight};
 use crate::equilibrium::{Body, BodyDefect, Constraint, Determined, Freedom};
@@ -67,7 +67,7 @@ impl Model {
         for (k, &fixed) in self.air_fixed.iter().enumerate() {
             body.freedoms[self.films + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
         }
-        for (k, chain) in self.chains.iter().enumerate() {
+        for (k, ModelCable { chain, .. }) in self.cables.iter().enumerate() {
             // Nothing but the film holds a slack cable across it.
             if self.is_let_go(k) && matches!(structure.cables[k].course, Course::Across(_)) {
                 continue;
@@ -112,12 +112,12 @@ impl Model {
 
     /// Adds the energy of a cable and the constraint that determines its force, if there is one.
     fn add_cable(&self, body: &mut Body, structure: &Structure, k: usize, stage: Stage) {
-        let (cable, by) = (&self.cables[k], self.forces_by[k]);
+        let ModelCable { term: cable, by, further_forces, .. } = &self.cables[k];
         // A straight cable in the air has no other shape, so its length is a constraint from the start.
         let by_length = matches!(by, ForceBy::Length(_) | ForceBy::Elastic { .. });
         let at_start = match stage {
             // The length of a straight chain has no gradient across it, so it cannot be a constraint yet.
-            Stage::Settling => match by {
+            Stage::Settling => match *by {
                 ForceBy::Equation(_) => true,
                 ForceBy::Length(_) => cable.segments.len() > 1,
                 ForceBy::Law | ForceBy::Elastic { .. } => false,
@@ -130,10 +130,10 @@ impl Model {
             return;
         }
         body.terms.push(Box::new(cable.clone()));
-        for (&segment, &tension) in cable.segments.iter().zip(&self.further_forces[k]) {
+        for (&segment, &tension) in cable.segments.iter().zip(further_forces) {
             body.terms.push(Box::new(energy::Length { segments: vec![segment], tension }));
         }
-        let determined = match by {
+        let determined = match *by {
             ForceBy::Law => return,
             ForceBy::Length(length) => Determined::Value(-length),
             ForceBy::Elastic { unstressed, stiffness } => {
@@ -169,12 +169,12 @@ impl Model {
 
     /// Adds a cable to the body with its start force in place of the condition that determines its force.
     fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
-        let cable = &self.cables[k];
-        if self.forces_by[k] == ForceBy::Law {
+        let ModelCable { term: cable, by, start_force: force, .. } = &self.cables[k];
+        if *by == ForceBy::Law {
             body.terms.push(Box::new(cable.clone()));
             return;
         }
-        let force = self.start_forces[k];
+        let force = *force;
         if cable.weight == 0.0 {
             body.terms.push(Box::new(energy::Length { segments: cable.segments.clone(), tension: force }));
             return;
@@ -257,9 +257,9 @@ impl Model {
         let mut pull = vec![DVec3::ZERO; at.len()];
         field.prestress(triangles, &at).add_gradient(&at, &mut pull);
         pull.iter_mut().zip(&loads).for_each(|(pull, load)| *pull -= *load);
-        for ((cable, chain), further) in structure.cables.iter().zip(&self.chains).zip(&mut self.further_forces) {
+        for (cable, own) in structure.cables.iter().zip(&mut self.cables) {
             if cable.course.ends_in_the_air().is_none() {
-                *further = pulls_along(chain, cable.mode, &pull, &at);
+                own.further_forces = pulls_along(&own.chain, cable.mode, &pull, &at);
             }
         }
         Ok(change)

@@ -1,7 +1,7 @@
 //! The model of a structure: its mesh, the vertices and the start forces of its cables, and its supports.
 
 use super::cable_force::{ForceBy, Swing, law, start_force};
-use super::{Layer, Model, MovingRing};
+use super::{Layer, Model, ModelCable, MovingRing, segments};
 use crate::energy;
 use crate::energy::cable::Law;
 use crate::equilibrium::{Contact, Freedom};
@@ -66,7 +66,7 @@ impl Model {
             air_fixed: Vec::new(),
             joined: 0,
             rings: Vec::new(),
-            chains: Vec::new(),
+            cables: Vec::new(),
             free: Vec::new(),
             input_vertices,
             cap_volume: 0.0,
@@ -74,13 +74,8 @@ impl Model {
             sliding: Vec::new(),
             contacts: Vec::new(),
             at_contacts: BTreeSet::new(),
-            cables: Vec::new(),
-            forces_by: Vec::new(),
-            start_forces: Vec::new(),
-            swings: Vec::new(),
             start_edge: 0.0,
             stress_field: None,
-            further_forces: vec![Vec::new(); structure.cables.len()],
             warnings,
         };
         for sliding in &structure.sliding {
@@ -105,17 +100,18 @@ impl Model {
     fn add_cables(&mut self, structure: &Structure, across: Vec<Vec<u32>>) -> Result<(), Error> {
         let lost = || Error::no_result(Reason::InvalidMesh, "a cable across the film has no edges in the initial mesh");
         let mut across = across.into_iter();
+        let mut chains = Vec::with_capacity(structure.cables.len());
         for cable in &structure.cables {
             let chain = match &cable.course {
                 Course::Boundary { boundary, from, to } => self.along(*boundary, *from, *to),
                 Course::Across(_) => self.across(&across.next().unwrap_or_default()).ok_or_else(lost)?,
                 Course::Air(ends) | Course::Mast(ends) => self.through_the_air(structure, cable, *ends),
             };
-            self.chains.push(chain);
+            chains.push(chain);
         }
         let vertices = self.vertices();
-        for (cable, chain) in structure.cables.iter().zip(&self.chains) {
-            let segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        for (cable, chain) in structure.cables.iter().zip(chains) {
+            let segments = segments(&chain);
             let ends = [chain[0], chain[chain.len() - 1]].map(|v| vertices[v as usize]);
             let held = |v: u32| (v as usize).checked_sub(self.films).is_some_and(|k| self.air_fixed[k]);
             let hangs_between_supports =
@@ -124,10 +120,14 @@ impl Model {
                 Some(Ok(force)) if hangs_between_supports => (Law::Force(force), ForceBy::Law),
                 _ => law(cable),
             };
-            self.start_forces.push(start_force(cable, structure, &segments, &vertices));
-            self.swings.push(Swing::default());
-            self.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
-            self.forces_by.push(by);
+            self.cables.push(ModelCable {
+                start_force: start_force(cable, structure, &segments, &vertices),
+                term: energy::Cable::new(segments, law).heavy(cable.weight, structure.up),
+                by,
+                swing: Swing::default(),
+                further_forces: Vec::new(),
+                chain,
+            });
         }
         Ok(())
     }
