@@ -166,11 +166,7 @@ pub(super) fn finish(
     }
     let mut vertices = mesh.vertices;
     place_supports(structure, &model, &holds, &mut vertices);
-    let travel = |(ring, moving): (&Ring, &MovingRing)| {
-        let start = structure.boundaries[ring.boundary][0];
-        (vertices[model.input_vertices[ring.boundary][0] as usize] - start).dot(moving.axis)
-    };
-    let ring_travels = structure.rings.iter().zip(&model.rings).map(travel).collect();
+    let ring_travels = ring_travels(structure, &model, &vertices);
     Ok(TensileStructure {
         mesh: Mesh::new(vertices, triangles),
         boundaries: model.boundaries().to_vec(),
@@ -185,6 +181,15 @@ pub(super) fn finish(
         statistics,
         warnings,
     })
+}
+
+/// The distance of each ring from its place in the input, along its axis.
+fn ring_travels(structure: &Structure, model: &Model, vertices: &[DVec3]) -> Vec<f64> {
+    let travel = |(ring, moving): (&Ring, &MovingRing)| {
+        let start = structure.boundaries[ring.boundary][0];
+        (vertices[model.input_vertices[ring.boundary][0] as usize] - start).dot(moving.axis)
+    };
+    structure.rings.iter().zip(&model.rings).map(travel).collect()
 }
 
 /// Gives the boundary's fixed vertices exactly the coordinates of the input.

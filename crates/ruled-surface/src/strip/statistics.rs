@@ -272,6 +272,21 @@ fn triangle<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Brid
     BridgeTriangle::new(bank, bank.dot(bank), bridge, bridge_squared)
 }
 
+/// The normal variation with the given normals, and with those of the other side.
+#[inline(always)]
+fn normal_variations<V: Lanes>(
+    simd: V::Simd,
+    bridge: Vector<V>,
+    tangents: [Vector<V>; 2],
+    normals: [Vector<V>; 2],
+) -> [V; 2] {
+    let back = V::splat(simd, -1.0);
+    [
+        weight::normal_variation(bridge, tangents, normals),
+        weight::normal_variation(bridge, tangents, [normals[0].times(back), normals[1].times(back)]),
+    ]
+}
+
 /// The code below has no closures over lanes, because the compiler does not compile closures for the instructions that
 /// [`Lanes::run`] enables.
 impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
@@ -324,14 +339,11 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
             let right = BridgeTriangle::select(V::from_bits(simd, leaves_by_p), &triangles[2], &triangles[3]);
             let tangents = [vector::<V>(simd, &rows[1]), vector(simd, &rows[2])];
             let twist = weight::twist(bridge, tangents[0], tangents[1]);
-            let zero = V::splat(simd, 0.0);
-            let mut variation = [zero; 2];
-            if strip.has_normals() {
-                let (normals, back) = ([vector::<V>(simd, &rows[3]), vector(simd, &rows[4])], V::splat(simd, -1.0));
-                variation[0] = weight::normal_variation(bridge, tangents, normals);
-                variation[1] =
-                    weight::normal_variation(bridge, tangents, [normals[0].times(back), normals[1].times(back)]);
-            }
+            let variation = if strip.has_normals() {
+                normal_variations(simd, bridge, tangents, [vector(simd, &rows[3]), vector(simd, &rows[4])])
+            } else {
+                [V::splat(simd, 0.0); 2]
+            };
             let sound = V::bits(left.sound & right.sound);
             let bending = weight::bending(squared, &left, &right);
             let curvature = weight::mean_curvature(
