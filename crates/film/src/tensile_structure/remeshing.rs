@@ -35,6 +35,72 @@ pub(super) struct Fineness {
     pub all_points: bool,
 }
 
+/// The curves of a film that keep their place or their kind when the film is remeshed.
+struct Outline {
+    /// The kind of each vertex of the film.
+    kinds: Vec<Kind>,
+    curves: Vec<Curve>,
+    /// For each stretch its support; stretch 0 has all edges that are held.
+    supports: Vec<Option<usize>>,
+    /// For each stretch whether it moves.
+    flexible: Vec<bool>,
+}
+
+impl Outline {
+    /// Begins a stretch that moves, and returns its number.
+    fn begin(&mut self, support: Option<usize>) -> u32 {
+        self.supports.push(support);
+        self.flexible.push(true);
+        self.flexible.len() as u32 - 1
+    }
+
+    /// Adds a boundary. `along` tells for each of its edges along what it runs.
+    fn add_rim(&mut self, rim: &[u32], along: &[Along], named: &BTreeSet<u32>) {
+        let count = rim.len();
+        let is_kept = |k: usize| {
+            let (before, after) = (along[(k + count - 1) % count], along[k]);
+            before != after || after == Along::default() || named.contains(&rim[k])
+        };
+        let first = (0..count).find(|&k| is_kept(k)).unwrap_or(0);
+        let mut curve = Curve { vertices: Vec::with_capacity(count), stretches: Vec::with_capacity(count) };
+        let mut stretch = None;
+        for k in (0..count).map(|k| (first + k) % count) {
+            let kept = is_kept(k);
+            let own = match stretch {
+                Some(stretch) if !kept => stretch,
+                _ if along[k] == Along::default() => 0,
+                _ => self.begin(along[k].support),
+            };
+            stretch = Some(own);
+            self.kinds[rim[k] as usize] = if kept { Kind::Kept } else { Kind::Along(own) };
+            curve.vertices.push(rim[k]);
+            curve.stretches.push(own);
+        }
+        self.curves.push(curve);
+    }
+
+    /// Adds a line across the film. `crossed` has the vertices inside the lines before it, and gets those of this one.
+    fn add_line(&mut self, chain: &[u32], crossed: &mut BTreeSet<u32>) {
+        let mut curve = Curve { vertices: chain.to_vec(), stretches: Vec::new() };
+        let mut stretch = 0;
+        for (k, &v) in chain.iter().enumerate() {
+            let is_end = k == 0 || k + 1 == chain.len();
+            let is_kept = is_end || self.kinds[v as usize] != Kind::Inside || crossed.contains(&v);
+            if is_kept {
+                stretch = self.begin(None);
+            }
+            if !is_end {
+                self.kinds[v as usize] = if is_kept { Kind::Kept } else { Kind::Along(stretch) };
+                crossed.insert(v);
+            }
+            if k + 1 < chain.len() {
+                curve.stretches.push(stretch);
+            }
+        }
+        self.curves.push(curve);
+    }
+}
+
 impl Model {
     /// The cable and the support of each edge of each boundary.
     fn parts(&self, structure: &Structure) -> Vec<Vec<Along>> {
@@ -100,82 +166,13 @@ impl Model {
         fineness: Fineness,
         exec: &Execution,
     ) -> Result<Option<Neck>, Interruption> {
-        let parts = self.parts(structure);
-        let named = self.named(structure);
-        let film = &self.layers[0].film;
-        let mut kinds = vec![Kind::Inside; film.vertices.len()];
-        let mut curves = Vec::new();
-        // For each stretch its support; stretch 0 has all edges that are held.
-        let mut supports: Vec<Option<usize>> = vec![None];
-        let mut flexible = vec![false];
-        for (rim, along) in film.boundaries.iter().zip(&parts) {
-            let count = rim.len();
-            let is_kept = |k: usize| {
-                let (before, after) = (along[(k + count - 1) % count], along[k]);
-                before != after || after == Along::default() || named.contains(&rim[k])
-            };
-            let first = (0..count).find(|&k| is_kept(k)).unwrap_or(0);
-            let mut curve = Curve { vertices: Vec::with_capacity(count), stretches: Vec::with_capacity(count) };
-            let mut stretch = None;
-            for k in (0..count).map(|k| (first + k) % count) {
-                let kept = is_kept(k);
-                if kept || stretch.is_none() {
-                    stretch = Some(if along[k] == Along::default() {
-                        0
-                    } else {
-                        supports.push(along[k].support);
-                        flexible.push(true);
-                        flexible.len() as u32 - 1
-                    });
-                }
-                let stretch = stretch.unwrap_or(0);
-                kinds[rim[k] as usize] = if kept { Kind::Kept } else { Kind::Along(stretch) };
-                curve.vertices.push(rim[k]);
-                curve.stretches.push(stretch);
-            }
-            curves.push(curve);
-        }
-        let mut crossed = BTreeSet::new();
-        let lines = || {
-            let across = |(cable, _): &(&super::options::Cable, _)| matches!(cable.course, Course::Across(_));
-            structure.cables.iter().zip(&self.cables).filter(across).map(|(_, own)| &own.chain)
-        };
-        for chain in lines() {
-            let mut curve = Curve { vertices: chain.clone(), stretches: Vec::new() };
-            for (k, &v) in chain.iter().enumerate() {
-                let is_end = k == 0 || k + 1 == chain.len();
-                let is_kept = is_end || kinds[v as usize] != Kind::Inside || crossed.contains(&v);
-                if is_kept {
-                    supports.push(None);
-                    flexible.push(true);
-                }
-                if !is_end {
-                    kinds[v as usize] = if is_kept { Kind::Kept } else { Kind::Along(flexible.len() as u32 - 1) };
-                    crossed.insert(v);
-                }
-                if k + 1 < chain.len() {
-                    curve.stretches.push(flexible.len() as u32 - 1);
-                }
-            }
-            curves.push(curve);
-        }
-        // A vertex that a later line keeps may lie inside a stretch of an earlier one, whose edges stay one stretch.
-        let mut inside = vec![Vec::new(); flexible.len()];
-        for (points, rim) in self.input_vertices.iter().zip(&curves) {
-            let place: BTreeMap<u32, usize> = rim.vertices.iter().enumerate().map(|(k, &v)| (v, k)).collect();
-            let mut own: Vec<u32> = points.clone();
-            own.sort_unstable_by_key(|v| place.get(v));
-            own.dedup();
-            for v in own {
-                if let Kind::Along(stretch) = kinds[v as usize] {
-                    inside[stretch as usize].push(v);
-                }
-            }
-        }
+        let Outline { kinds, curves, supports, flexible } = self.outline(structure);
+        let inside = self.points_inside(&kinds, &curves, flexible.len());
         let points = |stretch: usize| if fineness.all_points { inside[stretch].len() } else { 0 };
         let fewest = (0..flexible.len()).map(|stretch| points(stretch).max(FEWEST)).collect();
         let before: Vec<u32> = (0..).zip(&kinds).filter(|(_, kind)| **kind == Kind::Kept).map(|(v, _)| v).collect();
-        let mut moving = MovingFilm { film: film.clone(), kinds, curves, flexible, fewest, named: before.clone() };
+        let film = self.layers[0].film.clone();
+        let mut moving = MovingFilm { film, kinds, curves, flexible, fewest, named: before.clone() };
         moving.renew_curves();
         let onto = |stretch: u32, place: DVec3| match supports[stretch as usize] {
             Some(support) => self.supports[support].nearest(place),
@@ -204,6 +201,46 @@ impl Model {
         }
         self.take(structure, moving, |v| number.get(&v).copied());
         Ok(neck)
+    }
+
+    /// The boundaries and the lines across the film as curves of stretches, boundaries first.
+    fn outline(&self, structure: &Structure) -> Outline {
+        let named = self.named(structure);
+        let film = &self.layers[0].film;
+        let mut outline = Outline {
+            kinds: vec![Kind::Inside; film.vertices.len()],
+            curves: Vec::new(),
+            supports: vec![None],
+            flexible: vec![false],
+        };
+        for (rim, along) in film.boundaries.iter().zip(&self.parts(structure)) {
+            outline.add_rim(rim, along, &named);
+        }
+        let mut crossed = BTreeSet::new();
+        for (cable, own) in structure.cables.iter().zip(&self.cables) {
+            if matches!(cable.course, Course::Across(_)) {
+                outline.add_line(&own.chain, &mut crossed);
+            }
+        }
+        outline
+    }
+
+    /// For each stretch the input points inside it, in the order along the boundary. A vertex that a later line keeps
+    /// may lie inside a stretch of an earlier one, whose edges stay one stretch.
+    fn points_inside(&self, kinds: &[Kind], curves: &[Curve], stretches: usize) -> Vec<Vec<u32>> {
+        let mut inside = vec![Vec::new(); stretches];
+        for (points, rim) in self.input_vertices.iter().zip(curves) {
+            let place: BTreeMap<u32, usize> = rim.vertices.iter().enumerate().map(|(k, &v)| (v, k)).collect();
+            let mut own: Vec<u32> = points.clone();
+            own.sort_unstable_by_key(|v| place.get(v));
+            own.dedup();
+            for v in own {
+                if let Kind::Along(stretch) = kinds[v as usize] {
+                    inside[stretch as usize].push(v);
+                }
+            }
+        }
+        inside
     }
 
     /// Replaces the film by the remeshed one. `number` gives the new number of every old vertex that the model refers

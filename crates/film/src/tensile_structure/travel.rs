@@ -13,17 +13,19 @@
 //! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there
 //! is no equilibrium.
 
+mod ending;
+
 use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Run, Stop};
-use super::model::{Model, ModelCable, Stage};
-use super::options::{Cable, CableMode, Course, FilmPrestress, Pressure, Sliding, SlidingPart, cable_place};
+use super::model::{Model, Stage};
+use super::options::{Cable, CableMode, FilmPrestress, Pressure, Sliding};
 use super::remeshing::Fineness;
 use super::taut_start::{Held, taut};
 use crate::equilibrium::settling::{Pace, Settler, energy};
 use crate::equilibrium::{Body, Determined};
 use crate::minimal_surface::StopReason;
+use ending::Watch;
 use plateau_mesh::error::InputError;
-use plateau_mesh::remesh::moving::Neck;
-use plateau_mesh::{DVec3, Error, Place, Progress, measure};
+use plateau_mesh::{DVec3, Error, Progress, measure};
 
 /// Number of triangles of the first, coarsest level. With 100 to 300 triangles random structures are found equally
 /// often.
@@ -42,11 +44,6 @@ const SETTLED: f64 = 0.05;
 const COARSE_TOLERANCE: f64 = 1e-4;
 /// A mesh with an angle above this one (in radians: 137°) is renewed once Newton's method has converged on the mesh.
 const WORN: f64 = 2.4;
-/// A cable of given force counts as shrinking only below this length, in spans. Its forces cannot balance before it has
-/// shrunk to nothing or found its length, so a failure of Newton's method on the way is not counted.
-const SHORT: f64 = 0.2;
-/// A cable counts as shrinking if a round leaves it shorter than this fraction of its length before.
-const SHRINKS: f64 = 0.97;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// Newton's method is tried again after this number of rounds times one more than the number of failures so far, among
@@ -55,13 +52,6 @@ const MAX_ROUNDS: u32 = 400;
 const WAIT: u32 = 2;
 /// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;
-/// Consecutive rounds in which a corner or a narrow place goes on closing before it counts as closed.
-const CLOSING: u32 = 10;
-/// A corner below this angle, in degrees, may be closing. Sharp corners open again, so the angle alone decides nothing.
-const CLOSES: f64 = 3.0;
-/// A corner counts as closed if it stays below this angle, in degrees, for [`STAYS_CLOSED`] rounds.
-const CLOSED: f64 = 0.2;
-const STAYS_CLOSED: u32 = 3;
 /// The attempts. Those from a taut start and those with growing tension are made only for structures without chambers.
 const ATTEMPTS: [Attempt; 6] = [
     Attempt { from: None, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
@@ -71,8 +61,6 @@ const ATTEMPTS: [Attempt; 6] = [
     Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
     Attempt { from: Some(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
 ];
-/// A vertex runs away beyond this distance from the start's centre, in radii of the start.
-const FAR: f64 = 20.0;
 /// Largest number of kicks along an unstable mode, and their length in edges.
 const MAX_KICKS: u32 = 3;
 const KICK: f64 = 0.3;
@@ -104,35 +92,46 @@ impl Attempt {
     }
 }
 
-/// Figures that an attempt follows from round to round to see whether a part closes or shrinks to nothing.
-struct Watch {
-    centre: DVec3,
-    radius: f64,
-    span: f64,
-    area: f64,
-    least_angle: f64,
-    closing: u32,
-    closed: u32,
-    narrow: Option<Strait>,
-    last_width: f64,
-    pinching: u32,
-    necks: u32,
-    last_neck: Option<Neck>,
-    /// A shape in equilibrium on the last level, whose mesh is to be renewed. It has no neck.
-    worn: Option<Model>,
-    compressed: u32,
-    /// The length of the shortest cable of given force in the air, and whether it is shrinking.
-    shortest: f64,
-    shrinks: bool,
+/// The state of an attempt between two rounds.
+struct Trip {
+    attempt: Attempt,
+    settler: Settler,
+    /// Number of triangles of the present level.
+    level: f64,
+    /// Whether the level has just begun, so that its mesh is to be made.
+    is_fresh: bool,
+    rounds: u32,
+    /// Number of the last rounds in a row that found no step.
+    stuck: u32,
+    /// The round before which Newton's method is not tried.
+    wait: u32,
+    failures: u32,
+    kicks: u32,
 }
 
-/// The narrowest place between two sides of the film.
-#[derive(Clone, Copy)]
-struct Strait {
-    /// The width over the distance from the nearest corner.
-    ratio: f64,
-    width: f64,
-    place: DVec3,
+impl Trip {
+    fn new(attempt: Attempt, level: f64) -> Self {
+        let settler = Settler::default();
+        Self { attempt, settler, level, is_fresh: true, rounds: 0, stuck: 0, wait: 0, failures: 0, kicks: 0 }
+    }
+
+    /// Goes on to the next finer level.
+    fn grow(&mut self, wanted: f64) {
+        self.level = (GROWTH * self.level).min(wanted);
+        self.is_fresh = true;
+    }
+}
+
+/// What follows a round.
+enum Next {
+    Round,
+    /// Newton's method on a mesh of this edge length.
+    Newton {
+        edge: f64,
+        is_last: bool,
+    },
+    Found,
+    Ended(Ending),
 }
 
 impl Run<'_> {
@@ -272,132 +271,145 @@ impl Run<'_> {
         found: &mut Found,
         watch: &mut Watch,
     ) -> Result<Option<(Ending, Model)>, Stop> {
-        let pace = attempt.pace;
-        let mut settler = Settler::default();
-        let mut level = COARSE.min(self.wanted());
-        let (mut rounds, mut stuck, mut wait, mut failures, mut kicks) = (0, 0, 0, 0, 0);
-        let mut fresh = true;
+        let mut trip = Trip::new(attempt, COARSE.min(self.wanted()));
+        // At most MAX_ROUNDS passes and one, because each pass is a round.
         loop {
-            let is_last = level >= 0.99 * self.wanted();
-            if is_last {
-                level = self.wanted();
-            }
-            let mut edge = self.size(level);
-            if fresh {
-                self.calibration = 1.0;
-                let passes = if rounds == 0 { 3 } else { 2 };
-                self.renew_mesh(edge, passes, is_last, watch)?;
-                for _ in 0..CALIBRATIONS {
-                    if !is_last || !self.misses_count(edge) {
-                        break;
-                    }
-                    self.renew_mesh(edge, 1, is_last, watch)?;
-                }
-                settler.restart();
-                fresh = false;
-            }
-            if rounds >= MAX_ROUNDS {
-                let detail = format!("{rounds} rounds of form finding were not enough");
-                return Ok(Some((Ending::NotFound(detail), self.model.clone())));
-            }
-            rounds += 1;
-            self.model.hang(self.structure);
-            let (mut body, complete) = self.settling_body(attempt.tension(rounds), edge)?;
-            if rounds == 1 {
-                settler.multipliers = self.start_multipliers(&body);
-            }
-            self.look()?;
-            self.count_solve("settle", energy(&body, &body.vertices))?;
-            let round = match settler.round(&mut body, edge, pace) {
-                Ok(round) => round,
-                Err(error) => {
-                    let detail = format!("nothing holds the structure: {error:?}");
-                    return Ok(Some((Ending::NotFound(detail), self.model.clone())));
-                }
+            let next = match self.settle_once(&mut trip, watch)? {
+                Next::Newton { edge, is_last } => self.try_newton(&mut trip, edge, is_last, found, watch)?,
+                next => next,
             };
-            self.model.set_vertices(&body.vertices);
-            self.model.renew_start_forces(self.structure);
-            if let Some(ending) = self.ending(watch, edge) {
-                return Ok(Some((ending, self.model.clone())));
-            }
-            stuck = if round.fraction == 0.0 { stuck + 1 } else { 0 };
-            if stuck >= MAX_STUCK {
-                return Ok(Some((self.stuck(watch), self.model.clone())));
-            }
-            let ramping = rounds < attempt.tension_rounds;
-            let moves = round.moved > REMESH_ABOVE * edge;
-            if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || stuck > 0 || ramping {
-                edge = self.size(level);
-                self.renew_mesh(edge, 1, is_last, watch)?;
-                settler.restart();
-            }
-            if ramping || moves || stuck > 0 || !complete || rounds < wait {
-                continue;
-            }
-            if !is_last && round.step < SETTLED * edge {
-                level = (GROWTH * level).min(self.wanted());
-                fresh = true;
-                continue;
-            }
-            if round.step >= NEWTON_BELOW * edge {
-                continue;
-            }
-            let before = self.model.clone();
-            let tolerance = self.options.tolerance;
-            let reason = self.newton(found, if is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
-            found.stop_reason = reason;
-            let whole = self.model.flipped() == 0;
-            match reason {
-                StopReason::Residual if whole => {
-                    let unstable = found.stability.is_some_and(|stability| stability.least_index > 0);
-                    if unstable && kicks < MAX_KICKS {
-                        kicks += 1;
-                        self.kick(found, KICK * edge);
-                        settler.restart();
-                        continue;
-                    }
-                    let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
-                    let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
-                    if failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
-                        // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is
-                        // renewed.
-                        failures += 3;
-                        if is_last && !unstable && watch.last_neck.is_none() {
-                            watch.worn = Some(self.model.clone());
-                        }
-                        self.renew_mesh(edge, 2, is_last, watch)?;
-                        settler.restart();
-                        continue;
-                    }
-                    if !is_last {
-                        level = (GROWTH * level).min(self.wanted());
-                        fresh = true;
-                        continue;
-                    }
-                    if let Some(neck) = watch.last_neck {
-                        // A neck that is only three edges around is held open by the mesh alone.
-                        return Ok(Some((self.pinched(neck), self.model.clone())));
-                    }
-                    self.model.order_input_first(self.structure);
-                    let again = self.newton(found, tolerance)?;
-                    found.stop_reason = again;
-                    return Ok(None);
-                }
-                StopReason::Residual | StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations
-                    if failures < MAX_FAILURES =>
-                {
-                    failures += u32::from(!watch.shrinks);
-                    wait = rounds + WAIT * (1 + failures);
-                    *self.model = before;
-                    settler.restart();
-                }
-                _ => {
-                    let detail = format!("Newton's method does not converge: the residual is {:.1e}", found.residual);
-                    *self.model = before;
-                    return Ok(Some((Ending::NotFound(detail), self.model.clone())));
-                }
+            match next {
+                Next::Round | Next::Newton { .. } => {}
+                Next::Found => return Ok(None),
+                Next::Ended(ending) => return Ok(Some((ending, self.model.clone()))),
             }
         }
+    }
+
+    /// Makes a round of the settling, and renews the mesh where the round has moved it.
+    fn settle_once(&mut self, trip: &mut Trip, watch: &mut Watch) -> Result<Next, Stop> {
+        let Attempt { pace, tension_rounds, .. } = trip.attempt;
+        let is_last = trip.level >= 0.99 * self.wanted();
+        if is_last {
+            trip.level = self.wanted();
+        }
+        let mut edge = self.size(trip.level);
+        if std::mem::take(&mut trip.is_fresh) {
+            self.begin_level(edge, trip.rounds == 0, is_last, watch)?;
+            trip.settler.restart();
+        }
+        if trip.rounds >= MAX_ROUNDS {
+            let detail = format!("{} rounds of form finding were not enough", trip.rounds);
+            return Ok(Next::Ended(Ending::NotFound(detail)));
+        }
+        trip.rounds += 1;
+        self.model.hang(self.structure);
+        let (mut body, complete) = self.settling_body(trip.attempt.tension(trip.rounds), edge)?;
+        if trip.rounds == 1 {
+            trip.settler.multipliers = self.start_multipliers(&body);
+        }
+        self.look()?;
+        self.count_solve("settle", energy(&body, &body.vertices))?;
+        let round = match trip.settler.round(&mut body, edge, pace) {
+            Ok(round) => round,
+            Err(error) => {
+                return Ok(Next::Ended(Ending::NotFound(format!("nothing holds the structure: {error:?}"))));
+            }
+        };
+        self.model.set_vertices(&body.vertices);
+        self.model.renew_start_forces(self.structure);
+        if let Some(ending) = self.ending(watch, edge) {
+            return Ok(Next::Ended(ending));
+        }
+        trip.stuck = if round.fraction == 0.0 { trip.stuck + 1 } else { 0 };
+        if trip.stuck >= MAX_STUCK {
+            return Ok(Next::Ended(self.stuck(watch)));
+        }
+        let ramping = trip.rounds < tension_rounds;
+        let moves = round.moved > REMESH_ABOVE * edge;
+        let is_stuck = trip.stuck > 0;
+        if moves || round.fraction < 0.9 * pace.relaxation.min(1.0) && pace.accelerated || is_stuck || ramping {
+            edge = self.size(trip.level);
+            self.renew_mesh(edge, 1, is_last, watch)?;
+            trip.settler.restart();
+        }
+        if ramping || moves || is_stuck || !complete || trip.rounds < trip.wait {
+            return Ok(Next::Round);
+        }
+        if !is_last && round.step < SETTLED * edge {
+            trip.grow(self.wanted());
+            return Ok(Next::Round);
+        }
+        Ok(if round.step >= NEWTON_BELOW * edge { Next::Round } else { Next::Newton { edge, is_last } })
+    }
+
+    /// Renews the mesh at the beginning of a level.
+    fn begin_level(&mut self, edge: f64, is_first: bool, is_last: bool, watch: &mut Watch) -> Result<(), Stop> {
+        self.calibration = 1.0;
+        self.renew_mesh(edge, if is_first { 3 } else { 2 }, is_last, watch)?;
+        for _ in 0..CALIBRATIONS {
+            if !is_last || !self.misses_count(edge) {
+                break;
+            }
+            self.renew_mesh(edge, 1, is_last, watch)?;
+        }
+        Ok(())
+    }
+
+    /// Tries Newton's method from the present shape, which stays as it was where the method fails.
+    fn try_newton(
+        &mut self,
+        trip: &mut Trip,
+        edge: f64,
+        is_last: bool,
+        found: &mut Found,
+        watch: &mut Watch,
+    ) -> Result<Next, Stop> {
+        let before = self.model.clone();
+        let tolerance = self.options.tolerance;
+        let reason = self.newton(found, if is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
+        found.stop_reason = reason;
+        if reason != StopReason::Residual || self.model.flipped() > 0 {
+            *self.model = before;
+            if trip.failures >= MAX_FAILURES {
+                let detail = format!("Newton's method does not converge: the residual is {:.1e}", found.residual);
+                return Ok(Next::Ended(Ending::NotFound(detail)));
+            }
+            trip.failures += u32::from(!watch.shrinks);
+            trip.wait = trip.rounds + WAIT * (1 + trip.failures);
+            trip.settler.restart();
+            return Ok(Next::Round);
+        }
+        let unstable = found.stability.is_some_and(|stability| stability.least_index > 0);
+        if unstable && trip.kicks < MAX_KICKS {
+            trip.kicks += 1;
+            self.kick(found, KICK * edge);
+            trip.settler.restart();
+            return Ok(Next::Round);
+        }
+        let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
+        let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
+        if trip.failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
+            // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is renewed.
+            trip.failures += 3;
+            if is_last && !unstable && watch.last_neck.is_none() {
+                watch.worn = Some(self.model.clone());
+            }
+            self.renew_mesh(edge, 2, is_last, watch)?;
+            trip.settler.restart();
+            return Ok(Next::Round);
+        }
+        if !is_last {
+            trip.grow(self.wanted());
+            return Ok(Next::Round);
+        }
+        if let Some(neck) = watch.last_neck {
+            // A neck that is only three edges around is held open by the mesh alone.
+            return Ok(Next::Ended(self.pinched(neck)));
+        }
+        self.model.order_input_first(self.structure);
+        found.stop_reason = self.newton(found, tolerance)?;
+        Ok(Next::Found)
     }
 
     /// The largest distance between a vertex and where it was.
@@ -507,209 +519,5 @@ impl Run<'_> {
             residual: None,
         });
         Ok(())
-    }
-
-    fn watch(&self) -> Watch {
-        let at = self.model.vertices();
-        let centre = plateau_mesh::polyline::mean(&at);
-        let radius = at.iter().map(|p| p.distance(centre)).fold(0.0, f64::max);
-        let (low, high) = at.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
-        Watch {
-            centre,
-            radius,
-            span: low.distance(high),
-            area: self.model.layers[0].film.area(),
-            least_angle: f64::INFINITY,
-            closing: 0,
-            closed: 0,
-            narrow: None,
-            last_width: f64::INFINITY,
-            pinching: 0,
-            necks: 0,
-            last_neck: None,
-            worn: None,
-            compressed: 0,
-            shortest: f64::INFINITY,
-            shrinks: false,
-        }
-    }
-
-    /// The ending of the attempt if the present shape shows that it cannot succeed; `None` if the attempt goes on.
-    fn ending(&self, watch: &mut Watch, edge: f64) -> Option<Ending> {
-        let at = self.model.vertices();
-        let place = |p: DVec3| {
-            let DVec3 { x, y, z } = p + self.model.centre;
-            format!("({x:.4}, {y:.4}, {z:.4})")
-        };
-        let distances = at.iter().map(|p| p.distance(watch.centre)).enumerate();
-        let (v, distance) = distances.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        if distance.is_nan() || distance > FAR * watch.radius {
-            let detail = format!(
-                "a vertex runs away: it is at {}, {:.0} times the radius of the start from its centre",
-                place(at[v]),
-                distance / watch.radius
-            );
-            let own = self.place_of(v as u32).map(|place| InputError::new(place, "runs away"));
-            return Some(Ending::RunsAway(detail, own));
-        }
-        if let Some(ending) = self.corner(watch, &at, &place) {
-            return Some(ending);
-        }
-        self.narrowest(watch, &at, edge);
-        if watch.pinching >= CLOSING
-            && let Some(strait) = watch.narrow
-        {
-            let detail = format!("the film pinches off: it is {:.3e} wide near {}", strait.width, place(strait.place));
-            return Some(Ending::Collapses(detail, None));
-        }
-        if watch.necks >= 6
-            && let Some(neck) = watch.last_neck
-        {
-            return Some(self.pinched(neck));
-        }
-        let mut shortest = f64::INFINITY;
-        for (k, cable) in self.structure.cables.iter().enumerate() {
-            let length = self.model.cables[k].term.length(&at);
-            if matches!(cable.course, Course::Air(_)) && !self.model.holds_length(k) {
-                shortest = shortest.min(length);
-            }
-            let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
-            if length < least * watch.span && !self.model.holds_length(k) {
-                let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
-                // The error names the end of the cable if that end moves, because its place is wrong, not the cable.
-                let end = self.model.cables[k].ends().into_iter().find_map(|v| self.place_of(v));
-                let own = match end {
-                    Some(end) => InputError::new(end, format!("moves to the other end of cable {}", cable.name)),
-                    None => InputError::new(cable_place(self.structure, k), "shrinks to nothing"),
-                };
-                return Some(Ending::Collapses(detail, Some(own)));
-            }
-        }
-        watch.shrinks = shortest < (SHRINKS * watch.shortest).min(SHORT * watch.span);
-        watch.shortest = shortest;
-        let area = self.model.layers[0].film.area();
-        if area < 1e-4 * watch.area {
-            return Some(Ending::Collapses(format!("the film shrinks to an area of {area:.3e}"), None));
-        }
-        if self.structure.has_heavy_layers() {
-            let weights = self.model.weights(self.structure, &at);
-            let least = self.model.triangles().iter().map(|t| weights[0].tension(t, &at)).fold(0.0, f64::min);
-            let tension = self.structure.layers[0].mean() + least;
-            watch.compressed = if tension <= 0.0 { watch.compressed + 1 } else { 0 };
-            if watch.compressed >= 5 {
-                let detail = format!(
-                    "the film's lowest part would be in compression: its weight leaves a tension of {tension:.4}"
-                );
-                let own = InputError::new(Place::field("film").then("weight"), "is more than the tension bears");
-                return Some(Ending::Collapses(detail, Some(own)));
-            }
-        }
-        None
-    }
-
-    /// The ending of a film that closes at a neck.
-    fn pinched(&self, neck: Neck) -> Ending {
-        let DVec3 { x, y, z } = neck.place + self.model.centre;
-        let girth = neck.girth;
-        Ending::Collapses(
-            format!("the film pinches off at a neck of girth {girth:.4} near ({x:.4}, {y:.4}, {z:.4})"),
-            None,
-        )
-    }
-
-    /// The ending of a film that closes at a corner; `None` if it does not close.
-    fn corner(&self, watch: &mut Watch, at: &[DVec3], place: &dyn Fn(DVec3) -> String) -> Option<Ending> {
-        let mut angles = vec![0.0; at.len()];
-        for triangle in self.model.layers[0].film.triangles() {
-            for k in 0..3 {
-                let [a, b, c] = [0, 1, 2].map(|i| at[triangle[(k + i) % 3] as usize]);
-                angles[triangle[k] as usize] += libm::atan2((b - a).cross(c - a).length(), (b - a).dot(c - a));
-            }
-        }
-        let corners = self.model.corners();
-        let &(v, boundary, point) =
-            corners.iter().min_by(|a, b| angles[a.0 as usize].total_cmp(&angles[b.0 as usize]))?;
-        let angle = angles[v as usize].to_degrees();
-        watch.closing = if angle < CLOSES && angle <= 1.02 * watch.least_angle { watch.closing + 1 } else { 0 };
-        watch.closed = if angle < CLOSED { watch.closed + 1 } else { 0 };
-        watch.least_angle = angle;
-        (watch.closing >= CLOSING || watch.closed >= STAYS_CLOSED).then(|| {
-            let detail = format!(
-                "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
-                place(at[v as usize])
-            );
-            // A support does not move: the other end of one of its two sides has moved too far.
-            let ends = self.model.cables.iter().map(ModelCable::ends);
-            let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
-            let own = self
-                .place_of(v)
-                .or_else(|| ends.filter_map(other).find_map(|end| self.place_of(end)))
-                .unwrap_or_else(|| Place::field("boundaries").at(boundary).at(point));
-            Ending::Collapses(detail, Some(InputError::new(own, "the film closes at this point or beside it")))
-        })
-    }
-
-    /// Returns the place in the input of a vertex that can move: a joint, a hub, a free point or a sliding point.
-    /// `None` for other vertices.
-    fn place_of(&self, v: u32) -> Option<Place> {
-        let structure = self.structure;
-        let hubs = structure.rings.iter().enumerate().filter(|(_, ring)| ring.hub.is_some());
-        let in_the_air = (v as usize).checked_sub(self.model.films);
-        let joined = hubs.map(|(k, _)| Place::field("rings").at(k));
-        let mut joined = joined.chain((0..structure.joints.len()).map(|k| Place::field("joints").at(k)));
-        let free = || self.model.free.iter().position(|&own| own == v).map(|k| Place::field("free_points").at(k));
-        let is_here = |point| self.model.input_vertex(point) == v;
-        let slides = |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if is_here(point));
-        let sliding = || structure.sliding.iter().position(slides).map(|k| Place::field("supports").at(k));
-        match in_the_air {
-            Some(k) => joined.nth(k),
-            None => free().or_else(sliding),
-        }
-    }
-
-    /// Finds the narrowest chord between two sides and follows its width in `watch`.
-    fn narrowest(&self, watch: &mut Watch, at: &[DVec3], edge: f64) {
-        let topology = &self.model.layers[0].film.topology;
-        let kept: Vec<DVec3> = self.model.corners().iter().map(|corner| at[corner.0 as usize]).collect();
-        let mut narrow = None::<Strait>;
-        for h in 0..topology.twin.len() as u32 {
-            let (a, b) = (topology.from(h), topology.to(h));
-            if topology.twin[h as usize] <= h
-                || topology.hinge(h).is_none()
-                || !topology.is_boundary(a)
-                || !topology.is_boundary(b)
-            {
-                continue;
-            }
-            let middle = 0.5 * (at[a as usize] + at[b as usize]);
-            let distance = kept.iter().map(|p| p.distance(middle)).fold(watch.span, f64::min);
-            let width = at[a as usize].distance(at[b as usize]);
-            if distance > 1.5 * edge && narrow.is_none_or(|known| width / distance < known.ratio) {
-                narrow = Some(Strait { ratio: width / distance, width, place: middle });
-            }
-        }
-        let thin = narrow.filter(|strait| strait.ratio < 0.03 && strait.width < 0.15 * edge);
-        let goes_on = thin.is_some_and(|strait| strait.width <= 1.05 * watch.last_width);
-        watch.pinching = if goes_on { watch.pinching + 1 } else { 0 };
-        watch.last_width = thin.map_or(f64::INFINITY, |strait| strait.width);
-        watch.narrow = narrow;
-    }
-
-    /// The ending of an attempt in which no step keeps the mesh.
-    fn stuck(&self, watch: &Watch) -> Ending {
-        let narrow = watch.narrow.filter(|strait| strait.ratio < 0.03);
-        if watch.least_angle < CLOSES {
-            let detail = format!("the film closes at a corner: its sides meet at {:.2} degrees", watch.least_angle);
-            return Ending::Collapses(detail, None);
-        }
-        match narrow {
-            Some(strait) => {
-                let DVec3 { x, y, z } = strait.place + self.model.centre;
-                let detail =
-                    format!("the film pinches off: it is {:.3e} wide near ({x:.4}, {y:.4}, {z:.4})", strait.width);
-                Ending::Collapses(detail, None)
-            }
-            None => Ending::NotFound("no step of the form finding keeps the mesh whole".into()),
-        }
     }
 }
