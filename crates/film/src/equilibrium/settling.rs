@@ -17,14 +17,16 @@
 //! Sources: majorisation and minimisation (Hunter, Lange, *A tutorial on MM algorithms*, 2004); for a film alone the
 //! iteration is that of Pinkall and Polthier (1993).
 
+mod springs;
+
 use super::body::Body;
 use super::constraint::Determined;
 use super::dense::Lu;
 use super::freedom::Freedom;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
-use plateau_mesh::sparse::pattern::BlockPattern;
 use plateau_mesh::sparse::{LinearError, Symbolic};
+use springs::Springs;
 
 /// A step may turn no triangle by more than the angle of this cosine. With any angle from 30° to 80° the solver finds
 /// the equilibria of random structures equally often.
@@ -45,9 +47,6 @@ const MOST_FRACTIONS: u32 = 16;
 const CONJUGATE_BELOW: f64 = 0.5;
 /// A step is doubled only while its multiple of the springs' step is below this.
 const LONGEST_FACTOR: f64 = 30.0;
-/// Added to the diagonal, as a fraction of its largest entry, for vertices that nothing holds.
-const LEAST_STIFFNESS: f64 = 1e-12;
-
 /// Limits of the steps, and whether they are accelerated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pace {
@@ -190,90 +189,13 @@ impl Settler {
         gradient: &[DVec3],
         rows: &[Row],
     ) -> Result<(Vec<DVec3>, Vec<f64>), LinearError> {
-        let basis = Basis::new(body, at);
-        let pattern = BlockPattern::new(&basis.counts, |couple| {
-            let mut visit = |element: &[u32]| {
-                let owners: Vec<u32> = element.iter().map(|&v| basis.owner[v as usize]).collect();
-                couple(&owners);
-            };
-            let quantities = body.constraints.iter().map(|constraint| &constraint.quantity);
-            body.terms.iter().chain(quantities).for_each(|term| term.visit_elements(&mut visit));
-        });
-        let mut matrix = pattern.matrix();
-        let values = &mut matrix.values;
-        let mut spring = |a: u32, b: u32, stiffness: f64| {
-            for (v, w, sign) in [(a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)] {
-                let Some(position) = pattern.position(basis.owner[v as usize], basis.owner[w as usize]) else {
-                    continue;
-                };
-                let (own, other) = (basis.of(v), basis.of(w));
-                for (i, u) in own.iter().enumerate() {
-                    for (j, w) in other.iter().enumerate() {
-                        let cosine = if basis.scalar { 1.0 } else { u.dot(*w) };
-                        values[position.at(i, j)] += sign * stiffness * cosine;
-                    }
-                }
-            }
-        };
-        body.terms.iter().for_each(|term| term.visit_springs(at, &mut spring));
-        for (constraint, multiplier) in body.constraints.iter().zip(&self.multipliers) {
-            constraint.quantity.visit_springs(at, &mut |a, b, k| spring(a, b, (-multiplier * k).max(0.0)));
-        }
-        for (v, freedom) in body.freedoms.iter().enumerate() {
-            let Some(number) = freedom.support() else { continue };
-            let Some(position) = pattern.position(v as u32, v as u32) else { continue };
-            let support = &body.supports[number as usize];
-            let tangents = basis.of(v as u32);
-            let curvature =
-                |i: usize, j: usize| gradient[v].dot(support.second_fundamental_form(at[v], tangents[i], tangents[j]));
-            if tangents.len() == 1 {
-                values[position.at(0, 0)] += curvature(0, 0).max(0.0);
-            } else {
-                let positive = positive_part(curvature(0, 0), curvature(0, 1), curvature(1, 1));
-                for i in 0..2 {
-                    for j in 0..2 {
-                        values[position.at(i, j)] += positive[i + j];
-                    }
-                }
-            }
-        }
-        let order = pattern.order();
-        let most = (0..order).map(|row| matrix.diagonal(row).abs()).fold(0.0, f64::max);
-        for row in 0..order {
-            matrix.values[matrix.row_start[row] as usize] += LEAST_STIFFNESS * most;
-        }
-        let columns = if basis.scalar { 3 } else { 1 };
-        let reduced = |vectors: &[DVec3], into: &mut Vec<f64>| {
-            let start = into.len();
-            into.resize(start + columns * order, 0.0);
-            for (v, vector) in vectors.iter().enumerate() {
-                let unknowns = pattern.unknowns(basis.owner[v]);
-                if basis.scalar {
-                    for k in unknowns {
-                        (0..3).for_each(|c| into[start + c * order + k] += vector[c]);
-                    }
-                } else {
-                    unknowns.zip(basis.of(v as u32)).for_each(|(k, towards)| into[start + k] += vector.dot(*towards));
-                }
-            }
-        };
+        let springs = Springs::new(body, at, gradient, &self.multipliers);
         let mut right = Vec::new();
-        reduced(gradient, &mut right);
-        rows.iter().for_each(|row| reduced(&row.gradient, &mut right));
-        let factorised = Symbolic::analyse(&matrix, None)?;
-        factorised.factorise(&matrix)?.solve(&mut right)?;
-        let full = |solution: &[f64]| -> Vec<DVec3> {
-            let of = |v: usize| {
-                let unknowns = pattern.unknowns(basis.owner[v]);
-                if basis.scalar {
-                    unknowns.map(|k| DVec3::from_array([0, 1, 2].map(|c| solution[c * order + k]))).sum()
-                } else {
-                    unknowns.zip(basis.of(v as u32)).map(|(k, towards)| solution[k] * *towards).sum()
-                }
-            };
-            (0..at.len()).map(of).collect()
-        };
-        let mut solutions = right.chunks_exact((columns * order).max(1)).map(full);
+        springs.reduce(gradient, &mut right);
+        rows.iter().for_each(|row| springs.reduce(&row.gradient, &mut right));
+        let factorised = Symbolic::analyse(&springs.matrix, None)?;
+        factorised.factorise(&springs.matrix)?.solve(&mut right)?;
+        let mut solutions = right.chunks_exact(springs.order().max(1)).map(|solution| springs.displacements(solution));
         let Some(mut direction) = solutions.next() else { return Ok((vec![DVec3::ZERO; at.len()], Vec::new())) };
         direction.iter_mut().for_each(|d| *d = -*d);
         let of_rows: Vec<Vec<DVec3>> = solutions.collect();
@@ -290,70 +212,6 @@ impl Settler {
         }
         Ok((direction, changes))
     }
-}
-
-/// The directions of the unknowns of a settling body.
-struct Basis {
-    /// Whether every vertex that moves does so in all directions. It then has one unknown, which is solved for x, y and
-    /// z with the same factor.
-    scalar: bool,
-    counts: Vec<u8>,
-    /// For each vertex the vertex whose unknowns it shares: itself, or the first vertex of its group.
-    owner: Vec<u32>,
-    start: Vec<u32>,
-    directions: Vec<DVec3>,
-}
-
-impl Basis {
-    fn new(body: &Body, at: &[DVec3]) -> Self {
-        let moves_anywhere = |freedom: &Freedom| {
-            matches!(freedom, Freedom::Fixed | Freedom::Normal | Freedom::Across(_) | Freedom::Free)
-        };
-        let scalar = body.freedoms.iter().all(moves_anywhere);
-        let mut first_of = vec![None; body.groups.len()];
-        let owner: Vec<u32> = (0u32..)
-            .zip(&body.freedoms)
-            .map(|(v, freedom)| match *freedom {
-                Freedom::Together(group) => *first_of[group as usize].get_or_insert(v),
-                _ => v,
-            })
-            .collect();
-        let (mut counts, mut start, mut directions) = (Vec::new(), vec![0], Vec::new());
-        for (v, freedom) in body.freedoms.iter().enumerate() {
-            match *freedom {
-                Freedom::Fixed => {}
-                Freedom::Normal | Freedom::Across(_) | Freedom::Free if scalar => directions.push(DVec3::ZERO),
-                Freedom::Normal | Freedom::Across(_) | Freedom::Free => directions.extend(DVec3::AXES),
-                Freedom::On(number) | Freedom::AcrossOn { support: number, .. } => {
-                    let support = &body.supports[number as usize];
-                    directions.extend(&support.tangents(at[v])[..usize::from(support.dimension())]);
-                }
-                Freedom::Together(group) if owner[v] as usize == v => directions.push(body.groups[group as usize]),
-                Freedom::Together(_) => {}
-            }
-            counts.push((directions.len() - start[v] as usize) as u8);
-            start.push(directions.len() as u32);
-        }
-        Self { scalar, counts, owner, start, directions }
-    }
-
-    fn of(&self, v: u32) -> &[DVec3] {
-        let owner = self.owner[v as usize] as usize;
-        &self.directions[self.start[owner] as usize..self.start[owner + 1] as usize]
-    }
-}
-
-/// The entries (0, 0), (0, 1) and (1, 1) of the positive part of the symmetric matrix with these entries a, b and c.
-fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
-    let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
-    let (low, high) = (mean - half, mean + half);
-    if low >= 0.0 || half == 0.0 {
-        let whole = f64::from(u8::from(low >= 0.0));
-        return [whole * a, whole * b, whole * c];
-    }
-    // The positive part is high times the projector (M - low) / (high - low) on the eigenvector of high.
-    let factor = high.max(0.0) / (high - low);
-    [factor * (a - low), factor * b, factor * (c - low)]
 }
 
 fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
