@@ -32,6 +32,14 @@ pub struct AngleRange {
     pub max: f64,
 }
 
+impl AngleRange {
+    /// The range in degrees of two angles in radians.
+    #[must_use]
+    pub fn of_radians((min, max): (f64, f64)) -> Self {
+        Self { min: min.to_degrees(), max: max.to_degrees() }
+    }
+}
+
 /// Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
 /// weight of a cable a force per length, and an axial stiffness a force.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -89,7 +89,8 @@ pub(super) struct NoCatenary {
 
 impl Catenary {
     /// The tautest catenary of a cable between two points. `None` if the cable has no weight, if the points are one
-    /// above the other, or if the cable's value is beyond all catenaries in a way that [`NoCatenary`] does not describe.
+    /// above the other, or if the cable's value is beyond all catenaries in a way that [`NoCatenary`] does not
+    /// describe.
     pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, NoCatenary> {
         let span = ends[1] - ends[0];
         let across = span.reject_from_normalized(up);

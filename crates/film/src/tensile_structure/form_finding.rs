@@ -26,6 +26,7 @@ use crate::equilibrium::{Aim, Body, Frame, Freedom, Outcome, Settings, Stability
 use crate::minimal_surface::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
+use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::measure::normals;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use plateau_mesh::sparse::LinearError;
@@ -378,8 +379,7 @@ impl Run<'_> {
 
     pub fn look(&self) -> Result<(), Stop> {
         let count: usize = self.model.layers.iter().map(|layer| layer.film.triangles().len()).sum();
-        let work = 20 * count as u64;
-        self.exec.look(work).map_err(|interruption| Stop::from(Error::from(interruption)))
+        self.exec.look(WORK_PER_TRIANGLE * count as u64).map_err(|interruption| Stop::from(Error::from(interruption)))
     }
 
     /// Step 1.

@@ -122,7 +122,7 @@ impl Trip {
     }
 }
 
-/// What follows a round.
+/// The step that follows a round.
 enum Next {
     Round,
     /// Newton's method on a mesh of this edge length.

@@ -1,4 +1,4 @@
-//! What determines the force of a cable, and the force with which its form finding begins.
+//! Forces of cables: the quantity that determines each, and the force with which form finding begins.
 
 use crate::energy;
 use crate::energy::cable::{self, Equation, Law};

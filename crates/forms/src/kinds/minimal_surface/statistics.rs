@@ -217,10 +217,7 @@ impl MinimalStatistics {
             history: statistics.history.clone(),
             stability: statistics.stability,
             edge_lengths: statistics.quality.edge_lengths,
-            angles_deg: AngleRange {
-                min: statistics.quality.angles.0.to_degrees(),
-                max: statistics.quality.angles.1.to_degrees(),
-            },
+            angles_deg: AngleRange::of_radians(statistics.quality.angles),
             edges_swapped: statistics.edges_swapped,
             flipped_triangles: statistics.quality.flipped_triangles,
             degenerate_triangles: statistics.quality.degenerate_triangles,

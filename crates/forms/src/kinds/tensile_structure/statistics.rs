@@ -225,9 +225,7 @@ impl TensileStatistics {
                 residual_force: balance.residual_force,
             }),
             stress: statistics.stress,
-            contact_angle_deg: statistics
-                .contact_angle
-                .map(|(min, max)| AngleRange { min: min.to_degrees(), max: max.to_degrees() }),
+            contact_angle_deg: statistics.contact_angle.map(AngleRange::of_radians),
             stability: statistics.stability,
             minimum_slope_deg: statistics.minimum_slope.to_degrees(),
             minimum_slope_at: statistics.flattest_place.to_array(),
@@ -242,7 +240,7 @@ impl TensileStatistics {
             stop_reason: statistics.stop_reason.name(),
             iterations: statistics.iterations,
             edge_lengths: statistics.quality.edge_lengths,
-            angles_deg: AngleRange { min: statistics.quality.angles.0.to_degrees(), max: statistics.quality.angles.1.to_degrees() },
+            angles_deg: AngleRange::of_radians(statistics.quality.angles),
             flipped_triangles: statistics.quality.flipped_triangles,
             degenerate_triangles: statistics.quality.degenerate_triangles,
             self_intersections: crossings.pairs,

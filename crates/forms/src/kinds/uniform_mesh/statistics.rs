@@ -182,7 +182,7 @@ impl UniformStatistics {
             self_intersections_skipped: crossings.skipped,
             converged: mesh.converged,
             surface: statistics.surface.map(Into::into),
-            angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
+            angles_deg: AngleRange::of_radians(statistics.angles),
             length_histogram: statistics.length_histogram.clone(),
             valence_histogram: statistics.valence_histogram.clone(),
             node_lower_bound: statistics.node_lower_bound,

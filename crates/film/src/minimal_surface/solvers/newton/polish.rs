@@ -1,5 +1,5 @@
-//! Better triangles for a film that has converged: flipped triangles are opened, small angles widened, and vertices slide
-//! along the film.
+//! Better triangles for a film that has converged: flipped triangles are opened, small angles are widened, and vertices
+//! slide along the film.
 
 use super::Solve;
 use crate::equilibrium::newton::{Aim, Direct};
