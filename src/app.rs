@@ -209,8 +209,8 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
 }
 
 /// Sweeps the store every minute, and every 5 s while the store refuses jobs or results, unless another process on the
-/// same database does. Recovers lost leases at least three times in a lease, because the store would take a longer
-/// pause for an outage of the database.
+/// same database sweeps it. Looks for lost leases at least three times within the length of a lease, because a longer
+/// pause between two such looks counts as an outage of the database.
 async fn sweep(store: Store) {
     let mut swept_at = None;
     loop {

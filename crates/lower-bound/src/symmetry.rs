@@ -319,7 +319,7 @@ mod tests {
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), [-1, -1, 0]);
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 0.01 * y, y, x * x))]), [0, 0, 0]);
-        // Coordinates that are rounded.
+        // Rounded coordinates keep their symmetry only up to the rounding.
         let rounded = |p: DVec3| (p * 1e3).round() * 1e-3;
         assert_eq!(signs(&[circle(24, |x, y| offset + rounded(DVec3::new(x, y, x * x)))]), [-1, -1, 0]);
         // A regular polygon of 23 sides has one axis.

@@ -54,7 +54,8 @@ pub(super) struct Damping {
     pub densities: f64,
     /// Damping of the positions, per square of a length.
     pub positions: f64,
-    /// Square of the out-of-balance force that costs as much as a loss of one. Zero holds the linearised equilibrium.
+    /// Square of the unbalanced force that costs as much as a loss of one. With zero the step meets the linearised
+    /// equations of equilibrium exactly.
     pub softness: f64,
 }
 

@@ -39,8 +39,7 @@ const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
 const DIRECTIONS: usize = 20;
 /// Numbers of slabs into which the parts that lie over themselves are cut. The numbers are tried one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
-/// Largest number of patches that are cut into slabs, each counted as often as it is cut, as a multiple of the mesh's
-/// patches.
+/// Bound on the work of cutting: the number of cuts of a patch into slabs, over the number of patches of the mesh.
 const SLAB_WORK: usize = 4;
 /// Largest number of times that the boundary of a chart may pass through one vertex.
 const PASSES: usize = 16;

@@ -19,7 +19,7 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ConvexityTest {
     Exact,
-    /// The sine of the angle that a direction may reach beyond the half-plane.
+    /// The sine of the angle by which a direction may lie outside the half-plane.
     Within(f64),
 }
 
