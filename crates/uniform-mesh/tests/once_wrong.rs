@@ -100,7 +100,9 @@ fn three_concentric_loops_in_a_plane_have_no_connected_film_and_that_is_said() {
         Err(Error::NoResult { reason, places, .. }) => {
             assert_eq!((reason.name(), places[0].place.to_string().as_str()), ("no_connected_film", "/topology"));
         }
-        other => panic!("{:?}", other.map(|surface| (surface.statistics.area, surface.statistics.flipped_triangles))),
+        other => {
+            panic!("{:?}", other.map(|surface| (surface.statistics.area, surface.statistics.quality.flipped_triangles)))
+        }
     }
 }
 
@@ -128,7 +130,7 @@ fn rings_nearer_than_a_hundred_thousandth_of_their_radius_end() {
         let surface = spanned(&rings, &by_topology(TopologyRule::Best, 1200)).unwrap();
         let statistics = &surface.statistics;
         println!("{gap}: area {}, {} components", statistics.area, statistics.components);
-        assert!(statistics.area < 2.0 * PI && statistics.flipped_triangles == 0);
+        assert!(statistics.area < 2.0 * PI && statistics.quality.flipped_triangles == 0);
     }
 }
 
