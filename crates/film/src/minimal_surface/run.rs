@@ -1,8 +1,9 @@
 //! The record of a run: why it stopped, its iterations, and the stability of the surface that it reached.
 
 use super::options::Solver;
+use crate::equilibrium::newton::{Equations, State, StepSolver, iterate};
 use crate::equilibrium::stability::SecondVariation;
-use crate::equilibrium::{self, Outcome};
+use crate::equilibrium::{self, Outcome, Settings};
 use plateau_mesh::remesh::thin_triangles::Pinch;
 use plateau_mesh::{DVec3, Execution, Interruption, Progress};
 
@@ -304,6 +305,29 @@ impl<'a> Record<'a> {
             objective_value: Some(area),
             residual: Some(residual),
         });
+    }
+
+    /// Runs Newton's method on a fixed connectivity and records each step under `phase`. `done` gives the part of the
+    /// present interval that is done once the residual has covered a part of its way to the tolerance.
+    ///
+    /// # Errors
+    /// The interruption.
+    pub fn newton<E: Equations>(
+        &mut self,
+        vertices: &mut Vec<DVec3>,
+        equations: &E,
+        solver: &mut dyn StepSolver<E>,
+        settings: &Settings,
+        phase: &'static str,
+        done: impl Fn(f64) -> f64,
+    ) -> Result<(StopReason, State<E::Frame>), Interruption> {
+        let mut start = None;
+        let exec = self.exec;
+        let (outcome, state) = iterate(vertices, equations, solver, settings, exec, &mut |energy, residual| {
+            let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
+            self.iteration(phase, energy, residual, done(part));
+        });
+        Ok((StopReason::after(outcome)?, state))
     }
 }
 

@@ -30,10 +30,10 @@ use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
 use super::run::{Record, Run, StopReason};
 use super::statistics::{self, Facts, MeanCurvature, Origin};
-use crate::equilibrium::newton::{Direct, Equations, State, iterate};
+use crate::equilibrium::newton::{Direct, Equations, State};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Unknown};
-use crate::equilibrium::{Aim, Frame, Freedom, Motion, Outcome, Settings};
+use crate::equilibrium::{Aim, Frame, Freedom, Motion, Settings};
 use angles::junction_statistics;
 use film::JunctionFilm;
 use plateau_mesh::codes::WarningCode;
@@ -219,8 +219,7 @@ impl<'a> JunctionSolver<'a> {
             }
         }
         self.record.share = [ROUNDS_SHARE, 1.0];
-        let outcome = self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)?;
-        Ok(match StopReason::after(outcome)? {
+        Ok(match self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)? {
             // A flipped triangle does not show in the residual.
             StopReason::Residual if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
             reason => reason,
@@ -270,36 +269,29 @@ impl<'a> JunctionSolver<'a> {
         steps: u32,
         phase: &'static str,
         done: f64,
-    ) -> Result<Outcome, Error> {
+    ) -> Result<StopReason, Error> {
         let max_steps = steps.min(self.limit.saturating_sub(self.record.iterations));
         let settings = Settings { aim: Aim::Minimum, tolerance, max_steps };
         let body = film.body();
         let motion = Motion::new(&body);
         let mut direct = match Direct::new(motion.matrix()) {
             Ok(direct) => direct,
-            Err(error) => return Ok(Outcome::Refused(error)),
+            Err(_) => return Ok(StopReason::Collapsed),
         };
         self.exec.look(direct.symbolic.factor_entries() as u64)?;
-        let record = &mut self.record;
-        let (outcome, state) =
-            iterate(&mut film.vertices, &motion, &mut direct, &settings, self.exec, &mut |area, residual| {
-                record.iteration(phase, area, residual, done);
-            });
-        match outcome {
-            Outcome::Interrupted(interruption) => return Err(interruption.into()),
-            Outcome::Converged if phase == "newton" => {
-                motion.second_variation(&film.vertices, &state, 0.0, &mut direct.matrix);
-                let unit = motion.radius().powi(-2);
-                let Direct { symbolic, matrix, .. } = &direct;
-                self.morse_index = match stability::morse_index(symbolic, matrix, &state.mass, unit, &[], self.exec) {
-                    Ok(index) => index.decided(),
-                    Err(Unknown::Refused(_)) => None,
-                    Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
-                };
-            }
-            _ => {}
+        let (reason, state) =
+            self.record.newton(&mut film.vertices, &motion, &mut direct, &settings, phase, |_| done)?;
+        if reason == StopReason::Residual && phase == "newton" {
+            motion.second_variation(&film.vertices, &state, 0.0, &mut direct.matrix);
+            let unit = motion.radius().powi(-2);
+            let Direct { symbolic, matrix, .. } = &direct;
+            self.morse_index = match stability::morse_index(symbolic, matrix, &state.mass, unit, &[], self.exec) {
+                Ok(index) => index.decided(),
+                Err(Unknown::Refused(_)) => None,
+                Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+            };
         }
-        Ok(outcome)
+        Ok(reason)
     }
 }
 

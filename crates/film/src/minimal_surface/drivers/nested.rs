@@ -23,14 +23,14 @@
 mod boundary_places;
 mod plan;
 
-use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
+use crate::equilibrium::newton::{Aim, Equations, Settings};
 use crate::equilibrium::stability::{self, MorseIndex, Unknown, WithMargin};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::extrapolation::{self, Finer, order};
 use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, OnUnstable, Options};
-use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
+use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::necks::{Look, compare, has_fine_ends, is_calm};
 use crate::minimal_surface::solvers::newton::{
@@ -351,20 +351,16 @@ fn correct(
     let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL };
     let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: solve.radius };
     let mut steps = VCycleSteps { hierarchy, parents, matrix: pattern.matrix() };
-    let mut start = None;
-    let (outcome, state) =
-        iterate(&mut film.vertices, &motion, &mut steps, &settings, solve.exec, &mut |area, residual| {
-            let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
-            solve.record.iteration("newton", area, residual, 0.9 * part);
-        });
+    let before = solve.record.iterations;
+    let done = |part| 0.9 * part;
+    let (reason, state) = solve.record.newton(&mut film.vertices, &motion, &mut steps, &settings, "newton", done)?;
+    if reason != StopReason::Residual {
+        return Ok(None);
+    }
     let VCycleSteps { parents, mut matrix, .. } = steps;
-    if start.is_none() {
+    if solve.record.iterations == before {
         // No step was needed (the film is plane), so nothing has assembled the matrix that the next level needs.
         motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
     }
-    match outcome {
-        Outcome::Converged => Ok(Some(Corrected { state, parents, matrix })),
-        Outcome::Interrupted(interruption) => Err(interruption.into()),
-        Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => Ok(None),
-    }
+    Ok(Some(Corrected { state, parents, matrix }))
 }

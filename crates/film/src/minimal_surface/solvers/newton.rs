@@ -18,14 +18,14 @@ mod settle;
 
 pub(crate) use polish::{LEAST_SLID_ANGLE, NARROW, WIDE, WIDENINGS};
 
-use crate::equilibrium::newton::{Aim, Direct, Equations, Settings, iterate, keeps_orientation};
+use crate::equilibrium::newton::{Aim, Direct, Equations, Settings, keeps_orientation};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::extrapolation::Finer;
 use crate::minimal_surface::harmonic::too_large;
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
-use crate::minimal_surface::run::{ExtrapolatedArea, Record, Run, Stability, StopReason, geometric_part};
+use crate::minimal_surface::run::{ExtrapolatedArea, Record, Run, Stability, StopReason};
 use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm, sizes_at_narrow_ends};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
@@ -372,15 +372,11 @@ impl<'a> Solve<'a> {
         direct: &mut Direct,
         aim: Aim,
     ) -> Result<StopReason, Error> {
-        let mut start = None;
         let max_steps = self.limit.saturating_sub(self.record.iterations);
         let settings = Settings { aim, tolerance: self.tolerance, max_steps };
         let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: self.radius };
-        let (outcome, _) = iterate(&mut film.vertices, &motion, direct, &settings, self.exec, &mut |area, residual| {
-            let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
-            self.record.iteration("newton", area, residual, 0.5 + 0.4 * part);
-        });
-        Ok(StopReason::after(outcome)?)
+        let done = |part| 0.5 + 0.4 * part;
+        Ok(self.record.newton(&mut film.vertices, &motion, direct, &settings, "newton", done)?.0)
     }
 
     /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
