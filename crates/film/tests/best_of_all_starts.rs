@@ -130,6 +130,9 @@ fn fault(seed: u64) -> Option<String> {
         format!("{:?} of area {}", comparison.topologies[0].films, surface.statistics.area)
     };
     let mut faults = Vec::new();
+    if !best.statistics.converged {
+        faults.push(format!("no film: {}", best.statistics.stop_reason.name()));
+    }
     let free = TopologyRule::Free(FreeTopology::default());
     for (topology, name) in [(TopologyRule::Fixed, "fixed"), (free, "free")] {
         for initial in [InitialMesh::Auto, InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings] {

@@ -94,3 +94,28 @@ impl Hull {
         (directions, pairs)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn points_of_a_small_boundary_far_away_lie_inside_although_they_are_rounded() {
+        let (size, centre) = (2e-3, DVec3::new(1e7, -7e6, 3e6));
+        let at = |k: u32| {
+            let (sine, cosine) = libm::sincos(TAU * f64::from(k) / 24.0);
+            centre + size * DVec3::new(cosine, sine, 0.3 * cosine * sine)
+        };
+        let boundary: Vec<DVec3> = (0..24).map(at).collect();
+        let hull = Hull::around(std::slice::from_ref(&boundary), &[DVec3::Z], &Execution::default()).unwrap();
+        let rounding = 4.0 * f64::EPSILON * 1e7;
+        for &point in &boundary {
+            for direction in [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|d| [d, -d]) {
+                assert_eq!(hull.separating(&[point + rounding * direction; 4]), None, "{direction}");
+            }
+            let outside = point + 0.1 * (point - centre);
+            assert!(hull.separating(&[outside; 4]).is_some());
+        }
+    }
+}

@@ -454,6 +454,7 @@ mod tests {
         };
         let run = run(&mut film, task, &Execution::default()).unwrap();
         assert_ne!(run.stop_reason, StopReason::Residual);
+        assert!(run.iterations > 5, "{} iterations", run.iterations);
         assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));
     }
 }

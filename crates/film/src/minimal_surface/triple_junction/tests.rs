@@ -217,6 +217,7 @@ fn conormal(film: &JunctionFilm, sheet: &[u32], v: u32, tangent: DVec3) -> DVec3
 fn scale_and_motion_change_nothing() {
     let (loops, mesh) = half_discs(&[0.0, 100.0, 220.0], 12, 4, 1.0, DVec3::new(0.1, 0.2, 0.0));
     let reference = solved(&loops, &mesh);
+    assert!(reference.statistics.converged);
     for (scale, shift) in [(1e6, DVec3::ZERO), (1e-6, DVec3::ZERO), (1.0, DVec3::new(1e7, -2e7, 3e7))] {
         let map = |p: DVec3| p.rotate_x(0.4).rotate_z(1.3) * scale + shift;
         let moved_loops: Vec<Vec<DVec3>> =
