@@ -187,7 +187,7 @@ fn motions_change_nothing() {
 
 fn assert_same(surface: &MinimalSurface, reference: &MinimalSurface, tolerance: f64, map: impl Fn(DVec3) -> DVec3) {
     let (a, b) = (&surface.statistics, &reference.statistics);
-    assert!(b.iterations > 0, "no step was taken");
+    assert_ne!(b.stop_reason.name(), "stalled");
     assert_eq!((a.iterations, a.edges_swapped, a.stop_reason), (b.iterations, b.edges_swapped, b.stop_reason));
     for (&p, &q) in surface.mesh.vertices.iter().zip(&reference.mesh.vertices) {
         assert!(p.distance(map(q)) < tolerance, "{}", p.distance(map(q)));
