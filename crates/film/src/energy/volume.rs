@@ -23,7 +23,7 @@ pub struct Volume {
     pub pressure: f64,
 }
 
-/// The matrix [v]× with [v]× w = v × w.
+/// The matrix V of the cross product by v: V w = v × w.
 pub(crate) fn cross_matrix(v: DVec3) -> DMat3 {
     DMat3::from_cols(DVec3::new(0.0, v.z, -v.y), DVec3::new(-v.z, 0.0, v.x), DVec3::new(v.y, -v.x, 0.0))
 }

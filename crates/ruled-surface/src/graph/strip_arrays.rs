@@ -93,9 +93,9 @@ impl RailNumbers {
     }
 }
 
-/// Reads the lanes at one position of a rail, and at the position before it, from the first `ROWS` rows of the rail. The
-/// bounds of all reads are checked when the window is made, because a check at each of the 22 reads of a step took a
-/// twelfth of the time of a strip of least bending energy.
+/// Reads the lanes at one position of a rail, and at the position before it, from the first `ROWS` rows of the rail.
+/// The bounds of all reads are checked when the window is made, because a check at each of the 22 reads of a step took
+/// a twelfth of the time of a strip of least bending energy.
 #[derive(Clone, Copy)]
 struct Window<'a, V: Lanes, const ROWS: usize> {
     simd: V::Simd,

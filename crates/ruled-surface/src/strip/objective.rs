@@ -1,4 +1,4 @@
-//! The objectives: names, units, sources. Their formulas are in [`weight`](super::weight).
+//! The objectives: names, units, sources. Their formulas are in [`weight`](crate::graph::weight).
 
 /// The quantity that a strip minimises (or, for [`MaximalConvexity`](Objective::MaximalConvexity), maximises).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

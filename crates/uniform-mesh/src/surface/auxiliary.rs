@@ -6,7 +6,7 @@
 //! 3. Place nodes along the flattened boundary and mesh its inside with the planar algorithm.
 //! 4. Carry the inner nodes back by barycentric coordinates in the auxiliary triangles (eq. 2 and 3), and put them on
 //!    the true surface.
-//! 5. [`Move`](super::refine_on_surface) the inner nodes.
+//! 5. Move the inner nodes ([`move_nodes`](super::move_nodes)).
 //!
 //! Departures: the paper does not say how the boundary's nodes are placed. We divide each side (between corners) into
 //! pieces that are equal along the surface, as many as keep every piece at ℓ or more both on the surface and in the

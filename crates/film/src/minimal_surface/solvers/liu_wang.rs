@@ -1,7 +1,7 @@
 //! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
 //!
 //! 1. The initial mesh is a Delaunay triangulation of the loop with n points inside, chosen by a seed from candidates
-//!    at barycentres ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
+//!    at barycentres (`initial_mesh/barycentres.rs`).
 //! 2. The mesh is faired once: every interior vertex becomes the mean of its neighbours (Tutte's map with uniform
 //!    weights). Then it is made Delaunay.
 //! 3. Levenberg and Marquardt's method (their Fig. 5) minimises F = ½ Σ H_i² over the positions of the interior

@@ -61,7 +61,7 @@ impl Swing {
 pub(super) const LEAST_ACROSS: f64 = 0.1;
 
 /// Half angle, in radians, of the flattest arc with which a cable of given length begins. It limits the force in
-/// [`Stage::Settling`], where the ends may stand further apart than the cable is long.
+/// [`Stage::Settling`](super::Stage::Settling), where the ends may stand further apart than the cable is long.
 const FLATTEST: f64 = 0.05;
 
 /// The radius of an arc of the given length over a chord; the radius of the flattest arc if the chord is not shorter.
