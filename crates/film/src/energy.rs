@@ -47,7 +47,8 @@ pub trait Term: fmt::Debug {
 
     /// Calls `add(v, w, block)` with parts of the second derivative ∂²E / ∂x_v ∂x_w: for every pair of vertices of one
     /// element in both orders, and for v = w. The part of the matrix that is positive semidefinite element by element
-    /// counts `1 + shift` times, so that a large enough `shift` makes an indefinite matrix definite.
+    /// counts `1 + shift` times, so that a large enough `shift` makes an indefinite matrix definite if every motion has
+    /// such a part.
     fn add_second_derivative(&self, at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3));
 
     /// Calls `add(stiffness, gradient)` for each part `stiffness · gradient gradientᵀ` of the second derivative that
