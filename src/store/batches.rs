@@ -2,7 +2,8 @@
 //! with its last job.
 
 use super::callbacks::host_of;
-use super::jobs::{self, Addition, BatchPlace, COLUMNS, JobRow, NewJob, drop_request, ending};
+use super::history::{ending, read_status};
+use super::jobs::{self, Addition, BatchPlace, COLUMNS, JobRow, NewJob, drop_request};
 use super::tx::{Row, Tx};
 use super::{Result, StoreError, StoreOptions, limit, milliseconds};
 use crate::status::Status;
@@ -69,7 +70,7 @@ impl BatchJob {
             index: row.get("batch_index")?,
             id: row.get("id")?,
             kind: row.get("kind")?,
-            status: jobs::read_status(row)?,
+            status: read_status(row)?,
             finished_at_ms: row.get("finished_at")?,
         })
     }

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use super::jobs::{Outcome, Sharing, drop_request, ending, history_line};
+use super::history::{ending, history_line};
+use super::jobs::{Outcome, Sharing, drop_request};
 use super::results::{self, Prepared};
 use super::tx::{Row, Tx};
 use super::value::Value;
