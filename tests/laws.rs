@@ -506,3 +506,58 @@ fn lines_fit_and_comments_begin_with_their_subject() {
     }
     assert!(found.is_empty(), "wrap these lines, and begin comments with their subject:\n{}", found.join("\n"));
 }
+
+/// Largest number of lines of a file without its tests, and of a function. A longer one has more than one subject.
+const FILE_LINES: usize = 600;
+const FUNCTION_LINES: usize = 80;
+
+/// Returns the functions that are too long, with their lengths, and the length of a file that is too long.
+fn too_long(text: &str) -> Vec<String> {
+    let text = source::text_without_tests(text);
+    let lines: Vec<&str> = text.trim_end().lines().collect();
+    let mut found = Vec::new();
+    if lines.len() > FILE_LINES {
+        found.push(format!("{} lines", lines.len()));
+    }
+    for (start, line) in lines.iter().enumerate() {
+        let own = line.trim_start();
+        let qualifies = |word: &&str| word.starts_with("pub") || ["in", "const", "async", "unsafe"].contains(word);
+        let mut words = own.split_whitespace().skip_while(|word| qualifies(word) || word.ends_with(')'));
+        let (Some("fn"), Some(name)) = (words.next(), words.next()) else { continue };
+        // A function without a body ends with a semicolon, and one of a single line with a brace.
+        let head_end = lines[start..].iter().position(|line| line.ends_with([';', '{', '}'])).unwrap_or(0) + start;
+        let closing = format!("{}}}", &line[..line.len() - own.len()]);
+        if lines[head_end].ends_with('{')
+            && let Some(end) = lines[head_end..].iter().position(|line| *line == closing)
+            && head_end + end - start >= FUNCTION_LINES
+        {
+            let name = name.split(['(', '<']).next().unwrap_or_default();
+            found.push(format!("{}: {name} has {} lines", start + 1, head_end + end - start + 1));
+        }
+    }
+    found
+}
+
+#[test]
+fn files_and_functions_have_one_subject() {
+    let function =
+        |head: &str, length: usize| format!("    {head} {{\n{}    }}\n", "        x();\n".repeat(length - 2));
+    assert_eq!(too_long(&function("pub(in crate::a) fn f<T>(t: T)", 80)), [""; 0]);
+    assert_eq!(too_long(&function("pub(in crate::a) fn f<T>(t: T)", 81)), ["1: f has 81 lines"]);
+    let trait_function = "    fn f(\n        &self,\n    );\n".to_owned() + &function("const fn g()", 90);
+    assert_eq!(too_long(&trait_function), ["4: g has 90 lines"]);
+    let tested = "fn f() {}\n".repeat(600) + "#[cfg(test)]\nmod tests {\n    fn g() {}\n}\n";
+    assert_eq!(too_long(&tested), [""; 0]);
+    assert_eq!(too_long(&"fn f() {}\n".repeat(601)), ["601 lines"]);
+    let field = "S {\n    #[cfg(test)]\n    order,\n    rows,\n}";
+    assert!(source::text_without_tests(field).ends_with("          \n    rows,\n}"));
+    let mut found = Vec::new();
+    for path in ["crates", "src"].iter().flat_map(|folder| sources(&root().join(folder))) {
+        let is_code = path.components().any(|part| part.as_os_str() == "src") && !path.ends_with("tests.rs");
+        if is_code {
+            let text = std::fs::read_to_string(&path).expect("a source file");
+            found.extend(too_long(&text).into_iter().map(|fault| format!("{}:{fault}", path.display())));
+        }
+    }
+    assert!(found.is_empty(), "divide these by their subjects:\n{}", found.join("\n"));
+}

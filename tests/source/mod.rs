@@ -70,11 +70,21 @@ pub fn word(token: Option<&Token>) -> Option<&str> {
     }
 }
 
-/// The end of the item that starts at `at`: after its closing brace, or after its semicolon.
+/// Words with which items start.
+const ITEMS: [&str; 12] =
+    ["fn", "mod", "impl", "struct", "enum", "const", "static", "use", "type", "trait", "unsafe", "async"];
+
+/// The end of the item or field that starts at `at`: after its closing brace or its semicolon, or after the field's
+/// comma.
 fn item_end(tokens: &[Token], mut at: usize) -> usize {
+    // A field has no such word before its colon, its comma or the brace behind it.
+    let head = tokens[at..].iter().take_while(|token| !matches!(token, Token::Mark(':' | ',' | '{' | '}' | ';')));
+    let is_field = !head.into_iter().any(|token| word(Some(token)).is_some_and(|word| ITEMS.contains(&word)));
     let mut depth = 0;
     while at < tokens.len() {
         match tokens[at] {
+            Token::Mark(',') if depth == 0 && is_field => return at + 1,
+            Token::Mark('}') if depth == 0 => return at,
             Token::Mark('{' | '(' | '[') => depth += 1,
             Token::Mark('}') if depth == 1 => return at + 1,
             Token::Mark('}' | ')' | ']') => depth -= 1,
