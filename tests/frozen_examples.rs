@@ -3,7 +3,7 @@
 //! The committed file has one row for each example: a hash of the mesh (bits of all coordinates, triangles) and the
 //! statistics below with all their digits. Its first line names the instructions of the processor that it was written
 //! on, because a fused multiply-add rounds only once. On other machines the solves are skipped with a printed reason.
-//! AVX-512 is not among the instructions, because results have the same bits with it and without it.
+//! AVX-512 is not among the instructions, because the examples have the same bits with it and without it.
 //! Its second line has the revision of the solvers and a digest of the rows, so that rows never change within one
 //! revision. If a change is meant to change a row, raise `SOLVER_REVISION` in `src/jobs.rs` by one, then write the file
 //! again with
