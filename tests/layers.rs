@@ -472,7 +472,7 @@ fn every_crate_of_the_workspace_has_its_place_in_the_order() {
     let found: BTreeSet<String> =
         folders.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     let listed = CRATES.iter().map(|(name, _)| (*name).to_owned()).filter(|name| name != SERVICE).collect();
-    assert_eq!(found, listed);
+    assert_eq!(found, listed, "the folders of crates/, and the crates that CRATES in this file lists");
 }
 
 #[test]

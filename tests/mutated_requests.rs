@@ -190,10 +190,13 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
         Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),
         Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
             let document: Value = serde_json::from_slice(body).unwrap();
+            if errors.is_empty() {
+                return Err("refused without an error".to_owned());
+            }
             for error in &errors {
                 // A missing field is named below its parent.
                 let parent = error.pointer.rsplit_once('/').map_or("", |(parent, _)| parent);
-                if errors.is_empty() || document.pointer(parent).is_none() || error.detail.is_empty() {
+                if document.pointer(parent).is_none() || error.detail.is_empty() {
                     return Err(format!("{} is not a place in the request: {}", error.pointer, error.detail));
                 }
             }

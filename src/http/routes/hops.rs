@@ -177,11 +177,16 @@ impl Run<'_> {
     }
 }
 
+/// The types of failed jobs that show a defect of the server, or a server of another version, instead of a fault of the
+/// request. Hops is answered with the status 500.
+const DEFECTS: [&str; 7] =
+    ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "unknown-kind", "unresponsive", "worker-lost"];
+
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
 fn failed(error: &SolveError) -> Failure {
     let detail = format!("{}: {}", error.title, error.detail);
     let kind = error.kind.trim_start_matches("/problems/");
-    if ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "worker-lost"].contains(&kind) {
+    if DEFECTS.contains(&kind) {
         return Failure::internal(detail);
     }
     let mut errors = error.errors.clone();
@@ -196,4 +201,30 @@ fn failed(error: &SolveError) -> Failure {
 fn respond(status: StatusCode, answer: &Answer<'_>) -> Response {
     let json = HeaderValue::from_static("application/json");
     (status, [(header::CONTENT_TYPE, json)], answer.to_json()).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::job::failures;
+
+    fn status(kind: &str) -> StatusCode {
+        failed(&SolveError::new(kind, "the detail", Vec::new())).into_response().status()
+    }
+
+    #[test]
+    fn a_defect_of_the_server_has_the_status_500() {
+        let known: Vec<String> = failures().into_iter().map(|(name, _)| name).collect();
+        for kind in DEFECTS {
+            assert!(known.iter().any(|name| name == kind), "{kind} is no type of a failed job");
+            assert_eq!(status(kind), StatusCode::INTERNAL_SERVER_ERROR, "{kind}");
+        }
+    }
+
+    #[test]
+    fn a_fault_of_the_request_has_the_status_422() {
+        for kind in ["refused", "deadline", "invalid-geometry", "no-equilibrium", "no-connected-film"] {
+            assert_eq!(status(kind), StatusCode::UNPROCESSABLE_ENTITY, "{kind}");
+        }
+    }
 }

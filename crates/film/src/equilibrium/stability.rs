@@ -51,6 +51,10 @@ const SAME_EIGENVALUE: f64 = 1e-6;
 /// A start whose projection on the tangent space is smaller than this fraction of itself consists of rounding errors,
 /// because the constraints leave no motion.
 const NO_MOTION: f64 = 1e-10;
+/// Least length that the second pass of an orthogonalisation leaves of a unit vector. The second pass hardly changes a
+/// vector that has a part outside the span of the basis, because the first pass has already made it orthogonal up to
+/// rounding errors. If the second pass takes more than half of the vector, the first pass left rounding errors alone.
+const LEAST_LEFT: f64 = 0.5;
 
 /// An eigenvalue with its vector (unit in the lumped mass).
 #[derive(Clone, Debug)]
@@ -478,14 +482,15 @@ pub(crate) fn lowest_mode(
         precondition(&mut residual);
         let mut basis = vec![x];
         let mut w = Vector { value: residual, product: vec![0.0; n] };
-        w.orthonormalise(&basis, inner);
-        multiply(&w.value, &mut w.product);
-        basis.push(w);
-        if let Some(mut direction) = last.take() {
-            direction.orthonormalise(&basis, inner);
+        if w.orthonormalise(&basis, inner) {
+            multiply(&w.value, &mut w.product);
+            basis.push(w);
+        }
+        if let Some(mut direction) = last.take()
+            && direction.orthonormalise(&basis, inner)
+        {
             basis.push(direction);
         }
-        basis.retain(|vector| vector.value.iter().all(|value| value.is_finite()));
         let size = basis.len();
         let mut small = [[0.0; 3]; 3];
         for i in 0..size {
@@ -530,17 +535,21 @@ impl Vector {
         self.product.iter_mut().zip(&other.product).for_each(|(value, other)| *value += weight * other);
     }
 
-    /// Makes the vector orthogonal to the basis and of length 1 in the inner product. Two passes are enough (Kahan). If
-    /// nothing is left of the vector, its values become NaN.
-    fn orthonormalise(&mut self, basis: &[Self], inner: impl Fn(&[f64], &[f64]) -> f64) {
-        for _ in 0..2 {
+    /// Makes the vector orthogonal to the basis and of length 1 in the inner product, and returns whether it could. Two
+    /// passes are enough (Kahan). A vector that lies in the span of the basis, up to rounding errors, is refused.
+    fn orthonormalise(&mut self, basis: &[Self], inner: impl Fn(&[f64], &[f64]) -> f64) -> bool {
+        for least_left in [f64::MIN_POSITIVE, LEAST_LEFT] {
             for other in basis {
                 let weight = -inner(&self.value, &other.value);
                 self.add(weight, other);
             }
             let norm = inner(&self.value, &self.value).sqrt();
-            self.scale(if norm > 0.0 { 1.0 / norm } else { f64::NAN });
+            if !norm.is_finite() || norm < least_left {
+                return false;
+            }
+            self.scale(1.0 / norm);
         }
+        true
     }
 }
 
@@ -670,6 +679,80 @@ mod tests {
         assert_eq!(MorseIndex::exactly(0).checked_against(1e-13, 1e-12), undecided);
         let known_unstable = MorseIndex { least: 1, most: 3 };
         assert_eq!((known_unstable.checked_against(-1e-9, 1e-12), known_unstable.decided()), (known_unstable, None));
+    }
+
+    #[test]
+    fn the_eigenvalue_of_a_single_vertex_is_its_stiffness_over_its_mass() {
+        let mut random = SplitMix64::new(2);
+        for _ in 0..100 {
+            let mut film = patch(2, 2, |u, v| DVec3::new(u, v, 0.0));
+            for vertex in &mut film.vertices {
+                *vertex += DVec3::from_array([(); 3].map(|()| random.between(-0.2, 0.2)));
+            }
+            let pattern = Pattern::new(film.triangles(), &film.fixed);
+            let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+            let state = motion.state(&film.vertices);
+            let mut direct = Direct::new(pattern.matrix()).unwrap();
+            let exec = Execution::default();
+            let variation = analyse(&film.vertices, &motion, &state, &mut direct, WithMargin::No, &exec);
+            let mode = variation.unwrap().unwrap().lowest;
+            let expected = direct.matrix.values[0] / state.mass[0];
+            let error = (mode.eigenvalue - expected).abs();
+            assert!(error <= 1e-12 * expected.abs(), "{} for {expected}", mode.eigenvalue);
+            assert!((mode.vector[0] * mode.vector[0] * state.mass[0] - 1.0).abs() < 1e-12, "{mode:?}");
+        }
+    }
+
+    /// Two heights with the energy (x² + 4 x y + y²) / 2, whose second variation has the eigenvalues 3 (for equal
+    /// heights) and -1.
+    struct TwoHeights;
+
+    impl Equations for TwoHeights {
+        type Frame = ();
+
+        // It is false for this matrix, so that the iteration ends at the eigenvector from which it starts.
+        const LOWEST_MODE_HAS_ONE_SIGN: bool = true;
+
+        fn state(&self, _: &[DVec3]) -> State<()> {
+            State {
+                frame: (),
+                energy: 0.0,
+                magnitude: 0.0,
+                gradient: vec![0.0; 2],
+                mass: vec![1.0; 2],
+                residual: 0.0,
+                constraints: Vec::new(),
+            }
+        }
+
+        fn second_variation(&self, _: &[DVec3], _: &State<()>, _: f64, matrix: &mut SymmetricMatrix) {
+            matrix.values.copy_from_slice(&[1.0, 2.0, 1.0, 2.0]);
+        }
+
+        fn matrix(&self) -> SymmetricMatrix {
+            SymmetricMatrix { row_start: vec![0, 2, 4], columns: vec![0, 1, 1, 0], values: vec![0.0; 4] }
+        }
+
+        fn moved(&self, vertices: &[DVec3], _: &State<()>, _: &[f64], _: f64) -> Vec<DVec3> {
+            vertices.to_vec()
+        }
+
+        fn triangles(&self) -> &[[u32; 3]] {
+            &[]
+        }
+
+        fn radius(&self) -> f64 {
+            1.0
+        }
+    }
+
+    #[test]
+    fn an_analysis_that_misses_the_lowest_mode_leaves_the_index_undecided() {
+        let mut direct = Direct::new(TwoHeights.matrix()).unwrap();
+        let (state, exec) = (TwoHeights.state(&[]), Execution::default());
+        let variation = analyse(&[], &TwoHeights, &state, &mut direct, WithMargin::No, &exec).unwrap().unwrap();
+        assert!((variation.lowest.eigenvalue - 3.0).abs() < 1e-12, "{:?}", variation.lowest);
+        assert_eq!(variation.morse_index, MorseIndex { least: 0, most: 1 });
     }
 
     #[test]
