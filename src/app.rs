@@ -48,7 +48,8 @@ const BALLAST_BYTES: u64 = 32 << 20;
 /// input ends.
 ///
 /// # Errors
-/// A store that cannot be opened, or an address that cannot be bound.
+/// Fails if a setting is invalid, if the store cannot be opened or an address cannot be bound, or if the process ended
+/// because too many solvers did not answer.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let config = Arc::new(config);
     let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
@@ -106,7 +107,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
             if let Some(tools) = tools {
-                // The task fails only by a panic. The process stops after one too.
+                // The task fails only if it panics. The process stops then too.
                 let _ = tools.await;
                 jobs.shut_down();
             }
@@ -128,8 +129,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     Ok(())
 }
 
-/// Checks everything that a start needs of the settings, without changing anything and without reaching the database.
-/// Returns the keys and the sender of messages, which are read from files.
+/// Checks all settings on which a start depends, without changing anything and without reaching the database. Returns
+/// the keys and the sender of messages, which are read from files.
 ///
 /// # Errors
 /// Returns a message that names the setting.

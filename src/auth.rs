@@ -62,7 +62,7 @@ pub struct Keys {
     replaced: watch::Sender<()>,
 }
 
-/// Future that ends when a key is no longer known.
+/// Future that completes when a key is no longer known.
 pub type Removal = Shared<BoxFuture<'static, ()>>;
 
 /// Content of the configuration and of the keys file when they were last read.
@@ -86,7 +86,7 @@ impl std::fmt::Debug for Key {
     }
 }
 
-/// A token bucket that holds one minute's requests and starts full.
+/// A token bucket, which holds at most the requests of one minute and is full at the start.
 #[derive(Debug)]
 struct Allowance {
     requests: f64,
@@ -204,7 +204,7 @@ impl Keys {
         }
     }
 
-    /// Returns a future that ends when the key that has this name now is removed or replaced by another one.
+    /// Returns a future that completes when the key that has this name now is removed or replaced by another one.
     pub fn removal(self: &Arc<Self>, name: Arc<str>) -> Removal {
         let keys = self.clone();
         let mut replaced = self.replaced.subscribe();

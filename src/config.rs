@@ -535,7 +535,7 @@ impl Config {
     /// Returns `jobs.memory_bytes`, or its default on this machine.
     #[must_use]
     pub fn solver_memory_bytes(&self) -> u64 {
-        // Outside Linux, most machines have more than this.
+        // Assumed if the memory cannot be read, as outside Linux. Most machines have more.
         const UNKNOWN: u64 = 8 << 30;
         self.jobs.memory_bytes.unwrap_or_else(|| memory::limit_bytes().map_or(UNKNOWN, |bytes| bytes / 4 * 3))
     }

@@ -2,8 +2,8 @@
 //! component, and Hops asks the server for its inputs and outputs.
 //!
 //! [`component`] lists the components, and [`values`] reads the values that Hops sends for their inputs. [`recipe`]
-//! makes an API request of these values, which is handled like any other request. [`answer`] makes the component's
-//! outputs of the result.
+//! builds an API request from these values, which is handled like any other request. [`answer`] builds the component's
+//! outputs from the result.
 //!
 //! The messages have the forms of `src/hops/RemoteDefinition.cs` and `src/compute.geometry/IO/Schema.cs` in the
 //! repository mcneel/compute.rhino3d, and of the Python package ghhops-server.

@@ -151,7 +151,8 @@ pub enum StoreError {
 }
 
 impl StoreError {
-    /// Returns true if the same operation may succeed later although nobody changes anything.
+    /// Returns true if the failure may be temporary, so that the same operation may succeed later without a change of
+    /// settings.
     #[must_use]
     pub fn may_pass(&self) -> bool {
         match self {
@@ -178,7 +179,7 @@ fn milliseconds(duration: Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX / 4).min(i64::MAX / 4)
 }
 
-/// Returns a count as the database keeps it.
+/// Converts a count to the integer type of the database. A count beyond its range becomes the largest integer.
 fn limit(value: u64) -> i64 {
     i64::try_from(value).unwrap_or(i64::MAX)
 }

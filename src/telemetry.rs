@@ -36,13 +36,13 @@ pub mod metric {
     pub const JOBS: &str = "plateau_jobs_total";
     /// Counter of results that the audit withheld, by kind.
     pub const AUDIT_FAILURES: &str = "plateau_audit_failures_total";
-    /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full).
+    /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full, failed).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
     /// Counter of attempts to send a message to a callback URL, by outcome (delivered, failed, given_up, unwanted).
     pub const CALLBACKS: &str = "plateau_callbacks_total";
     /// Counter of files made from results.
     pub const CONVERSIONS: &str = "plateau_conversions_total";
-    /// Histogram of the seconds from claim to finish, by kind and objective.
+    /// Histogram of the seconds from claim to finish, by kind.
     pub const SOLVE_SECONDS: &str = "plateau_solve_seconds";
     /// Histogram of the seconds from submission to claim, by kind.
     pub const WAIT_SECONDS: &str = "plateau_queue_wait_seconds";
@@ -51,7 +51,7 @@ pub mod metric {
     /// Gauge of the jobs that run in this process.
     pub const RUNNING: &str = "plateau_jobs_running";
     /// Gauge of the solvers of this process that were given up because they did not answer. A solver that ends later is
-    /// taken off.
+    /// no longer counted.
     pub const UNRESPONSIVE: &str = "plateau_solvers_unresponsive";
     /// Gauge that is always 1. Its label holds the version of the program.
     pub const BUILD_INFO: &str = "plateau_build_info";

@@ -21,8 +21,8 @@ const DELAY_MS: &str = "PLATEAU_TEST_DELAY_MS";
 /// and after its end, before the outcome is stored. A job whose solver reports no progress reaches
 /// all of them at its end.
 const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
-/// Name of the file that lets a solver wait after each report of progress until it has been taken
-/// to be stored. Otherwise only the latest report of each interval is stored.
+/// Name of the file that makes a solver wait after each report of progress until the report has been taken to be
+/// stored. Without this file, only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
 /// Name of the file that makes a solver wait before it starts, while the file exists. The solver does not check its
 /// signal meanwhile, as if it were in an endless loop.
@@ -34,7 +34,7 @@ const FAULT: &str = "fault";
 /// Name of a file to which every statement of SQLite is written: the text of the statement before it and its own, with
 /// [`BETWEEN`] between them and [`END`] behind them.
 const STATEMENTS: &str = "statements";
-/// Characters that no statement has.
+/// Separates the texts in the files [`FAULT`] and [`STATEMENTS`]. No statement contains this character or [`END`].
 const BETWEEN: char = '\u{1}';
 const END: char = '\u{2}';
 /// Interval at which a held job checks whether the file of its hold still exists.
@@ -103,8 +103,8 @@ impl<'a, F: Fn() -> bool> Holds<'a, F> {
     }
 }
 
-/// Returns true if a job of this kind that is submitted now would be held. Such a job is not solved during its
-/// submission, because the hold would block a thread that serves requests.
+/// Returns true if a job of this kind that is submitted now would be held. A job that would be held is not solved
+/// during its submission, because the hold would block a thread that serves requests.
 pub(crate) fn holds(kind: &str) -> bool {
     STAGES.iter().chain([&EACH_PROGRESS, &STUBBORN]).any(|stage| is_held(stage, kind))
 }
@@ -132,8 +132,8 @@ thread_local! {
 }
 
 /// Returns true if a statement of SQLite must fail at this point. The faults `fail_before` and `fail_after` make it
-/// fail, and `die_before` and `die_after` end the process as a kill does. A statement outside of a transaction has none
-/// before it.
+/// fail, and `die_before` and `die_after` end the process as a kill does. For a statement outside of a transaction, the
+/// text of the statement before it is empty.
 pub(crate) fn statement_fails(text: &str, point: FailurePoint, in_transaction: bool) -> bool {
     let Some(folder) = folder() else { return false };
     if text.starts_with("BEGIN") {

@@ -16,7 +16,8 @@ pub const STACK_BYTES: usize = 64 << 20;
 
 type Work<S> = Box<dyn FnOnce(&mut S) + Send>;
 
-/// Threads that work until they are closed. Whoever sends work decides how much of it may wait.
+/// Threads that work until they are closed. The number of waiting pieces of work is not limited here, but by the
+/// callers.
 pub struct Threads<S>(Mutex<Option<Running<S>>>);
 
 struct Running<S> {

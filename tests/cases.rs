@@ -12,7 +12,7 @@ fn body(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"))).expect("a case")
 }
 
-/// Statistics of a case, and the codes of all its warnings.
+/// Solves the request of a case. Returns its statistics and the codes of all its warnings.
 fn solved(name: &str) -> (Value, Vec<String>) {
     solved_body(name, &body(name))
 }
@@ -192,7 +192,7 @@ fn angles_at_re_entrant_corners_do_not_fall_with_the_resolution() {
     assert!(statistics["angles_deg"]["min"].as_f64().unwrap() >= 20.0, "{}", statistics["angles_deg"]);
 }
 
-/// Surface Evolver finds 3.686 with 8 flipped triangles at the same count.
+/// On a mesh with the same number of triangles, Surface Evolver finds an area of 3.686, with 8 flipped triangles.
 #[test]
 fn a_noisy_loop_that_leaves_flipped_triangles_is_not_called_converged() {
     let (statistics, warnings) = solved("film_gps_corr_4000");
@@ -249,7 +249,7 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
 /// plateau-forms --bench audit` prints how long the work between two checks takes.
 const MOST_WORK: u64 = 2_000_000;
 
-/// Hard cases of every kind, besides the files.
+/// Returns hard requests of every kind, in addition to the files of cases.
 fn hard_cases() -> Vec<(String, Value)> {
     let ring = |n: usize, x: f64, z: f64, radius: f64| -> Vec<[f64; 3]> {
         let angles = (0..n).map(|k| std::f64::consts::TAU * k as f64 / n as f64);

@@ -41,7 +41,7 @@ struct Figure {
     reason: Option<&'static str>,
 }
 
-/// The vertex farthest from the chord stands up to half a segment from the middle of the arc.
+/// Reason for the lower order of a cable's sag.
 const SAG: &str = "The stated sag is that of the vertex farthest from the chord. This vertex stands up to half a \
     segment of the cable from the middle of the arc, at another part of a segment in each mesh, so the error is below \
     a constant times the square of the edge length, but its fraction of this bound changes from mesh to mesh.";
@@ -50,7 +50,7 @@ fn figure(name: &'static str, pointer: &'static str, exact: f64, formula: &'stat
     Figure { name, pointer, exact, formula, reason: None }
 }
 
-/// The zero of a function between two arguments at which it has different signs.
+/// Returns the zero of a function between two arguments at which it has different signs, by bisection.
 fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low) > 0.0;
     for _ in 0..200 {
@@ -60,7 +60,7 @@ fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Points on a horizontal circle around the z axis.
+/// Returns points on a horizontal circle around the z axis.
 fn circle(radius: f64, height: f64, count: u32) -> Value {
     let at = |k: u32| {
         let (sine, cosine) = (2.0 * PI * f64::from(k) / f64::from(count)).sin_cos();
@@ -72,7 +72,8 @@ fn circle(radius: f64, height: f64, count: u32) -> Value {
 /// Side of the square sails. Their tension is 1.
 const SIDE: f64 = 10.0;
 
-/// A sail on a plane square, whose four edges hang on equal cables: each is an arc of the radius force / tension.
+/// Returns the case of a sail on a plane square, whose four edges are equal cables. Each cable is an arc of the radius
+/// force / tension.
 fn sail(name: &'static str, cable: Value, radius: f64, given: &[&str]) -> Case {
     let half = (0.5 * SIDE / radius).asin();
     let (sine, cosine) = half.sin_cos();
@@ -129,7 +130,8 @@ fn sails() -> Vec<Case> {
     ]
 }
 
-/// A heavy cable in the air between two points at one height, whose span is 20 and whose least force is 12.
+/// Returns the cases of a heavy cable between two points at the same height. The span is 20, and the smallest force in
+/// the cable is 12.
 fn heavy_cables() -> Vec<Case> {
     let (a, span) = (12.0f64, 20.0f64);
     let (sine, cosine) = ((0.5 * span / a).sinh(), (0.5 * span / a).cosh());
@@ -162,13 +164,14 @@ fn heavy_cables() -> Vec<Case> {
     modes.into_iter().map(case).collect()
 }
 
-/// Height, area and volume of the cap of a sphere over a circle, less than half of it.
+/// Returns the height, area and volume of a spherical cap that is less than a hemisphere. `sphere` is the radius of the
+/// sphere, and `radius` that of the circle below the cap.
 fn cap(sphere: f64, radius: f64) -> [f64; 3] {
     let height = sphere - (sphere * sphere - radius * radius).sqrt();
     [height, 2.0 * PI * sphere * height, PI * height * height * (3.0 * sphere - height) / 3.0]
 }
 
-/// Films under pressure over a circle of the radius 3.
+/// Returns the cases of films under pressure over a circle of the radius 3.
 fn caps() -> Vec<Case> {
     let (radius, pressure) = (3.0f64, 0.2f64);
     let [_, area, volume] = cap(2.0 / pressure, radius);
@@ -234,7 +237,7 @@ fn neck(radius: f64, other: f64, height: f64) -> (f64, f64) {
     (c, middle(c))
 }
 
-/// Area of a catenoid from z = 0 to `height`.
+/// Returns the area of a catenoid from z = 0 to `height`.
 fn catenoid_area((c, z0): (f64, f64), height: f64) -> f64 {
     PI * c * (height + 0.5 * c * ((2.0 * (height - z0) / c).sinh() + (2.0 * z0 / c).sinh()))
 }

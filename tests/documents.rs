@@ -85,7 +85,8 @@ fn fits(path: &[&str], pattern: &[&str]) -> bool {
     path.len() == pattern.len() && path.iter().zip(pattern).all(part)
 }
 
-/// Whether a document's word names a path: relative to the document or as the end of any path of the project.
+/// Returns true if a word of a document names an existing path: relative to the document, or as the end of any path of
+/// the project.
 fn exists(word: &str, document: &str, tree: &BTreeSet<String>) -> bool {
     let mut parts: Vec<&str> = Path::new(document)
         .parent()

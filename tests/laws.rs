@@ -102,7 +102,7 @@ fn results_have_the_same_bits_on_every_machine() {
     }
 }
 
-/// Whether code names a crate of the geometry.
+/// Returns true if code names a crate of the geometry.
 fn names_geometry(code: &str) -> bool {
     GEOMETRY.iter().any(|(name, _)| code.contains(&library(name)))
 }
@@ -160,7 +160,7 @@ enum Bound {
     Comment,
 }
 
-/// Whether a word is among tokens.
+/// Returns true if a word is among tokens.
 fn has(tokens: &[Token], name: &str) -> bool {
     tokens.iter().any(|token| source::word(Some(token)) == Some(name))
 }

@@ -378,7 +378,7 @@ async fn a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_o
     assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap(), None);
     let claimed = store.claim_within("worker", LEASE, within(FREE + 1)).await.unwrap().unwrap();
     assert_eq!((claimed.id, claimed.memory_bytes), (large, FREE + 1));
-    // The next job that does not fit is overtaken as often.
+    // The next job that does not fit is overtaken as often as the first one.
     for number in 116..132 {
         assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap().unwrap().id, job(number).id);
     }
@@ -932,7 +932,7 @@ async fn a_sweep_of_many_steps_removes_everything_due(database: Database) {
         create(&store, job(number)).await;
         ended.push(work_one(&store, &number.to_le_bytes()).await);
     }
-    // Two jobs share one result, which is one before the oldest that stays.
+    // The last job shares the result of the newest job that expires, so this result stays.
     let twin = create(&store, NewJob { id: job(MANY).id, ..job(MANY - KEPT) }).await.id;
     let swept = store.sweep().await.unwrap();
     assert_eq!((swept.expired, swept.artefacts), ((MANY + 1 - KEPT) as u64, 0), "young results must stay");

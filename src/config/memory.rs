@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-/// Returns the least limit of this process's control groups and the machine's memory in bytes, or `None` if neither can
-/// be read, as outside Linux.
+/// Returns the smallest of the memory limits of this process's control groups and the machine's memory, in bytes.
+/// Returns `None` if none of them can be read, as outside Linux.
 pub fn limit_bytes() -> Option<u64> {
     limit_below(Path::new("/"))
 }

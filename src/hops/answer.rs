@@ -1,4 +1,4 @@
-//! Makes the outputs of a component.
+//! Builds the answer to a message of Hops, with the outputs of a component.
 
 use super::component::{Component, Output, Source, result_type};
 use crate::hops::envelope;
@@ -249,7 +249,7 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
     Ok(serde_json::to_vec(&parts).unwrap_or_default())
 }
 
-/// Returns a point or vector as RhinoCommon writes it.
+/// Returns a point or vector as the JSON text that RhinoCommon writes.
 fn xyz(numbers: &[f64]) -> String {
     let number = |k: usize| numbers.get(k).copied().unwrap_or_default();
     serde_json::json!({ "X": number(0), "Y": number(1), "Z": number(2) }).to_string()

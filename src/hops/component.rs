@@ -216,7 +216,7 @@ fn parameter([name, nickname, description]: [&str; 3], of: Type, (least, most): 
     })
 }
 
-/// Returns the name by which Hops finds the parameter of Grasshopper.
+/// Returns the type of Grasshopper parameter that Hops creates for an input or output.
 fn parameter_type(of: Type) -> &'static str {
     match of {
         Type::Boolean => "Boolean",

@@ -24,11 +24,11 @@ const ON_BOUNDARY: f64 = 1e-3;
 pub struct Draft {
     pub kind: Kind,
     request: Map<String, Value>,
-    /// Name of the input of which each field was made, by the field's JSON Pointer.
+    /// Name of the input that each field was made from, by the field's JSON Pointer.
     places: BTreeMap<String, String>,
 }
 
-/// Makes a request of the values of a component's inputs. Curves become polylines of at most `max_points` points.
+/// Builds a request from the values of a component's inputs. Curves become polylines of at most `max_points` points.
 ///
 /// # Errors
 /// Returns [`Refusal::Invalid`] with a line for each input that cannot be used. The service's own checks come later.
@@ -83,10 +83,10 @@ struct Maker<'a> {
     draft: Draft,
 }
 
-/// Function that converts inputs of a block, such as curves, which the request does not take as they are.
+/// Converts those inputs of a block that a request cannot take unchanged, such as curves.
 type Use = fn(&mut Maker<'_>);
 
-/// Recipes of the blocks that have such inputs, by the names of the blocks.
+/// Conversions of the blocks that have such inputs, by the names of the blocks.
 const RECIPES: [(&str, Use); 7] = [
     ("minimal-surface", |maker| maker.minimal_surface()),
     ("film-from-mesh", |maker| maker.film_from_mesh()),
@@ -191,7 +191,7 @@ impl Maker<'_> {
         self.set("supports", "Supports", json!(supports));
     }
 
-    /// Sets a field of the request and notes the input that it is made of.
+    /// Sets a field of the request and notes the input that the field is made from.
     fn set(&mut self, field: &str, input: &str, value: impl Into<Value>) {
         self.draft.request.insert(field.into(), value.into());
         self.place(format!("/{field}"), input);
@@ -315,7 +315,7 @@ impl Maker<'_> {
         polygons
     }
 
-    /// Returns the distance between the ends of a curve. `None` if they count as equal.
+    /// Returns the distance between the ends of a curve, or `None` if the ends count as equal.
     fn gap(&self, points: &[Point]) -> Option<f64> {
         let (Some(first), Some(last)) = (points.first(), points.last()) else { return None };
         let gap = distance(*first, *last);
@@ -347,7 +347,7 @@ impl Maker<'_> {
                     corner
                 }
                 None => {
-                    // The numbers of all points behind the new one grow.
+                    // The indices of all points after the new one grow by 1.
                     let new = place.segment + 1;
                     anchors[number].iter_mut().filter(|corner| **corner >= new).for_each(|corner| *corner += 1);
                     polygon.insert(new, anchor);
@@ -471,9 +471,9 @@ fn size(points: &[Point]) -> f64 {
     distance([extent(0), extent(1), extent(2)], [0.0; 3])
 }
 
-/// Place of a polygon that is nearest to a point.
+/// Segment of a polygon that is nearest to a point.
 struct Nearest {
-    /// Number of the point at which the segment begins.
+    /// Index of the segment's first point.
     segment: usize,
     distance: f64,
 }
@@ -527,14 +527,15 @@ fn joined(mesh: &Mesh) -> (Vec<Point>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// Returns the loops of edges that have one triangle, in the direction of the triangles.
+/// Returns the boundary loops of a mesh, which consist of the edges that belong to only one triangle. A loop has the
+/// direction that these triangles give to its edges.
 fn naked_edges(triangles: &[[u32; 3]]) -> Result<Vec<Vec<u32>>, String> {
     let mut count: HashMap<[u32; 2], usize> = HashMap::new();
     let edges = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     for [from, to] in edges() {
         *count.entry([from.min(to), from.max(to)]).or_default() += 1;
     }
-    // A map in order, so that the loops do not depend on the seed of a hash.
+    // The map is ordered, so that the loops do not depend on the seed of a hash.
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for [from, to] in edges().filter(|&[from, to]| count[&[from.min(to), from.max(to)]] == 1) {
         next.entry(from).or_default().push(to);

@@ -104,7 +104,7 @@ pub struct Named {
     document_unit: String,
 }
 
-/// Reads a message up to the component that it names.
+/// Reads a message and finds the component that it names. The values of its inputs are read later, by [`read`].
 ///
 /// # Errors
 /// Returns [`Refusal::Malformed`] or [`Refusal::Unknown`].
@@ -152,12 +152,12 @@ pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
     Ok(Values { given, document_tolerance: *document_tolerance, document_unit: document_unit.clone() })
 }
 
-/// Returns a name that a client has sent, at most 50 characters of it.
+/// Removes control characters from a name that a client has sent, and cuts the name to 50 characters.
 fn shortened(name: &str) -> String {
     name.chars().filter(|character| !character.is_control()).take(50).collect()
 }
 
-/// Returns the name of one value of a list.
+/// Returns the name by which errors refer to one value of a list.
 #[must_use]
 pub fn nth(name: &str, index: usize) -> String {
     format!("{name}[{index}]")

@@ -49,15 +49,16 @@ pub fn is_public(path: &str) -> bool {
         || (below("/hops") && !hops::is_solve(path))
 }
 
-/// Returns true for the health checks, which no limit of requests applies to.
+/// Returns true for the paths of the health checks, to which no limit of requests applies.
 #[must_use]
 pub fn is_health(path: &str) -> bool {
     path.strip_prefix("/health/").is_some_and(|check| ["live", "ready"].contains(&check))
 }
 
-/// Numbers of requests that a key has left, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
+/// Header with the number of requests that a key has left and the seconds until it has all of a minute's requests
+/// again, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
 pub const RATE_LIMIT: HeaderName = HeaderName::from_static("ratelimit");
-/// Number of requests that a key may make in a minute, as in the same draft.
+/// Header with the number of requests that a key may make in a minute, as in the same draft.
 pub const RATE_LIMIT_POLICY: HeaderName = HeaderName::from_static("ratelimit-policy");
 
 /// Adds the headers that tell a client how many requests its key has left.
@@ -150,8 +151,8 @@ fn presented_key<'r>(headers: &'r HeaderMap, path: &str) -> Option<&'r str> {
 const SEC_FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
 /// Refuses requests that change something and come from a page of a foreign origin. A browser sends such requests with
-/// all the access of its user, for example to a server on localhost. Browsers name the page's origin. Other clients do
-/// not, and are let through.
+/// all the access of its user, for example to a server on localhost. Browsers name the page's origin. Other clients
+/// name none, and are let through.
 pub async fn refuse_foreign_pages(State(app): State<App>, request: Request, next: Next) -> Response {
     let changes_state = ![Method::GET, Method::HEAD, Method::OPTIONS].contains(request.method());
     let host = request.uri().authority().map(|authority| authority.as_str());

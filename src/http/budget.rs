@@ -72,7 +72,7 @@ impl Budget {
 }
 
 impl Share {
-    /// Waits until the share can have `bytes` bytes in total. They are at most the size of the largest body.
+    /// Waits until the share can have `bytes` bytes in total, which must be at most the size of the largest body.
     pub async fn grow_to(&mut self, bytes: usize) {
         let budget = self.budget.clone();
         loop {

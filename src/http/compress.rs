@@ -8,12 +8,12 @@ use tower_http::CompressionLevel;
 use tower_http::compression::CompressionLayer;
 use tower_http::compression::predicate::{Predicate, SizeAbove};
 
-/// Length in bytes from which an answer is compressed. Shorter ones take a few packets either way, and compressing them
-/// takes longer than sending them.
+/// Smallest length in bytes of an answer that is compressed. A shorter answer takes a few packets either way, and
+/// compressing it takes longer than sending it.
 const LEAST_BYTES: u64 = 8192;
 
-/// Media types that are compressed. Event streams are left out, because each event is sent at once. So are pictures,
-/// fonts and ZIP files, which are compressed already.
+/// Media types that are compressed. Event streams are left out, because each event is sent at once. Pictures, fonts and
+/// ZIP files are left out, because they are compressed already.
 const COMPRESSED: [&str; 13] = [
     "application/json",
     "application/problem+json",
@@ -43,8 +43,8 @@ fn is_compressed(headers: &HeaderMap) -> bool {
     media_type != "text/event-stream" && COMPRESSED.iter().any(|known| media_type.starts_with(known))
 }
 
-/// Makes the entity tag of a compressed answer a weak one. A strong tag identifies exact bytes: with it, a client that
-/// has a part of the compressed file could request the rest and get bytes of the uncompressed file.
+/// Makes the entity tag of a compressed answer weak. A strong tag identifies exact bytes: with a strong tag, a client
+/// that has a part of the compressed file could request the rest and get bytes of the uncompressed file.
 fn weaken_tag(mut response: Response<Body>) -> Response<Body> {
     let headers = response.headers_mut();
     let tag = headers.get(header::ETAG).and_then(|tag| tag.to_str().ok()).filter(|tag| !tag.starts_with("W/"));

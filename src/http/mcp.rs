@@ -1,9 +1,9 @@
 //! The service as tools for language models: the Model Context Protocol (MCP), on standard input and output and at
 //! `POST /mcp`.
 //!
-//! The tools call `jobs` as the handlers of [`routes`](crate::http::routes) do, and jobs belong to the same owners. A
-//! failed call is a result with the text of its problem document, which a model can read. Protocol errors are left for
-//! calls that name no tool.
+//! The tools call `jobs` as the handlers of [`routes`](crate::http::routes) do, and jobs belong to the same owners. The
+//! answer to a failed call is a result with the text of its problem document, because a model can read results. Only a
+//! call that names no known tool is answered with a protocol error.
 
 pub mod schemas;
 
@@ -46,7 +46,7 @@ fn instructions() -> String {
     )
 }
 
-/// Bytes that a message may have besides the body of its request.
+/// Number of bytes that an MCP message may have in addition to the largest body of a request.
 const ENVELOPE_BYTES: usize = 64 << 10;
 
 /// The tools for one caller.
@@ -120,7 +120,7 @@ impl Tools {
         examples.retain(|example| wanted(example.kind));
         let example = match (example, kind) {
             (Some(name), _) => Some(named_example(&name)?),
-            // The shortest example shows the form of a request at the lowest price.
+            // The shortest example is enough to show the form of a request, and takes the least of a model's context.
             (None, Some(kind)) => {
                 let of_kind = objectives::examples().iter().filter(|example| example.kind == kind);
                 of_kind.min_by_key(|example| example.request.to_string().len())

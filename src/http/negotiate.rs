@@ -17,8 +17,8 @@ pub fn prefer_wait_s(headers: &HeaderMap) -> Option<u64> {
         .and_then(|(_, value)| value.trim().trim_matches('"').parse().ok())
 }
 
-/// Returns the index of the media type in `offered` with the highest quality in `Accept`, the first one among equals.
-/// Without `Accept` it is the first of all. Returns `None` if no offered type is accepted.
+/// Returns the index of the media type in `offered` with the highest quality in `Accept`. Among equal qualities the
+/// first type is chosen, and without `Accept` the first type of all. Returns `None` if no offered type is accepted.
 #[must_use]
 pub fn accepted(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
     let values: Vec<&str> = headers.get_all(header::ACCEPT).iter().filter_map(|value| value.to_str().ok()).collect();
@@ -65,7 +65,7 @@ pub fn accepted(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
     best.map(|(index, _)| index)
 }
 
-/// Returns a strong entity tag, which is the hash of the representation's bytes.
+/// Returns a strong entity tag, which is made from the hash of the representation's bytes.
 #[must_use]
 pub fn entity_tag(bytes: &[u8]) -> String {
     let digest = Sha256::digest(bytes);

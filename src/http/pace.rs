@@ -1,4 +1,4 @@
-//! A connection that ends if its client takes the answers too slowly.
+//! A stream that fails if its client takes the answers too slowly.
 
 use std::io;
 use std::pin::Pin;
@@ -31,7 +31,8 @@ impl<S> Paced<S> {
         Self { stream, period, least_bytes, waited: Duration::ZERO, written: 0, waiting: None }
     }
 
-    /// Takes note of the result of a write.
+    /// Counts the bytes of a write and the time that it waited. Replaces its result by an error if the peer is too
+    /// slow.
     fn note(&mut self, context: &mut Context<'_>, result: Poll<io::Result<usize>>) -> Poll<io::Result<usize>> {
         if self.least_bytes == 0 {
             return result;

@@ -61,7 +61,7 @@ failures! {
     unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot accept this request now";
 }
 
-/// Message on which Hops requests the description of a component again.
+/// Error text after which Hops requests the description of a component again.
 const BAD_INPUTS: &str = "Bad inputs";
 
 impl Failure {

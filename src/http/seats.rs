@@ -21,7 +21,7 @@ pub struct Seat {
     client: Arc<str>,
 }
 
-/// Mark of a request that came while the maximum number of connections was open, if no connection ended in time to make
+/// Marks a request that came while the maximum number of connections was open, if no connection ended in time to make
 /// room for it.
 #[derive(Clone, Copy, Debug)]
 pub struct NoConnection;
@@ -43,7 +43,7 @@ pub fn address(extensions: &Extensions) -> String {
 }
 
 impl Seats {
-    /// Returns seats of which each client may take `most` at once.
+    /// Creates seats, of which each client may take `most` at once.
     #[must_use]
     pub fn new(most: usize) -> Self {
         Self { most, taken: Mutex::default() }

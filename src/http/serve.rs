@@ -83,13 +83,13 @@ struct Connections {
     closing: watch::Sender<bool>,
 }
 
-/// Permit of an open connection.
+/// Permit of an open connection, which is given back when it is dropped.
 #[derive(Debug)]
 enum ConnectionPermit {
     Ordinary {
         _permit: OwnedSemaphorePermit,
     },
-    /// Beyond the maximum number.
+    /// Permit of a connection beyond the maximum number.
     Extra {
         _permit: OwnedSemaphorePermit,
     },
@@ -134,7 +134,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const BUSY: u64 = u64::MAX;
 /// Marks an idle connection that must close to make room for another one.
 const DISMISSED: u64 = u64::MAX - 1;
-/// Time that a dismissed connection has to send the end of its last response, which may still be in a buffer.
+/// Time limit for a dismissed connection to send the end of its last response, which may still be in a buffer.
 const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
 /// Size in bytes of a request's longest head, and of the part of an answer that waits for its client in memory.
 const BUFFER_BYTES: usize = 128 << 10;
@@ -331,7 +331,7 @@ struct Answering {
     body: Body,
     /// Part of the body's last frame that hyper has not taken yet.
     rest: Bytes,
-    /// Ends when the client's key is removed, and with it the body.
+    /// Completes when the client's key is removed. The body then ends with an error.
     removal: Option<Removal>,
     _seat: Option<Arc<Seat>>,
     _busy: Busy,

@@ -19,7 +19,7 @@ pub struct App {
     /// Limits of the requests that each client has open.
     pub seats: Arc<Seats>,
     pub keys: Arc<Keys>,
-    /// Returns the API document as a server below a base path serves it. It is made when it is first asked for, because
-    /// its schemas take longer than everything else at the start of the process.
+    /// Returns the API document as a server below a base path serves it. The document is made at the first call,
+    /// because making its schemas takes longer than everything else at the start of the process.
     pub document: fn(&str) -> String,
 }

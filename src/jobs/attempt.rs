@@ -28,8 +28,8 @@ const FIRST_PAUSE: Duration = Duration::from_millis(50);
 const STOP_PATIENCE: Duration = Duration::from_secs(2);
 /// Time for which a shutdown tries to hand a job back. A job that is not handed back loses an attempt.
 const HAND_BACK_PATIENCE: Duration = Duration::from_secs(5);
-/// Number of tries to store an outcome if the store reports a defect. Other failures of the store pass, so they are
-/// retried without limit.
+/// Maximum number of tries to store an outcome if the store reports a defect. All other failures of the store are
+/// temporary, so they are retried without limit.
 const DEFECT_TRIES: usize = 5;
 
 /// A running attempt. While it exists, a cancel reaches its solver and the metrics count it.
@@ -204,7 +204,7 @@ impl Attempt {
         outcome(Ended::Unresponsive)
     }
 
-    /// Returns the time that a solver has to end after it was asked to.
+    /// Time limit for a solver to end after it was asked to end.
     fn patience(&self) -> Duration {
         Duration::from_millis(self.jobs.config().jobs.unresponsive_ms)
     }

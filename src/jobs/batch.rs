@@ -15,8 +15,8 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::VecDeque;
 
-/// Number of triangles that one ZIP may hold. At 200 bytes per triangle, the most that any format takes, this is 4 GB,
-/// the most that a ZIP can address.
+/// Largest number of triangles that one ZIP may hold. No format takes more than 200 bytes per triangle, so the ZIP has
+/// at most 4 GB, which is the most that a ZIP can address.
 const ARCHIVE_TRIANGLES: u64 = 20_000_000;
 
 pub(super) async fn meshes(jobs: &Jobs, batch: &BatchRow) -> Result<BatchMeshes, JobsError> {
@@ -75,7 +75,7 @@ impl BatchMeshes {
         Err(JobsError::TooMuch(format!("the meshes have {has} triangles, and one file takes {maximum}; {instead}")))
     }
 
-    /// Returns one scene with all meshes at their own coordinates.
+    /// Returns one GLB scene with all meshes at their own coordinates.
     ///
     /// # Errors
     /// Returns [`JobsError::TooMuch`], [`JobsError::Unwritable`] or an error of the store.

@@ -28,7 +28,7 @@ const MAX_OF_OWNER: usize = 8;
 const MAX_OF_HOST: usize = 4;
 /// Upper bound of the pause between two attempts.
 const MAX_PAUSE: Duration = Duration::from_secs(24 * 3600);
-/// Upper bound of the time for which a host that fails gets no message of this process.
+/// Upper bound of the time for which this process sends no message to a host whose last attempts failed.
 const MAX_REST: Duration = Duration::from_secs(300);
 
 /// Attempts that run in this process, and hosts that have failed.

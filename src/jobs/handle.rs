@@ -95,7 +95,7 @@ impl Jobs {
         self.0.unresponsive.load(Ordering::Relaxed)
     }
 
-    /// Whether so many solvers do not answer that the process must be started anew.
+    /// Returns true if so many solvers were given up that the process must be restarted.
     #[must_use]
     pub fn has_too_many_unresponsive(&self) -> bool {
         self.unresponsive() >= self.0.config.jobs.unresponsive_max

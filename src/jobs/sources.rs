@@ -19,13 +19,14 @@ use tokio::runtime::Handle;
 /// Pause before a worker reads a source again from a store that cannot be reached.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// The finished jobs of an owner, for a thread that reads requests. The thread must not be one of the async runtime,
-/// because it waits for the store.
+/// Looks up the results of an owner's finished jobs, for a thread that reads requests. The thread must not be one of
+/// the async runtime, because it waits for the store.
 pub(super) struct Sources {
     jobs: Jobs,
     owner: Option<String>,
     runtime: Handle,
-    /// The last source. The requests of a batch often begin with the same one.
+    /// Source that was found last, with the identifier of its job. The requests of a batch often begin with the same
+    /// source.
     last: RefCell<Option<(String, Source)>>,
     /// Reason for which the last source was not found.
     missing: RefCell<Option<JobsError>>,
@@ -80,7 +81,7 @@ impl Sources {
         source(&self.jobs, store.artefact(id, owner).await?).await
     }
 
-    /// Returns the error for a request that was refused.
+    /// Returns the error for a request that was refused. If its source was not found, the error names that cause.
     pub(super) fn refused(&self, rejection: Rejection) -> JobsError {
         match (rejection, self.missing.take()) {
             (Rejection::Invalid(errors), Some(cause)) => JobsError::NoSource { cause: Box::new(cause), errors },

@@ -31,7 +31,7 @@ const INLINE_BYTES: usize = 16 << 10;
 pub enum Submitted<T> {
     /// The submission created a job or batch, which is on disk.
     Created(T),
-    /// An earlier submission with the same idempotency key and body created it.
+    /// An earlier submission with the same idempotency key and body created the job or batch.
     Existing(T),
 }
 
@@ -39,7 +39,7 @@ pub enum Submitted<T> {
 #[derive(Debug)]
 pub struct Accepted {
     pub submitted: Submitted<Job>,
-    /// Cancel the job if the client goes away while it waits.
+    /// True if the job must be cancelled when the client goes away while it waits for the end.
     pub cancel_on_disconnect: bool,
 }
 

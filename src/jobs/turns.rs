@@ -1,4 +1,4 @@
-//! Permits that the owners who wait for them get in turn.
+//! Permits that are given to the waiting owners in turn.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -56,7 +56,8 @@ impl Turns {
             if !line.is_empty() {
                 state.lines.push_back((owner, line));
             }
-            // A permit that reaches a waiter which goes away at the same moment comes back when it is dropped.
+            // A permit may reach a waiter that goes away at the same moment. The permit then comes back when it is
+            // dropped.
             match waiter.map(|waiter| waiter.send(Turn(Some(self.clone())))) {
                 Some(Ok(())) => return,
                 // The waiter has gone away. Its permit is void, because it must not come back while the state is

@@ -52,7 +52,7 @@ pub(super) async fn run(jobs: Jobs, name: String, slots: Arc<Semaphore>, most_by
                 number += 1;
                 match jobs.memory().reserve(claimed.memory_bytes) {
                     Some(share) => drop(tokio::spawn(attempt::run(jobs.clone(), claimed, slot, share))),
-                    // Another worker took the memory since this one looked.
+                    // Another worker has taken the memory since this worker looked.
                     None => attempt::hand_back(&jobs, &claimed).await,
                 }
                 continue;

@@ -9,11 +9,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// The file reserves space for accepted jobs and for a sweep.
+/// Value of `reserve`: the file has its whole size, for accepted jobs and for a sweep.
 const WHOLE: u8 = 0;
-/// The file reserves space for a sweep. Accepted jobs use the rest.
+/// Value of `reserve`: the file is shortened to the part for a sweep. Accepted jobs use the space that this freed.
 const FOR_SWEEP: u8 = 1;
-/// There is no file, because a sweep runs, or because the disk is still full after a sweep.
+/// Value of `reserve`: there is no file, because a sweep runs, or because the disk is still full after a sweep.
 const NOTHING: u8 = 2;
 
 #[derive(Debug)]
@@ -25,7 +25,8 @@ pub(super) struct Ballast {
 }
 
 impl Ballast {
-    /// Describes the ballast of a database, whose file is beside the database's. With `bytes` = 0 there is no ballast.
+    /// Describes the ballast of the database file `database`. The ballast file is in the same folder. With `bytes` = 0
+    /// there is no ballast.
     pub(super) fn new(database: &Path, bytes: u64) -> Self {
         let mut name = database.as_os_str().to_owned();
         name.push("-ballast");
@@ -95,7 +96,8 @@ impl Ballast {
         }
     }
 
-    /// Writes `room` bytes to see that the disk has them, and keeps the first `kept`. Leaves no file if that fails.
+    /// Writes `room` bytes to test that the disk has space for them, and then shortens the file to its first `kept`
+    /// bytes. Leaves no file if a write fails.
     fn write(&self, room: u64, kept: u64) -> io::Result<()> {
         let written = File::create(&self.path).and_then(|mut file| {
             let zeros = vec![0; 1 << 20];

@@ -66,8 +66,8 @@ impl Bucket {
         Ok(self.objects.delete(&self.path(file)).await?)
     }
 
-    /// Returns the names of objects that were last written longer ago than `age`. The bucket's clock may differ from
-    /// this machine's by less than `age`.
+    /// Returns the names of objects that were last written longer ago than `age`. The age of an object is measured by
+    /// this machine's clock, so `age` must be longer than the difference between this clock and the bucket's clock.
     pub(super) async fn older_than(&self, age: Duration) -> Result<Vec<String>> {
         let prefix = Some(&self.prefix).filter(|prefix| !prefix.as_ref().is_empty());
         let objects: Vec<_> = self.objects.list(prefix).try_collect().await?;

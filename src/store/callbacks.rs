@@ -27,12 +27,12 @@ pub struct Callback {
     pub host: String,
     /// Number of attempts since the message became due or was last sent again, including this one.
     pub attempts: i64,
-    /// Number of all attempts, which tells this attempt from others.
+    /// Number of all attempts so far. It tells this attempt from the others.
     number: i64,
 }
 
 impl Callback {
-    /// Returns a first attempt that no store knows.
+    /// Creates the first attempt of a callback that is in no store.
     #[cfg(test)]
     pub(crate) fn to(owner: Option<String>, url: &str) -> Self {
         let (id, url, host) = (String::new(), url.to_owned(), host_of(url));
@@ -60,7 +60,7 @@ pub struct Attempted {
     pub delivery: Delivery,
 }
 
-/// The callback of a job or batch, and what was done for it.
+/// State of the callback of a job or batch, with its attempts so far.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CallbackRow {
     pub url: Option<String>,

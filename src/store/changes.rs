@@ -21,7 +21,7 @@ use super::postgres::Database as Postgres;
 use super::tx::AfterCommit;
 
 const NOTIFY_INTERVAL: Duration = Duration::from_millis(20);
-/// Upper bound of a payload's size. PostgreSQL takes payloads below 8000 bytes.
+/// Upper bound of a payload's size in bytes, because PostgreSQL accepts only payloads below 8000 bytes.
 const PAYLOAD_BYTES: usize = 7900;
 /// Line in a payload that means "a job may have become claimable".
 const WORK: &str = "*";

@@ -35,27 +35,27 @@ pub enum Renewed {
     Held,
     /// The job was cancelled.
     Cancelled,
-    /// The lease ran out and the job moved on, or it was deleted.
+    /// The lease ran out and the job moved on, or the job was deleted.
     Lost,
 }
 
-/// SQL condition for running jobs whose lease, of at most `$1` ms, has run out. A lease that ends more than twice its
-/// length in the future was given by a clock that has since been set back, so it counts as run out too. Smaller steps
-/// back do no harm.
+/// SQL condition for running jobs whose lease has run out. `$1` is the longest lease, in ms, that this process may
+/// judge (see `contact.rs`). A lease that ends more than twice its length in the future was given by a clock that
+/// has since been set back, so it counts as run out too. Smaller steps back do no harm.
 const LEASE_EXPIRED: &str =
     "status = 'running' AND ((lease_until <= now_ms() AND lease_ms <= $1) OR lease_until > now_ms() + 2 * lease_ms)";
 
-/// Number of lost leases that one transaction handles.
+/// Largest number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;
 
 /// Number of jobs that may be claimed before a job that does not fit into the free memory. After that many, memory is
 /// left free until the job fits.
 const MAX_OVERTAKEN: i64 = 16;
 
-/// Memory of the jobs that a worker may claim.
+/// Limits on the memory of a job that a worker may claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Room {
-    /// Largest number of bytes that the worker's process has left.
+    /// Number of bytes that the worker's process has left for jobs.
     pub free_bytes: u64,
     /// Largest number of bytes of a job that this worker solves.
     pub most_bytes: u64,
@@ -70,7 +70,7 @@ impl Room {
     }
 }
 
-/// Returns whether a lease of at most `lease_max_ms` has run out, and whether a job waits for which there is room.
+/// Returns two flags: whether a lease of at most `lease_max_ms` has run out, and whether a queued job fits into `room`.
 pub(super) fn pending_work(tx: &mut Tx<'_>, lease_max_ms: i64, room: Room) -> Result<(bool, bool)> {
     let lost = format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1");
     let lost = tx.exists(&lost, &[lease_max_ms.into()])?;
@@ -106,7 +106,7 @@ pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration, room: Room) 
     claim_chosen(tx, &fitting("id", "$3"), worker, lease, room)
 }
 
-/// Claims the job that the query `chosen` selects, if there is room for it (`$3`).
+/// Claims the job that the query `chosen` selects, if the job fits into `room` (`$3`).
 fn claim_chosen(tx: &mut Tx<'_>, chosen: &str, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
     let text = format!(
         "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
@@ -121,7 +121,7 @@ fn claim_chosen(tx: &mut Tx<'_>, chosen: &str, worker: &str, lease: Duration, ro
     claimed(tx, &row).map(Some)
 }
 
-/// Returns the job that a claim under this name has claimed, if it did, and extends its lease.
+/// Returns the running job that was claimed under the name `worker`, if there is one, and extends its lease.
 pub(super) fn claimed_by(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
     let text = "UPDATE jobs SET lease_until = now_ms() + $2, lease_ms = $2 WHERE worker = $1 AND status = 'running' \
                 RETURNING id, kind, attempt, memory_bytes, now_ms() - created_at AS waited";
@@ -216,7 +216,7 @@ pub(super) fn finish(
         }
     };
     if changed == 0 {
-        // The file of this outcome has the same name at every try, so a row may name it already.
+        // A repeated call uses the same file name, so a row may already name this file. Then the file is kept.
         let file = result.and_then(|result| result.file.as_deref());
         if let Some(file) = file
             && !results::is_named(tx, file)?
@@ -234,7 +234,7 @@ pub(super) fn finish(
     Ok(true)
 }
 
-/// Returns true if this attempt has ended with this outcome.
+/// Returns true if the attempt with the number `attempt` has ended with this outcome.
 fn has_ended_with(
     tx: &mut Tx<'_>,
     id: &str,
@@ -280,8 +280,8 @@ fn loss_of(attempt: i64) -> String {
     format!("attempt {attempt} on ")
 }
 
-/// Takes back the loss of an attempt whose worker turns out to be alive: it could not reach the database while its
-/// lease ran out. The job stays with the attempt that took it over.
+/// Takes back the recorded loss of an attempt whose worker turns out to be alive. That worker could not reach the
+/// database while its lease ran out. The job stays with the attempt that took it over.
 fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
     let text = "SELECT losses FROM jobs WHERE id = $1 AND lost_leases > 0 AND status IN ('queued', 'running')";
     let Some(row) = tx.row(text, &[id.into()])? else { return Ok(()) };
@@ -295,8 +295,8 @@ fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
     tx.execute(text, &[id.into(), (&losses).into(), (&others).into()]).map(|_| ())
 }
 
-/// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue, or fails them if that happened too
-/// often. Returns the number of these jobs.
+/// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue. A job whose lease has run out too
+/// often fails instead. Returns the number of jobs of both kinds.
 ///
 /// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has
 /// not renewed its lease since then may have been stopped because of the outage, so its loss is not counted.

@@ -1,4 +1,4 @@
-//! The database of a store, which is of one of two kinds.
+//! The database of a store, which is SQLite or PostgreSQL.
 
 use std::sync::Arc;
 

@@ -38,7 +38,7 @@ impl ResultStorage {
         Ok(Self::Folder(place.into()))
     }
 
-    /// Checks whether this program supports such a place.
+    /// Fails if `place` is a bucket and this program was built without support for buckets.
     pub(super) fn check(place: &str) -> Result<()> {
         if cfg!(feature = "s3") || !place.starts_with(BUCKET_SCHEME) {
             return Ok(());
@@ -75,10 +75,10 @@ impl ResultStorage {
         }
     }
 
-    /// Writes and removes a small file.
+    /// Tests whether results can be stored, by writing and removing a small file.
     pub(super) async fn probe(&self) -> Result<()> {
-        // The name is used once, because other processes may probe the same storage at the same time. The number of a
-        // process does not tell them apart, because it is 1 in every container.
+        // Each name is used only once, because other processes may probe the same storage at the same time. A process
+        // number would not be unique, because it is 1 in every container.
         let file = format!("{PROBE}-{}", ulid::Ulid::generate());
         self.write(&file, b"probe").await?;
         self.remove(file).await;

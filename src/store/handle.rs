@@ -85,8 +85,8 @@ impl Store {
         Ok(store)
     }
 
-    /// Checks the form of a database's URL and of the place of its results (empty for the default), without reaching
-    /// either.
+    /// Checks the form of a database's URL and of the place of its results (empty for the default). It connects to
+    /// neither of them.
     pub fn check_places(url: &str, results: &str) -> Result<()> {
         if url.starts_with("postgres://") || url.starts_with("postgresql://") {
             Server::at(url)?;
@@ -108,7 +108,7 @@ impl Store {
             Engine::Sqlite(database) => database.close().await,
             Engine::Postgres(database) => {
                 let instance = self.inner.instance.clone();
-                // If this fails, another instance leads after a while.
+                // If this fails, another instance takes over the tasks of this instance when its hold on them expires.
                 let _ = self.write(move |tx| leaders::leave(tx, &instance)).await;
                 database.close().await;
             }
@@ -224,7 +224,7 @@ impl Store {
         Ok(())
     }
 
-    /// Names the result, and writes its file if it is too large for the database.
+    /// Computes the name of a successful result. Writes the result to a file if it is too large for the database.
     pub(super) async fn prepare(&self, id: &str, attempt: i64, outcome: &Outcome) -> Result<Option<Prepared>> {
         let Outcome::Succeeded { artefact, artefact_hash, .. } = outcome else { return Ok(None) };
         let mut prepared = Prepared { hash: results::name(artefact, *artefact_hash), file: None };

@@ -54,7 +54,8 @@ impl StatusEvent {
     }
 }
 
-/// Returns SQL for the history with a line for a change of status. The line has the values after the change.
+/// Returns an SQL expression for the column `history` with a new last line, which records the change to `status`. The
+/// line has the given attempt and the sequence number after the change.
 pub(super) fn history_line(attempt: &str, status: Status) -> String {
     format!("history || {attempt} || ' ' || (sequence + 1) || ' {} ' || now_ms() || '\n'", status.name())
 }

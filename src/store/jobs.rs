@@ -101,7 +101,7 @@ const SERIES_LOCKS: i64 = 7_019_839_176;
 /// Permission for later equal requests to reuse a job's result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sharing {
-    /// The client allows it, but the job has no result yet.
+    /// The client allows the reuse, but the job has no result yet.
     Undecided,
     Allowed,
     /// The client bypassed the cache, or the result depends on more than the request.
@@ -186,7 +186,7 @@ impl JobRow {
         })
     }
 
-    /// Returns the row of a job that is queued now.
+    /// Returns the row of a job that enters the queue at `now_ms`.
     fn queued(job: &NewJob, now_ms: i64) -> Self {
         Self {
             id: job.id.clone(),
@@ -326,8 +326,8 @@ fn owner_column(job: &NewJob) -> Value<'_> {
     job.owner.as_deref().unwrap_or_default().into()
 }
 
-/// Returns the answer to a submission with this key if there was an earlier submission with it: the existing job, or a
-/// conflict if the body differs.
+/// Looks for an earlier submission with the idempotency key `key`. If there is one, returns the answer to a repeated
+/// submission: the existing job, or a conflict if the body differs.
 pub(super) fn earlier_job(
     tx: &mut Tx<'_>,
     owner: Option<&str>,

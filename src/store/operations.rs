@@ -1,4 +1,5 @@
-//! Every operation of the store. Each runs a plain function of its subject in a transaction.
+//! Every operation of the store. Each method runs a function of another module (`jobs`, `claims`, `batches`, ...) in a
+//! transaction.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -139,14 +140,14 @@ impl Store {
 
 /// Workers.
 impl Store {
-    /// Claims the job whose turn it is for the time `lease`. Returns `None` if no job waits. Jobs whose lease ran out
+    /// Claims, for the time `lease`, the job whose turn it is. Returns `None` if no job waits. Jobs whose lease ran out
     /// go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
         self.claim_within(worker, lease, Room::ANY).await
     }
 
-    /// Claims a job as [`Store::claim`] does, for a worker with this room. A limited number of jobs may overtake one
-    /// that does not fit into the free memory. Then nothing is claimed until that job fits.
+    /// Same as [`Store::claim`], for a worker whose memory is limited to `room`. If the first job in the queue does not
+    /// fit into the free memory, a limited number of jobs may overtake it. Then nothing is claimed until that job fits.
     pub async fn claim_within(&self, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
         // Idle workers only read, because SQLite has one writer.
         let (recovered, waiting) = self.recover_for(room).await?;
@@ -157,7 +158,7 @@ impl Store {
         self.write(move |tx| claims::claim(tx, &worker, lease, room)).await
     }
 
-    /// Returns the job that an earlier claim under this name has claimed, with a new lease, or `None`. A worker calls
+    /// Returns the running job that was claimed under the name `worker`, with a new lease, or `None`. A worker calls
     /// this after a failed claim, because the claim may be committed although the answer was lost. Each claim needs its
     /// own name.
     pub async fn claimed_by(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
@@ -260,7 +261,8 @@ impl Store {
     }
 
     /// Makes the callback of a job or batch due at once. A settled callback gets all of its attempts again. The
-    /// callback of a job or batch that has not ended stays due at the end. Returns false if there is no callback.
+    /// callback of a job or batch that has not ended is still sent only after the end. Returns false if there is no
+    /// callback.
     pub async fn send_callback_again(&self, subject: Subject, id: &str, owner: Option<&str>) -> Result<bool> {
         let (id, owner) = owned(id, owner);
         self.write(move |tx| callbacks::send_again(tx, subject, &id, owner.as_deref())).await
@@ -275,9 +277,9 @@ impl Store {
 
 /// Retention.
 impl Store {
-    /// Returns true if this instance sweeps for all that share the database: it swept last, or the instance that swept
-    /// last has been silent for `length`. One instance sweeps for all, because a sweep lists the whole storage of
-    /// results.
+    /// Returns true if this instance must sweep the database that several instances share: it swept last, or the
+    /// instance that swept last has been silent for `length`. Only one instance sweeps, because a sweep lists the whole
+    /// storage of results.
     pub async fn leads_the_sweep(&self, length: Duration) -> Result<bool> {
         if matches!(self.inner.engine, Engine::Sqlite(_)) {
             return Ok(true);
@@ -322,7 +324,7 @@ impl Store {
         self.recover_for(Room::ANY).await
     }
 
-    /// Same as [`Store::recover`], for a worker that looks for jobs for which it has room.
+    /// Same as [`Store::recover`], but the second value says whether a waiting job fits into `room`.
     async fn recover_for(&self, room: Room) -> Result<(usize, bool)> {
         if self.inner.contact.is_broken() {
             self.write(|_| Ok(())).await?;

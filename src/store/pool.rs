@@ -10,12 +10,12 @@ use crate::threads::{Lost, Threads};
 
 type Open<C> = Arc<dyn Fn() -> Result<C> + Send + Sync>;
 
-/// Stack size of the threads, which is what the system gives a thread by default.
+/// Stack size of the threads in bytes, which is the default of Rust's standard library.
 const STACK_BYTES: usize = 2 << 20;
 
 pub(super) struct Pool<C> {
     open: Open<C>,
-    /// Permits of the threads.
+    /// Has a permit for each free thread.
     permits: Arc<Semaphore>,
     /// Time that a caller waits for a free thread. `None` means no limit.
     patience: Option<Duration>,

@@ -11,11 +11,13 @@ use super::session::{Connection, PATIENCE, STATEMENT_LIMIT, Server, Session};
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
 
-/// Number of tries of a transaction that fails because of a deadlock or of two equal idempotency keys at once.
+/// Maximum number of tries of a transaction that fails because of a deadlock, or because another transaction has just
+/// inserted the same idempotency key.
 const TRIES: usize = 5;
 /// Time limit for each statement of a migration.
 const MIGRATION_LIMIT: Duration = Duration::from_secs(600);
-/// Interval at which the listening connection is tested. Nothing else would show that it is silent.
+/// Interval at which the listening connection is tested. Without the test, a connection whose server no longer answers
+/// would look like a connection without notifications.
 const LISTEN_TEST_INTERVAL: Duration = Duration::from_secs(10);
 const CHANNEL: &str = "plateau_changes";
 const RECONNECT_DELAY: Duration = Duration::from_secs(1);
@@ -115,7 +117,8 @@ fn listen_once(server: &Server, stopped: &Receiver<()>, heard: &impl Fn(Option<&
 }
 
 impl Session {
-    /// Migrates the tables. A new index over a long table takes longer than any other statement.
+    /// Migrates the tables. The time limit of a statement is longer meanwhile, because a new index over a long table
+    /// takes longer than any other statement.
     fn migrate(&mut self) -> Result<()> {
         self.limit = MIGRATION_LIMIT;
         let migrated = self.transact(&|tx| {

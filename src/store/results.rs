@@ -25,7 +25,7 @@ pub(super) struct Prepared {
     pub(super) file: Option<String>,
 }
 
-/// Row of a job's result.
+/// Row of a stored result, whose bytes are in the row or in a file.
 #[derive(Debug)]
 pub(super) struct ResultRow {
     pub(super) hash: Vec<u8>,
@@ -69,12 +69,12 @@ const NAMED_BY_TIME_BYTES: usize = 32 << 10;
 /// Length in bytes of the time at the beginning of a name.
 const TIME_BYTES: usize = 6;
 
-/// Returns true if two names belong to equal bytes, whenever they were given.
+/// Returns true if two names belong to equal bytes. The times at the beginning of the names are ignored.
 pub(super) fn have_equal_bytes(name: &[u8], other: &[u8]) -> bool {
     name.get(TIME_BYTES..) == other.get(TIME_BYTES..)
 }
 
-/// Returns the name of a result whose bytes have this hash.
+/// Returns the name of a result: the hash of its bytes, whose beginning is replaced by the time if the result is small.
 pub(super) fn name(artefact: &[u8], hash: [u8; 32]) -> [u8; 32] {
     if artefact.len() > NAMED_BY_TIME_BYTES {
         return hash;

@@ -10,9 +10,9 @@ use super::tx::{Row, Tx};
 use super::value::Value;
 use super::{Result, batches, limit, milliseconds, results};
 
-/// Number of rows that one transaction of the sweep removes.
+/// Largest number of rows that one transaction of the sweep removes.
 const SWEEP_STEP: i64 = 50;
-/// Number of jobs that one transaction expires to get below the byte budget.
+/// Largest number of jobs that one transaction expires to get below the byte budget.
 const EVICTION_STEP: i64 = 10;
 /// Estimate of the space that the row of a job takes in an SQLite database beside its long texts, with its entries in
 /// the indexes, in bytes. The size of the database is read again after the eviction, so an error costs another round at
@@ -20,7 +20,7 @@ const EVICTION_STEP: i64 = 10;
 const ROW_BYTES: i64 = 700;
 /// Estimate of the space that the identifier of an expired job takes in an SQLite database, in bytes.
 const EXPIRED_BYTES: i64 = 200;
-/// Number of results without a job that one query returns.
+/// Largest number of results without a job that one query returns.
 const ORPHANS_STEP: usize = 200;
 /// Number of incremental-vacuum steps after a sweep that deleted rows.
 const SHRINK_STEPS: usize = 20;
@@ -82,7 +82,7 @@ impl Choice {
     }
 }
 
-/// Result of one step.
+/// Result of one call of [`expire`].
 #[derive(Debug)]
 struct Expired {
     jobs: usize,
@@ -94,7 +94,7 @@ struct Expired {
     results: u64,
 }
 
-/// Sweeps after `recovered` lost leases were recovered.
+/// Runs one sweep. The number of leases that were `recovered` before it is only passed on to the report.
 pub(super) async fn sweep(store: &Store, recovered: usize) -> Result<Swept> {
     let mut swept = Swept { recovered, ..Swept::default() };
     expire_all(store, &Choice::Due, &mut swept).await?;
@@ -119,7 +119,8 @@ pub(super) async fn sweep(store: &Store, recovered: usize) -> Result<Swept> {
     Ok(swept)
 }
 
-/// Pauses for as long as the last transaction took, so that other writes can run.
+/// Pauses for as long as the transaction that started at `begun` took, but at most [`MAX_PAUSE`], so that other writes
+/// can run.
 async fn pause_as_long_as(begun: Instant) {
     tokio::time::sleep(begun.elapsed().min(MAX_PAUSE)).await;
 }
@@ -164,7 +165,8 @@ fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> 
     let mut orphans = BTreeSet::new();
     for row in choice.rows(tx, step)? {
         let id: String = row.get("id")?;
-        // The row is deleted before its identifier is stored, because a full database has no other space for that.
+        // The row is deleted before its identifier is stored, because a full database has no space for the identifier
+        // until the row is gone.
         let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else {
             continue;
         };

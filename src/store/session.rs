@@ -25,8 +25,8 @@ use super::{Result, StoreError};
 
 /// Time limit for getting a free connection, and for opening a connection to the server.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
-/// Time after which the server ends a statement, and a transaction whose client is silent. The second frees the rows
-/// that a client behind a broken network has locked.
+/// Two time limits that the server enforces: for a statement, and for a transaction whose client is silent. The second
+/// one frees the rows that a client behind a broken network has locked.
 const SESSION_OPTIONS: &str = "-c statement_timeout=8s -c idle_in_transaction_session_timeout=8s";
 /// Time limit for the answer to a statement. The server's own limit is shorter, so that only a broken network or server
 /// reaches this one. A lease of 15 s, the default, is renewed every 5 s: a renewal whose connection is silent fails
@@ -40,7 +40,7 @@ const KEEPALIVE_IDLE: Duration = Duration::from_secs(10);
 const KEEPALIVE_INTERVAL: Duration = Duration::from_secs(3);
 const KEEPALIVE_RETRIES: u32 = 3;
 
-/// Server with all that is needed to connect to it.
+/// Address of a server, with the settings for connecting to it.
 #[derive(Clone, Debug)]
 pub(super) struct Server {
     config: Config,
@@ -76,7 +76,7 @@ impl Server {
     }
 }
 
-/// Connects, and starts the task that carries the connection. Returns the notifications with the client.
+/// Connects, and starts the task that drives the connection. Returns the client and the receiver of notifications.
 async fn connect<T>(
     config: &Config,
     tls: T,
@@ -91,7 +91,7 @@ where
     Ok((client, notifications))
 }
 
-/// Carries a connection until it ends, and passes its notifications on.
+/// Drives a connection until it ends, and passes its notifications on.
 async fn carry<S>(mut connection: tokio_postgres::Connection<Socket, S>, notifications: UnboundedSender<String>)
 where
     S: AsyncRead + AsyncWrite + Unpin,
@@ -111,7 +111,8 @@ fn needs_plain(error: &tokio_postgres::Error) -> bool {
         || error.source().is_some_and(|source| source.is::<Disagreement>())
 }
 
-/// Returns the error of an attempt to connect. Unless the server may be reachable later, it is a refusal.
+/// Converts the error of an attempt to connect. An error that a later attempt would meet again becomes
+/// `StoreError::Refused`.
 fn refusal(error: tokio_postgres::Error) -> StoreError {
     match StoreError::from(error) {
         StoreError::Internal(text) => StoreError::Refused(text),
@@ -122,7 +123,7 @@ fn refusal(error: tokio_postgres::Error) -> StoreError {
 /// An open connection. It reads and writes only while one of its statements or a notification is awaited. Dropping it
 /// closes it without waiting for the server.
 pub(super) struct Connection {
-    /// Runs the task that carries the connection.
+    /// Runs the task that drives the connection.
     pub(super) runtime: Runtime,
     client: Client,
     pub(super) notifications: UnboundedReceiver<String>,
@@ -174,8 +175,8 @@ impl Session {
         Self { server, connection: None, statements: HashMap::new(), limit: STATEMENT_LIMIT, in_transaction: false }
     }
 
-    /// Runs one exchange with the server. A connection that did not answer in time is closed, because its next answer
-    /// would belong to this exchange.
+    /// Runs one exchange with the server. A connection that did not answer in time is closed, because the late answer
+    /// would be taken for the answer to the next statement.
     fn run<T>(
         &mut self,
         exchange: impl AsyncFnOnce(&Client) -> std::result::Result<T, tokio_postgres::Error>,
@@ -202,8 +203,8 @@ impl Session {
         ran
     }
 
-    /// Closes the connection if it is broken, so that the next statement opens another. Callers use this only after an
-    /// error, because it asks the server.
+    /// Closes the connection if it is broken, so that the next statement opens another one. Callers use this only after
+    /// an error, because the check sends a message to the server.
     pub(super) fn drop_broken(&mut self) {
         if self.connection.is_some() && self.run(async |client| client.check_connection().await).is_err() {
             self.connection = None;

@@ -28,8 +28,8 @@ use crate::test_hooks::FailurePoint;
 const GROUP_SIZE: usize = 128;
 /// Number of writes that may be queued for the writer. Further callers wait.
 const WRITE_BACKLOG: usize = 1024;
-/// Size to which the write-ahead log is cut after it has been copied into the database. The log hardly grows longer,
-/// because the writer then copies it.
+/// Size in bytes to which SQLite shortens the write-ahead log after copying it into the database. The log hardly grows
+/// beyond this size, because the writer copies it then.
 const LOG_KEPT_BYTES: u32 = MAX_LOG_PAGES * 4096;
 /// Number of pages by which the write-ahead log may grow before it is copied while writes continue. Index pages that
 /// many jobs change are then copied only once.
@@ -38,7 +38,7 @@ const COPY_STEP_PAGES: u32 = 1024;
 /// its beginning only when all of it has been copied, which never happens during writes without a pause. A longer log
 /// needs a larger ballast, because copying the log may extend the database by as much on a disk that is already full.
 const MAX_LOG_PAGES: u32 = 4096;
-/// Size of the writer's page cache. Hashes are indexed, so writes touch pages anywhere in the file.
+/// Size of the writer's page cache in KiB. Hashes are indexed, so writes touch pages anywhere in the file.
 const CACHE_KIB: u32 = 8 << 10;
 /// Number of threads that read.
 const READERS: usize = 4;
@@ -199,7 +199,7 @@ struct Pending<T, F> {
 impl<T: Send, F: Fn(&mut Tx<'_>) -> Result<T> + Send> Write for Pending<T, F> {
     fn run(&mut self, connection: &Sqlite) -> Result<()> {
         let mut tx = Tx::sqlite(connection);
-        // A panic must not end the writer's thread. What the work had changed is rolled back.
+        // A panic must not end the writer's thread. The changes that the work had made are rolled back.
         let worked = catch_unwind(AssertUnwindSafe(|| (self.work)(&mut tx)));
         let value = worked.unwrap_or_else(|_| Err(StoreError::Internal("a write of the store panicked".into())))?;
         self.result = Some((value, tx.into_after_commit()));
@@ -213,7 +213,8 @@ impl<T: Send, F: Fn(&mut Tx<'_>) -> Result<T> + Send> Write for Pending<T, F> {
     }
 }
 
-/// Runs on the writer's thread. Ends when the last sender is dropped or on `Close`.
+/// Receives messages on the writer's thread, and commits the writes in groups. Ends when the last sender is dropped or
+/// on `Close`.
 fn write_in_groups(connection: Sqlite, copier: Copier, mut messages: mpsc::Receiver<Message>) {
     let mut received = Vec::with_capacity(GROUP_SIZE);
     let (mut cutting, mut closing) = (None, None);
@@ -320,7 +321,7 @@ impl Drop for Copier {
     }
 }
 
-/// Copies the part of the log that no reader needs any more. No other connection waits for it.
+/// Copies the part of the log that no reader needs any more. The other connections need not wait for this copying.
 fn copy_log(connection: &Sqlite) {
     let copied = connection.query_row("PRAGMA wal_checkpoint(PASSIVE)", [], |_| Ok(()));
     if let Err(error) = copied {

@@ -61,9 +61,9 @@ pub(super) struct Parameters {
 }
 
 impl Parameters {
-    /// Takes these parameters out of a URL, because the driver does not know them. Returns the rest
-    /// of the URL and their values. Parameters that the URL lacks come from the variables
-    /// `PGSSLMODE` and `PGSSLROOTCERT`.
+    /// Takes `sslmode` and `sslrootcert` out of a URL, because the driver does not know them. Returns the rest of the
+    /// URL and the two values. A value that the URL lacks comes from the environment variable `PGSSLMODE` or
+    /// `PGSSLROOTCERT`.
     pub(super) fn split(url: &str) -> (String, Self) {
         let mut own = Self::default();
         let (address, query) = url.split_once('?').unwrap_or((url, ""));
@@ -144,7 +144,7 @@ fn certificates(file: &Path) -> Result<Vec<CertificateDer<'static>>, rustls::pki
     CertificateDer::pem_file_iter(file)?.collect()
 }
 
-/// Decodes a value of a URL's query, in which a plus is a plus.
+/// Decodes a value of a URL's query. A plus sign stays a plus sign, unlike in the values of HTML forms.
 fn decoded(value: &str) -> String {
     let pair = format!("={}", value.replace('+', "%2B"));
     form_urlencoded::parse(pair.as_bytes()).next().map_or_else(String::new, |(_, value)| value.into_owned())
@@ -223,7 +223,7 @@ type BoxError = Box<dyn std::error::Error + Send + Sync>;
 #[error("{0}; see sslmode and sslrootcert")]
 pub(super) struct Disagreement(String);
 
-/// Encrypts connections.
+/// Encrypts connections to the server.
 #[derive(Clone)]
 pub(super) struct Connector(TlsConnector);
 
@@ -264,7 +264,7 @@ impl ToHost {
         let name = ServerName::try_from(self.host).map_err(|error| Disagreement(error.to_string()))?;
         match self.connector.connect(name, stream).await {
             Ok(stream) => Ok(Encrypted(stream)),
-            // Other errors are those of the network.
+            // Only an error of TLS itself is a disagreement. All other errors come from the network.
             Err(error) if error.get_ref().is_some_and(|inner| inner.is::<rustls::Error>()) => {
                 Err(Disagreement(error.to_string()).into())
             }

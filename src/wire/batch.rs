@@ -92,7 +92,7 @@ impl BatchRequest {
     }
 }
 
-/// Refuses a body whose members are wrong. Each request is checked by itself.
+/// Checks the members of a batch's body. The requests in it are not checked here, but one by one.
 pub(super) fn refuse_shell(value: &Value) -> Result<(), Rejection> {
     static SHELL: LazyLock<Map<String, Value>> = LazyLock::new(|| {
         let mut shell = request_schema();

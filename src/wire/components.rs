@@ -16,7 +16,7 @@ pub fn components() -> &'static Map<String, Value> {
     static COMPONENTS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
         let mut components = plateau_forms::components::components().clone();
         add_envelope(&mut components);
-        // The answers always have the fields that are null, so those are required.
+        // Answers contain a field even if it is null, so the schemas list such fields as required.
         components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), answers));
         components.insert(batch::BATCH.into(), batch::request_schema());
         jobs_of_each_kind(&mut components);

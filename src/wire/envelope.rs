@@ -58,7 +58,7 @@ pub const COMPONENT: &str = "JobFields";
 /// Names of the members of [`JobFields`].
 pub const MEMBERS: [&str; 6] = ["cache", "callback_url", "label", "metadata", "supersede", "cancel_on_disconnect"];
 
-/// Returns the schema of [`JobFields`], and those to which it refers, by name.
+/// Returns, by name, the schema of [`JobFields`] and the schemas to which it refers.
 pub fn schemas() -> Map<String, Value> {
     rewritten(SchemaSettings::draft2020_12(), |generator| {
         generator.subschema_for::<JobFields>();

@@ -56,7 +56,8 @@ impl Incoming {
         Self::of(json::parse(body)?, |value| Request::from_value(kind, value, find, &limits))
     }
 
-    /// Reads a body that names its own kind, as `plateau solve` accepts it. It cannot begin with the result of a job.
+    /// Reads a body that names its own kind, as `plateau solve` accepts it. The request cannot begin with the result of
+    /// a job.
     ///
     /// # Errors
     /// Returns the errors of [`Incoming::read`]. A missing or unknown `kind` is an error at `/kind`.

@@ -61,7 +61,7 @@ fn has_form(text: &str, form: &str) -> bool {
     }
 }
 
-/// Returns whether a text names a single allowed value, as the schema of `kind` has it.
+/// Returns true if a text names the only value that the schema of a field `kind` allows.
 fn names_a_kind(text: &str) -> bool {
     Kind::ALL.iter().any(|kind| has_form(text, &format!("must be {}", kind.name())))
 }
@@ -177,7 +177,7 @@ fn probes() -> [Value; 7] {
     [json!(null), json!(true), json!(7), json!(2.5), json!(UNKNOWN), json!([]), json!({})]
 }
 
-/// Returns changes of a valid value that make it invalid.
+/// Returns invalid variants of a valid value.
 fn wrong_values(schema: &'static Value, value: &Value) -> Vec<Wrong> {
     let mut wrong: Vec<Wrong> = Vec::new();
     let mut here = |value: Value| wrong.push((value, String::new()));
@@ -191,7 +191,8 @@ fn wrong_values(schema: &'static Value, value: &Value) -> Vec<Wrong> {
     }
     for names in all.iter().filter_map(|branch| branch["enum"].as_array()) {
         here(UNKNOWN.into());
-        // The derived types of serde would also read these two.
+        // Types that serde derives would accept the name of an enum's value as the key of an object, and the members of
+        // a struct as a list. Both forms must be refused.
         if !all.iter().any(|branch| allows_type(branch, &json!({}))) {
             here(json!({ names[0].as_str().unwrap_or_default(): null }));
         }
@@ -367,7 +368,7 @@ fn check(
     (places, tried)
 }
 
-/// Places of the bodies of each kind that the test below reaches.
+/// Places of the bodies of each kind that the test below must reach.
 const EXPECTED: [(&str, &[&str]); 5] = [
     ("ruled_surface", &["/objective/weights/minimal_twist", "/sampling/tolerance", "/normals/0/0/2"]),
     (

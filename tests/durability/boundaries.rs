@@ -84,7 +84,7 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
         proxy.seen().into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect();
     let (mut happened, mut missed) = (BTreeMap::<&str, usize>::new(), 0);
     for (number, boundary) in boundaries.iter().enumerate() {
-        // Statements of operations that the load is about are never left out.
+        // Statements of the operations that the load consists of are never left out.
         if number % step() != 0 && operation(boundary) == "other" {
             continue;
         }
@@ -124,7 +124,7 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
     files_and_rows_are_equal(&url, results.path(), named).await;
 }
 
-/// Statements of SQLite, as the file of the hooks has them.
+/// Reads the statements of SQLite that the test hooks have recorded.
 fn recorded(cluster: &Cluster) -> Vec<Boundary> {
     let text = std::fs::read_to_string(cluster.hold.folder.join("statements")).unwrap();
     let read =
@@ -149,7 +149,7 @@ async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
     let begun = Instant::now();
     while file.exists() {
         if begun.elapsed() > RARE {
-            // It may happen at this moment.
+            // The fault may happen at this moment, and its file is then already gone.
             return std::fs::remove_file(&file).is_err();
         }
         tokio::time::sleep(Duration::from_millis(5)).await;
@@ -214,7 +214,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
     files_and_rows_are_equal(&format!("sqlite://{}", path.display()), results.path(), named).await;
 }
 
-/// Starts the server again if it dies within a second. Returns whether it did.
+/// Waits up to a second for the server to die, and starts it again in that case. Returns true if it died.
 async fn restarted(cluster: &Cluster, server: &mut Process, load: &Load) -> bool {
     for _ in 0..200 {
         if server.has_ended() {
@@ -263,7 +263,7 @@ async fn succeeded_job(store: &Store, number: usize) {
     assert!(store.finish(&claimed.id, claimed.attempt, Arc::new(outcome)).await.unwrap());
 }
 
-/// Jobs that expire in each sweep of the tests below.
+/// Number of jobs that expire in each sweep of the tests below.
 const EXPIRING: usize = 3;
 
 /// Returns the options of a store whose sweep removes at once what exceeds `max_jobs`.
@@ -335,7 +335,8 @@ async fn a_sweep_that_is_cut_at_any_statement_is_completed_by_the_next_one() {
 const SWEPT_DATABASE: &str = "PLATEAU_TEST_SWEPT_DATABASE";
 const SWEPT_RESULTS: &str = "PLATEAU_TEST_SWEPT_RESULTS";
 
-/// Sweeps once for the test below, whose faults end the process. Does nothing by itself.
+/// Sweeps once for the test below, whose faults end the process. Does nothing unless that test has set the two
+/// variables.
 #[tokio::test]
 async fn a_sweep_in_a_process_of_its_own() {
     let (Ok(url), Ok(results)) = (std::env::var(SWEPT_DATABASE), std::env::var(SWEPT_RESULTS)) else { return };

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 /// Time that is longer than a lease of one second, which is the shortest allowed.
 const LONGER_THAN_A_LEASE: Duration = Duration::from_millis(1600);
-/// Number of outages. The default allows five lost leases.
+/// Number of outages in a row. It is larger than the five lost leases after which a job fails by default.
 const OUTAGES: usize = 6;
 
 /// Returns the number of the attempt that ended a job.

@@ -178,8 +178,8 @@ pub fn path_of(kind: &str) -> &'static str {
     }
 }
 
-/// Returns a square film with one corner lifted by `height`. It is small and quick to solve, and each height is a
-/// different request.
+/// Returns a film on a square with two opposite corners lifted by `height`. It is small and quick to solve, and each
+/// height is a different request.
 pub fn small_film(height: f64) -> Value {
     json!({ "boundaries": [[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]]],
         "resolution": { "triangles": 100 } })

@@ -94,7 +94,7 @@ async fn a_net_is_lines_with_forces_in_every_format_that_has_lines() {
         meshes.iter().find(|mesh| mesh["name"] == name).unwrap_or_else(|| panic!("{name}"))["primitives"][0].clone()
     };
     let count = |accessor: &Value| document["accessors"][accessor.as_u64().unwrap() as usize]["count"].clone();
-    // POINTS for the vertices, LINES for the rest.
+    // The mode is POINTS (0) for the vertices, and LINES (1) for the other primitives.
     for (name, mode, ends) in [("vertices", 0, 5), ("cables 0", 1, 8), ("reactions", 1, 8)] {
         let primitive = primitive(name);
         assert_eq!((&primitive["mode"], count(&primitive["attributes"]["POSITION"])), (&json!(mode), json!(ends)));
@@ -284,7 +284,7 @@ async fn a_job_of_a_net_can_be_cancelled() {
     assert_eq!(cancelled["status"], "cancelled");
 }
 
-/// Returns two cables of a force that bear a load between two supports.
+/// Returns a net of two cables with the target force `force`, which carry a load between two supports.
 fn loaded(force: f64) -> Value {
     json!({
         "units": { "length": "m", "force": "kN" }, "vertices": [[-1, 0, 0], [1, 0, 0], [0, 0, -0.5]],

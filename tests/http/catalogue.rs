@@ -66,7 +66,7 @@ async fn every_response_has_the_headers_that_protect_browsers() {
             policy.starts_with("default-src 'none'") || policy.starts_with("default-src 'self'"),
             "{path}: {policy}"
         );
-        // The studio compiles WebAssembly. No page makes scripts of text.
+        // The studio compiles WebAssembly. No page may create scripts from text.
         let policy = policy.replace("'wasm-unsafe-eval'", "");
         assert!(!policy.contains("unsafe") && policy.contains("frame-ancestors 'none'"), "{path}: {policy}");
     }

@@ -37,7 +37,7 @@ async fn a_certificate_is_stated_and_an_independent_program_confirms_it() {
     assert_eq!(proof.status(), 200);
     assert_eq!(proof.headers()["content-type"], "application/json");
     let proof = proof.bytes().await.unwrap();
-    // The quadrilateral has two planes of symmetry across the diagonals of its plan, so that the field has axes of its
+    // The quadrilateral has two planes of symmetry, through the diagonals of its plan, so the field has axes of its
     // own.
     let document: Value = serde_json::from_slice(&proof).unwrap();
     let field = &document["orientations"][0];

@@ -20,7 +20,8 @@ const HOST: &str = "db.example";
 const PASSWORD: &str = "correct-horse";
 const SCRAM: &str = "host all all 127.0.0.0/8 scram-sha-256";
 
-/// Returns a loopback address of this process, so that servers of several processes can have the usual port.
+/// Returns a loopback address that no other test process uses, so that the servers of all processes can have the usual
+/// port.
 fn address(number: u8) -> String {
     let [.., high, middle, low] = std::process::id().to_be_bytes();
     format!("127.{}.{middle}.{low}", 64 + 16 * number + high % 16)

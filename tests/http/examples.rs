@@ -14,7 +14,7 @@ async fn every_example_succeeds_and_can_be_downloaded_in_every_format() {
         let job = app.solve(path_of(request["kind"].as_str().unwrap()), &request).await;
         let has_surface = job["kind"] != "cable_net";
         assert_eq!(job["statistics"]["triangles"].as_u64().unwrap() > 0, has_surface, "{name}");
-        // Null for strips, whose optimum is found in one pass.
+        // `converged` is null for strips, because their optimum is found in one pass.
         assert_ne!(job["statistics"]["converged"], false, "{name}: {}", job["warnings"]);
         for format in ["glb", "gltf", "obj", "ply", "stl"] {
             // STL has only triangles.

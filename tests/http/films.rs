@@ -115,7 +115,7 @@ async fn rings_of_radius_10_stay_connected_at_height_12_and_pinch_at_height_14()
 async fn the_candidate_of_least_area_is_returned_and_all_areas_are_listed() {
     let app = TestApp::start().await;
     for (name, candidates, films) in [
-        // The rings stand symmetrically: ring 0 alone and the other two joined have the same area.
+        // The rings stand symmetrically, so joining rings 0 and 1 gives the same area as joining rings 1 and 2.
         ("three-rings", 5, json!([[0, 1], [2]])),
         ("tetrahedron-loops", 15, json!([[0, 1, 2, 3]])),
         ("nested-loops", 2, json!([[0, 1]])),
@@ -175,7 +175,7 @@ async fn a_film_with_a_triple_junction_can_be_downloaded_in_every_format() {
         let accessor = surface["attributes"][attribute].as_u64().unwrap() as usize;
         assert_eq!(gltf["accessors"][accessor]["count"], vertices + 2 * curve.len(), "{attribute}");
     }
-    // The further vertices have colours too.
+    // The additional vertices along the junction have colours too.
     let colored: Value = serde_json::from_slice(&format("gltf&colors=mean_curvature").await).unwrap();
     let accessor = colored["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].as_u64().unwrap() as usize;
     assert_eq!(colored["accessors"][accessor]["count"], vertices + 2 * curve.len());

@@ -75,7 +75,7 @@ async fn invented_methods_and_unknown_paths_add_one_label_value_each() {
         ask(&format!("INVENTED{number}"), "/v1/jobs").await;
         ask(&format!("INVENTED{number}"), &format!("/nowhere/{number}")).await;
     }
-    // The first call of the function has itself been counted since.
+    // The first call of `request_series` was itself a request, which has been counted since.
     let counted_since = |series: &&String| !series.contains("route=\"/metrics\"");
     let later = request_series(&app).await;
     let new: Vec<_> = later.difference(&first).filter(counted_since).collect();

@@ -129,7 +129,7 @@ fn a_build_without_the_feature_has_no_hooks() {
     assert_eq!(has_hooks, cfg!(feature = "test-hooks"));
 }
 
-/// The compiler runs on the file of the hooks alone, which needs a tenth of a second.
+/// Compiles only the file of the hooks, which takes a tenth of a second.
 #[test]
 fn a_release_build_with_the_feature_does_not_compile() {
     let folder = tempfile::tempdir().unwrap();

@@ -183,7 +183,7 @@ async fn components_are_described_as_hops_reads_them() {
     assert_eq!(app.get("/hops/solve").await.status(), StatusCode::METHOD_NOT_ALLOWED);
 }
 
-/// The inputs of the kind are fields of its request, so that `src/hops` does not name the kind.
+/// Every input of this kind sets a field of its request, so `src/hops` needs no code for the kind.
 #[tokio::test]
 async fn a_kind_that_only_the_table_names_has_a_component() {
     let app = TestApp::start().await;
@@ -441,13 +441,13 @@ async fn errors_name_the_input_and_every_output_is_there() {
         let errors = app.refused("minimal-surface", response, status).await;
         assert!(errors.iter().any(|error| error.starts_with(said)), "{said}\n{errors:?}");
     }
-    // A bow tie. The second curve is a hole of the first.
+    // The second curve is a hole of the first. It crosses itself like a bow tie.
     let outline = vec![[0.0; 3], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0], [0.0, 9.0, 0.0], [0.0; 3]];
     let bow = vec![[2.0, 2.0, 0.0], [4.0, 4.0, 0.0], [4.0, 2.0, 0.0], [2.0, 4.5, 0.0], [2.0, 2.0, 0.0]];
     let values = [curves("Boundaries", &[outline, bow]), number("Edge Length", 1)];
     let errors = app.refused("uniform-mesh", app.hops("uniform-mesh", &values).await, 422).await;
     assert!(!errors.is_empty() && errors.iter().all(|error| error.starts_with("Boundaries[1]")), "{errors:?}");
-    // An anchor that is on no boundary.
+    // Neither of the two anchors is on a boundary.
     let values = [good, points("Anchors", &[[1e6, 2e6, 9.0], [0.0; 3]]), number("Cable Value", 1)];
     let errors = app.refused("tensile-structure", app.hops("tensile-structure", &values).await, 422).await;
     assert!(errors[0].starts_with("Anchors[0]: is ") && errors[1].starts_with("Anchors[1]: is "), "{errors:?}");
@@ -512,7 +512,8 @@ async fn a_job_has_the_unit_of_the_document_unless_options_name_one() {
     assert_eq!(units(&app, &response.json().await.unwrap()).await, "m");
 }
 
-/// The pairs of the geometry's own test, through Hops: no rail of known direction is reversed.
+/// Sends the pairs of the geometry's own test through Hops. The second rail must be reversed exactly if it runs against
+/// the first.
 #[tokio::test]
 async fn rails_are_aligned_as_a_person_sees_them() {
     let app = TestApp::start().await;

@@ -74,7 +74,7 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
         }
     }
     let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
-    // Five kinds, and the one that only builds for tests have.
+    // There are five kinds, and one more that only builds for tests have.
     assert_eq!(described["kinds"].as_array().unwrap().len(), 6);
     assert_eq!(described["limits"], app.get_json("/v1/limits").await);
     assert_eq!(described["objectives"], app.get_json("/v1/objectives").await["objectives"]);

@@ -167,7 +167,7 @@ fn for_each_object(value: &Value, path: &str, check: &mut impl FnMut(&str, &serd
     }
 }
 
-/// Each rule is one on which a client generator failed.
+/// Checks several rules. Each excludes a form on which a client generator failed.
 #[tokio::test]
 async fn the_schemas_have_only_forms_that_generators_take() {
     let app = TestApp::start().await;

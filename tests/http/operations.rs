@@ -22,7 +22,7 @@ fn text(bytes: &[u8]) -> String {
 fn commands_of_the_keys() -> String {
     let compose = std::fs::read_to_string(root().join("compose.yaml")).unwrap();
     let commands = compose.lines().map_while(|line| line.strip_prefix('#')).filter_map(|line| line.strip_prefix("   "));
-    // The owner of the files is a user of the container.
+    // The commands with `chown` are left out, because they give the files to a user of the container.
     let of_keys = commands.filter(|command| command.contains("secrets/keys") && !command.starts_with("chown"));
     let commands = of_keys.collect::<Vec<_>>().join("\n");
     commands.replace("docker run --rm --network none plateau:latest", env!("CARGO_BIN_EXE_plateau"))

@@ -91,7 +91,7 @@ async fn a_wait_that_accepts_a_mesh_gets_the_mesh_itself() {
         );
     }
     app.hold.release("claimed");
-    // Two of four points coincide in the plane, which only the solver finds out.
+    // The outline crosses itself in the plane, which only the solver finds out.
     let mut tangled = small_film(0.33);
     tangled["boundaries"] = json!([[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]]);
     tangled["initial_mesh"] = "planar".into();

@@ -110,7 +110,8 @@ async fn direction_sampling_caps_and_an_apex_have_their_effect() {
     assert!(statistics["flat_pattern"].is_null());
 }
 
-/// The pairs of the geometry's own test: no rail of known direction is reversed, and none is reported as given.
+/// Solves the pairs of the geometry's own test, whose directions are known. The second rail must be reversed exactly if
+/// it runs against the first, and the statistics must name the rule that decided this.
 #[tokio::test]
 async fn directions_are_those_that_a_person_sees() {
     let app = TestApp::start().await;

@@ -31,7 +31,7 @@ async fn a_plane_sail_has_the_forces_that_were_asked_for_and_balanced_reactions(
     assert_eq!(statistics["force_unit"], "kN");
     assert_eq!(statistics["cables"][0]["name"], "edge 1");
     let number = |value: &Value| value.as_f64().unwrap();
-    // Arcs of radius 10 over chords of 10.
+    // The cables are arcs of radius 10 over chords of length 10.
     assert!((number(&statistics["area"]) - 63.765571).abs() < 0.05, "{statistics}");
     for cable in statistics["cables"].as_array().unwrap() {
         assert!((number(&cable["force"]) - 10.0).abs() < 1e-6);
@@ -95,7 +95,8 @@ async fn a_film_slides_on_a_ring_beam_and_states_the_force_along_its_edges() {
         assert!((number(pointer) - 2.0).abs() < 0.02, "{pointer}: {statistics}");
     }
     assert!((number("/contact_angle_deg/max") - 90.0).abs() < 1e-3, "{statistics}");
-    // An arrow for each vertex of both edges, and a force per length for each of their segments.
+    // The reactions have an arrow for each vertex of both held edges, and each segment of these edges has a force per
+    // length.
     let mesh = app.get_json(&format!("{}?format=json", job["links"]["mesh"].as_str().unwrap())).await;
     let lines = |name: &str| mesh["lines"].as_array().unwrap().iter().find(|set| set["name"] == name).unwrap().clone();
     let (held, arrows) = (lines("held edges"), lines("reactions"));
@@ -359,7 +360,8 @@ async fn a_film_in_which_water_stands_has_its_depth_and_a_warning() {
     let statistics = &job["statistics"];
     assert!(statistics["minimum_slope_deg"].as_f64().unwrap() < 5.0);
     assert_eq!(statistics["minimum_slope_at"].as_array().unwrap().len(), 3);
-    // A plane square of side 10 that hangs through: 0.0737 w a² / σ. The triangles in its corners stay dry.
+    // The weight w lowers the middle of a plane square of side a = 10 and tension σ by 0.0737 w a² / σ. The triangles
+    // in its corners stay dry.
     let ponding = &statistics["ponding"];
     assert!((ponding["depth"].as_f64().unwrap() - 0.00737).abs() < 2e-4, "{ponding}");
     assert!((ponding["area"].as_f64().unwrap() - 100.0).abs() < 2.0, "{ponding}");

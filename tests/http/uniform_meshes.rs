@@ -35,8 +35,8 @@ async fn warnings_have_their_figures_by_name() {
         let warnings = job["warnings"].as_array().unwrap();
         warnings.iter().find(|warning| warning["code"] == code).unwrap_or_else(|| panic!("{job:#}")).clone()
     };
-    // A corner is above the plane of the others, and the plane of the outline passes a quarter of that from each
-    // corner.
+    // Corner 2 is 0.01 above the plane of the other three. The plane fitted to the outline passes each corner at a
+    // quarter of this height.
     let mut polygon = square();
     polygon[2][2] = json!(0.01);
     let body = json!({ "domain": { "polygon": polygon }, "edge_length": 1, "objective": "most_equal_edges" });

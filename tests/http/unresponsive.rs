@@ -6,7 +6,7 @@ use reqwest::Method;
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// A film's solver loops before it starts.
+/// Name of the hold that makes the solver of a film loop before it starts.
 const STUBBORN: &str = "stubborn.minimal_surface";
 const UNIFORM: &str = "/v1/uniform-meshes";
 const PATIENCE: (&str, &str) = ("PLATEAU_JOBS__UNRESPONSIVE_MS", "200");
@@ -28,7 +28,7 @@ async fn given_up(app: &TestApp) -> u64 {
     if metrics.lines().any(|line| line == metric) { count } else { u64::MAX }
 }
 
-/// Returns the job after a restart on the same folder, where it ends.
+/// Starts a server again on the same folder, and returns the job when it has ended there.
 async fn after_restart(folder: TempDir, job: Value) -> Value {
     let app = TestApp::start_in(folder, &[ONE_WORKER]).await;
     app.hold.release_all();

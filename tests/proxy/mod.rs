@@ -178,7 +178,7 @@ impl State {
     }
 }
 
-/// Carries one connection in both directions.
+/// Forwards the bytes of one connection in both directions.
 fn carry(state: &Arc<State>, client: TcpStream, server: UnixStream) {
     let _ = client.set_nodelay(true);
     let clones = || Ok::<_, std::io::Error>((client.try_clone()?, server.try_clone()?));
@@ -194,7 +194,7 @@ fn carry(state: &Arc<State>, client: TcpStream, server: UnixStream) {
     }
 }
 
-/// Reads one message with a type, which is returned with its bytes.
+/// Reads one message that begins with its type. Returns the type and all bytes of the message.
 fn message(from: &mut impl Read) -> std::io::Result<(u8, Vec<u8>)> {
     let mut head = [0; 5];
     from.read_exact(&mut head)?;
@@ -210,7 +210,8 @@ fn texts(bytes: &[u8]) -> impl Iterator<Item = String> + '_ {
     bytes[5..].split(|byte| *byte == 0).map(|text| String::from_utf8_lossy(text).into_owned())
 }
 
-/// Carries statements. Returns true if the connection became silent, so that the server does not learn of its end.
+/// Forwards statements to the server. Returns true if the connection became silent, so that the server does not learn
+/// of its end.
 fn carry_requests(
     state: &State,
     answers: &AtomicU8,
@@ -283,7 +284,7 @@ fn carry_answers(state: &State, mode: &AtomicU8, mut server: UnixStream, mut cli
     while let Ok((kind, bytes)) = message(&mut server) {
         match mode.load(Ordering::SeqCst) {
             FORWARD if !state.silent.load(Ordering::SeqCst) && client.write_all(&bytes).is_err() => break,
-            // `Z` says that the server has run the statement.
+            // The message `Z` (ReadyForQuery) says that the server has run the statement.
             CUT if kind == b'Z' => break,
             _ => {}
         }

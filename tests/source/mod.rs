@@ -11,8 +11,8 @@ pub enum Token {
     Mark(char),
 }
 
-/// Words and punctuation of Rust source, without comments, strings and character literals. Each comes with the place
-/// of its first character.
+/// Returns the words and punctuation of Rust source, without comments, strings and character literals. Each token comes
+/// with the place of its first character.
 fn placed_tokens(text: &str) -> Vec<(usize, Token)> {
     let chars: Vec<char> = text.chars().collect();
     let starts_with = |at: usize, what: &str| what.chars().enumerate().all(|(k, c)| chars.get(at + k) == Some(&c));
@@ -74,8 +74,8 @@ pub fn word(token: Option<&Token>) -> Option<&str> {
 const ITEMS: [&str; 12] =
     ["fn", "mod", "impl", "struct", "enum", "const", "static", "use", "type", "trait", "unsafe", "async"];
 
-/// The end of the item or field that starts at `at`: after its closing brace or its semicolon, or after the field's
-/// comma.
+/// Returns the end of the item or field that starts at `at`: after its closing brace or its semicolon, or after the
+/// field's comma.
 fn item_end(tokens: &[Token], mut at: usize) -> usize {
     // A field has no such word before its colon, its comma or the brace behind it.
     let head = tokens[at..].iter().take_while(|token| !matches!(token, Token::Mark(':' | ',' | '{' | '}' | ';')));
@@ -96,7 +96,7 @@ fn item_end(tokens: &[Token], mut at: usize) -> usize {
     at
 }
 
-/// The tokens of each item under `#[cfg(test)]`, with the attribute.
+/// Returns the range of tokens of each item under `#[cfg(test)]`, including the attribute.
 fn test_items(tokens: &[Token]) -> Vec<Range<usize>> {
     let attribute = ["#", "[", "cfg", "(", "test", ")", "]"];
     let is_attribute = |at: usize| {
@@ -119,7 +119,7 @@ fn test_items(tokens: &[Token]) -> Vec<Range<usize>> {
     items
 }
 
-/// Tokens without the items under `#[cfg(test)]`, and the names of the modules among these.
+/// Returns the tokens without the items under `#[cfg(test)]`, and the names of the modules among these items.
 pub fn tokens_without_tests(text: &str) -> (Vec<Token>, Vec<String>) {
     let mut tokens: Vec<Token> = placed_tokens(text).into_iter().map(|(_, token)| token).collect();
     let mut modules = Vec::new();
@@ -131,7 +131,7 @@ pub fn tokens_without_tests(text: &str) -> (Vec<Token>, Vec<String>) {
     (tokens, modules)
 }
 
-/// The text without the items under `#[cfg(test)]`, wherever they stand. Every other line keeps its number.
+/// Returns the text without the items under `#[cfg(test)]`, wherever they stand. Every other line keeps its number.
 pub fn text_without_tests(text: &str) -> String {
     let placed = placed_tokens(text);
     let tokens: Vec<Token> = placed.iter().map(|(_, token)| token.clone()).collect();
@@ -155,7 +155,7 @@ pub struct Loop {
     pub comment: String,
 }
 
-/// The loops of a text, without those of items under `#[cfg(test)]`.
+/// Returns the loops of a text, without those of items under `#[cfg(test)]`.
 pub fn loops(text: &str) -> Vec<Loop> {
     let text = text_without_tests(text);
     let lines: Vec<&str> = text.lines().collect();
@@ -179,7 +179,7 @@ pub fn loops(text: &str) -> Vec<Loop> {
     (0..tokens.len()).filter(is_loop).map(read).collect()
 }
 
-/// The brace that begins the body of the loop at `at`.
+/// Returns the index of the brace that begins the body of the loop at `at`.
 fn body_begin(tokens: &[Token], mut at: usize) -> usize {
     let mut depth = 0;
     while tokens[at] != Token::Mark('{') || depth > 0 {

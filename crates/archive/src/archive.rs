@@ -2,8 +2,8 @@
 //! vertices and no triangles; the net is in the line sets.
 //!
 //! The bytes are the magic `\x89PLATEAU`, the version as a little-endian u32, [`Contents`] in the format of the library
-//! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding ones,
-//! which are small. The same contents always give the same bytes.
+//! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding
+//! numbers, because most differences are small. The same contents always give the same bytes.
 
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec3, Mesh};
@@ -34,7 +34,7 @@ pub struct Attribute {
     pub name: String,
     /// Unit of the values, made of the client's units, such as `kN` or `1/m`. Empty for plain numbers.
     pub unit: String,
-    /// Ends of the colour scale that is used unless another one is asked for.
+    /// Low and high end of the default colour scale.
     pub range: [f64; 2],
     pub values: Vec<f64>,
 }
@@ -47,8 +47,9 @@ impl Attribute {
         Self { name: name.into(), unit: unit.into(), range: [0.0, largest], values }
     }
 
-    /// Ends the range at the smallest value that at least this share of the values does not exceed, but not below
-    /// `least`, so that neither a few large values nor the errors of a mesh decide about the colours.
+    /// Ends the range at a percentile: the smallest value that at least the fraction `share` of the values does not
+    /// exceed. The range never ends below `least`. Hence neither a few large values nor the errors of a mesh determine
+    /// the colours.
     #[must_use]
     pub fn ending_at_percentile(mut self, share: f64, least: f64) -> Self {
         let mut sorted = self.values.clone();
@@ -230,7 +231,7 @@ impl Archive {
         Ok(bytes)
     }
 
-    /// Returns the checksum at the end of a stored form: the SHA-256 of all preceding bytes. It identifies the whole.
+    /// Returns the checksum at the end of a stored form: the SHA-256 of all preceding bytes. It identifies the archive.
     /// Bytes that are too short to have a checksum give zeros.
     #[must_use]
     pub fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
@@ -326,7 +327,8 @@ fn check_attributes(attributes: &[Attribute], items: usize) -> Result<(), &'stat
     Ok(())
 }
 
-/// Returns true if the mesh consists of the strips that its bridges describe. Only what unrolling relies on is checked.
+/// Returns true if the mesh consists of the strips that its bridges describe. Checks only the properties on which
+/// unrolling relies.
 fn unrolls(contents: &Contents) -> bool {
     let Some(bridges) = bridges_of(contents) else { return false };
     let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);

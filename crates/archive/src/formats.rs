@@ -98,7 +98,7 @@ impl MeshFormat {
     ///
     /// # Errors
     /// Returns [`Error`] if the format cannot hold this mesh (a coordinate exceeds f32, or the file exceeds the
-    /// format's 4 GiB), or if the mesh does not have what it is to be coloured by.
+    /// format's 4 GiB), or if the mesh lacks the quantity by which it is to be coloured.
     pub fn encode_with(self, archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         match self {
             Self::Glb => gltf::to_glb(archive, choices),

@@ -1,12 +1,11 @@
-//! Triangles of a client's binary glTF file.
+//! Reads the triangles of a client's binary glTF file.
 //!
 //! The nodes of the default scene are read with their matrices in f64, and the result is in the client's unit and axes.
 //! Primitives of points and lines are left out, because the files that this crate writes have lines beside the surface.
 //! Vertices with equal coordinates become one vertex, because files repeat vertices whose normals differ.
 //!
-//! The bytes may be anything. Memory is a small multiple of their number, because every count is compared with the
-//! bytes that are there, and with the limit of the caller, before anything is read. Nothing outside of the file is
-//! opened.
+//! The file is not trusted. The memory used is a small multiple of its size, because every count is compared with the
+//! bytes that are there, and with the caller's limit, before anything is read. No other file is opened.
 
 use std::collections::HashMap;
 
@@ -25,8 +24,9 @@ use crate::units::{Unit, UpAxis};
 const HEADER_BYTES: usize = 12;
 /// Largest number of nodes from a root of the scene to a mesh, so that no file can exhaust the stack.
 const MOST_LEVELS: usize = 64;
-/// Largest size of a file's document, and largest number of objects in it. An object of two bytes takes hundreds of
-/// bytes of memory once it is read. The data of meshes are outside of the document.
+/// Largest size of a file's JSON document in bytes. The next constant is the largest number of objects in it, because
+/// an object of two bytes takes hundreds of bytes of memory once it is read. The data of meshes are outside of the
+/// document.
 const MOST_DOCUMENT_BYTES: usize = 16 << 20;
 const MOST_OBJECTS: usize = 100_000;
 
@@ -34,14 +34,14 @@ const MOST_OBJECTS: usize = 100_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangles {
     pub mesh: Mesh,
-    /// Upper bound of the distance by which the f32 numbers of the file move a vertex.
+    /// Upper bound of the distance, in the client's unit, by which the f32 numbers of the file move a vertex.
     pub rounding: f64,
 }
 
 /// Reason for refusing a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// The description names the place in the file's document.
+    /// The file cannot be used. The text says why, and names the place in the file's document.
     Invalid(String),
     /// The file has more vertices or triangles than the caller allows.
     TooLarge,
@@ -58,7 +58,8 @@ fn invalid<T>(detail: impl Into<String>) -> Result<T, Refusal> {
 /// Returns [`Refusal::Invalid`] for a file that is not binary glTF 2.0, that needs an extension or another file, or
 /// that has strips, fans, sparse accessors, numbers that are not finite, or references beyond what is there.
 pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangles, Refusal> {
-    // The crate subtracts the header from the length that the file states.
+    // The gltf crate subtracts the header's length from the length that the file states. A smaller stated length is
+    // therefore refused first.
     let stated = file.get(8..HEADER_BYTES).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
     if stated.is_none_or(|stated| (stated as usize) < HEADER_BYTES) {
         return invalid("is not binary glTF");
@@ -104,7 +105,7 @@ fn document<'a, T: Deserialize<'a>>(json: &'a [u8]) -> Result<T, Refusal> {
     serde_json::from_slice(json).or_else(|error| invalid(format!("has a document that is not glTF: {error}")))
 }
 
-/// The nodes of a document with their transforms, which the crate's types keep in f32.
+/// The transforms of a document's nodes in f64, because the types of the gltf crate keep them in f32.
 #[derive(Deserialize)]
 struct Transforms {
     #[serde(default)]
@@ -181,7 +182,7 @@ struct Reader<'a> {
     metres: f64,
     up: UpAxis,
     mesh: Mesh,
-    /// Number of the vertex with these coordinates.
+    /// Number of the vertex with the coordinates of the key.
     vertex_of: HashMap<[u64; 3], u32>,
     vertices_read: usize,
     rounding: f64,
@@ -330,7 +331,7 @@ impl Reader<'_> {
         let bytes = part(self.bin, offset(view.byte_offset), Some(view.byte_length.0)).map(|range| &self.bin[range]);
         let bytes = bytes.and_then(|bytes| Some(&bytes[part(bytes, offset(accessor.byte_offset), None)?]));
         let count = usize::try_from(accessor.count.0).unwrap_or(usize::MAX);
-        // The last item need not be followed by the rest of its stride.
+        // After the last item, the rest of the stride may be missing.
         let needed = count.saturating_sub(1).saturating_mul(stride).saturating_add(if count > 0 { size } else { 0 });
         match bytes {
             Some(bytes) if stride >= size && needed <= bytes.len() => {

@@ -3,7 +3,7 @@
 //! A solver's result is stored once, in f64, as an [`Archive`]. Every download is made from it, so that two formats of
 //! one job never disagree. Every function here is pure: the same archive gives the same bytes.
 //!
-//! This crate knows no kind of request, no job and no HTTP. It depends on `plateau-mesh` and on the unrolling of
+//! This crate does not know about kinds of requests, jobs or HTTP. It depends on `plateau-mesh` and on the unrolling of
 //! strips.
 
 #![forbid(unsafe_code)]

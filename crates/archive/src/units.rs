@@ -1,4 +1,5 @@
-//! Units of length and force and upward axis of the client, shared by the wire, the stored archive and every download.
+//! Units of length and force, and the upward axis of the client. Requests, the stored archive and every download share
+//! them.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -22,7 +23,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// `mm`, `cm`, `m`, `in` or `ft`.
+    /// Returns `mm`, `cm`, `m`, `in` or `ft`.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -76,7 +77,7 @@ pub enum ForceUnit {
 }
 
 impl ForceUnit {
-    /// `N`, `kN`, `MN`, `lbf` or `kip`.
+    /// Returns `N`, `kN`, `MN`, `lbf` or `kip`.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
@@ -99,7 +100,7 @@ pub enum UpAxis {
 }
 
 impl UpAxis {
-    /// `z` or `y`.
+    /// Returns `z` or `y`.
     #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {

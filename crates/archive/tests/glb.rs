@@ -1,4 +1,5 @@
-//! Triangles of binary glTF files: what is read, and that every other file is refused with its reason.
+//! Tests of reading triangles from binary glTF files: what is read, and that every other file is refused with its
+//! reason.
 
 use plateau_archive::formats::{Choices, gltf};
 use plateau_archive::glb::{Refusal, Triangles, read};
@@ -91,7 +92,7 @@ fn matrices_are_f64_and_apply_from_the_root_of_the_scene() {
         ]);
     })
     .unwrap();
-    // A quarter turn about z takes x to y and y to -x. A mirrored node turns its triangles.
+    // A quarter turn about z takes x to y and y to -x. In a mirrored node the winding of the triangles is reversed.
     let expected = [DVec3::new(far, 0.0, 0.0), DVec3::new(far, 2.0, 0.0), DVec3::new(far - 4.0, 0.0, 0.0)];
     for (found, expected) in turned.mesh.vertices.iter().zip(&expected) {
         assert!(found.distance(*expected) < 1e-9, "{found} instead of {expected}");

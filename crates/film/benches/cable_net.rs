@@ -1,8 +1,9 @@
-//! The cable net of jax_fdm's `cablenet.md`: a square of 10 with two opposite corners lifted by 5, forces of 20 on the
-//! rim and equal lengths inside, no force density below 0.1.
+//! Times the cable net of jax_fdm's `cablenet.md`: a square of side 10 with two opposite corners lifted by 5. The
+//! targets are forces of 20 on the rim and equal lengths inside. No force density may fall below 0.1.
 //!
-//! `cargo bench -p plateau-film --bench cable_net` measures with criterion; `-- --case CELLS` fits once and prints the
-//! figures as one JSON line. `benches/cable_net_peers.py` compares them with jax_fdm's.
+//! `cargo bench -p plateau-film --bench cable_net` measures with criterion. With `-- --case CELLS` one net is fitted
+//! once, and its figures are printed as one JSON line. `benches/cable_net_peers.py` compares these figures with
+//! jax_fdm's.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_film::cable_net::{CableNet, Edge, Net, Options, solve};
@@ -31,7 +32,8 @@ fn net(cells: u32) -> Net {
             }
         }
     }
-    // The start of the example: these forces at the lengths of the lifted grid.
+    // The start is that of the example: force densities that give the target forces, or a force of 1, at the lengths of
+    // the lifted grid.
     for edge in &mut net.edges {
         let [a, b] = edge.ends.map(|v| net.vertices[v as usize]);
         edge.density = Some(edge.force.unwrap_or(1.0) / a.distance(b));

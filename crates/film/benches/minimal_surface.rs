@@ -1,10 +1,12 @@
 //! Times minimal surfaces on one core, from the raw boundary to the finished statistics, including stability.
 //!
-//! `cargo bench -p plateau-film --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles. With `-- --case
-//! rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line: the least processor
-//! time in seconds (on Linux; elsewhere elapsed time), and the peak memory of the process. With `-- --sliding` the
-//! patches of Chen, Cai and Zheng are solved with and without sliding vertices in turn, and the ratio of the two times
-//! is printed. `benches/minimal_surface_peers.py` runs the same cases with other programs.
+//! `cargo bench -p plateau-film --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles.
+//! - With `-- --case rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line with
+//!   the least processor time in seconds (on Linux; elsewhere elapsed time) and the peak memory of the process.
+//! - With `-- --sliding` the patches of Chen, Cai and Zheng are solved with and without sliding vertices in turn, and
+//!   the ratio of the two times is printed.
+//!
+//! `benches/minimal_surface_peers.py` runs the same cases with other programs.
 
 #[path = "../tests/boundaries/mod.rs"]
 mod boundaries;
@@ -15,7 +17,8 @@ use plateau_mesh::{DVec3, Execution};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// The boundary of a structured mesh of about this number of triangles, with the same spacing as that mesh.
+/// Returns the boundary of a structured mesh of about this number of triangles. The boundary points have the spacing of
+/// that mesh.
 fn boundary(name: &str, triangles: f64) -> Option<Vec<Vec<DVec3>>> {
     match name {
         "helicoid" => {
@@ -38,7 +41,8 @@ fn solved(polygons: &[Vec<DVec3>], triangles: usize) -> MinimalSurface {
     surface
 }
 
-/// Time that this process has spent on a processor.
+/// Returns the time that this process has spent on a processor, or the time since `start` where Linux's schedstat is
+/// missing.
 fn processor_time(start: Instant) -> Duration {
     let spent = std::fs::read_to_string("/proc/self/schedstat").ok();
     let nanoseconds = spent.and_then(|text| text.split_whitespace().next()?.parse().ok());
@@ -76,7 +80,7 @@ fn case(name: &str, triangles: usize) {
     );
 }
 
-/// The cost of sliding: the least processor time of films that slide over that of films that do not.
+/// Prints the cost of sliding: the least processor time of films that slide over that of films that do not.
 fn sliding() {
     for (name, polygon) in [("helicoid", boundaries::helicoid()), ("catenoid", boundaries::catenoid())] {
         for triangles in [2_000, 20_000] {

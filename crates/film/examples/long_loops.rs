@@ -1,8 +1,8 @@
-//! Processor time of films in loops of many points.
+//! Measures the processor time of films in boundary loops of many points.
 //!
-//! `cargo run --release -p plateau-film --example long_loops` prints the table of `docs/VALIDATION.md`. A number behind
-//! `--` is the number of points of each loop in place of 50,000, and a word behind it selects the loops whose name
-//! contains it. Times are processor times of this process (on Linux; elsewhere elapsed time).
+//! `cargo run --release -p plateau-film --example long_loops` prints the table of `docs/VALIDATION.md`. Two optional
+//! arguments follow `--`: the number of points of each loop (default 50,000), and a word that selects the loops whose
+//! name contains it. Times are processor times of this process (on Linux; elsewhere elapsed time).
 
 use plateau_film::minimal_surface::{BoundarySampling, Options, Resolution, solve};
 use plateau_mesh::random::SplitMix64;
@@ -10,7 +10,7 @@ use plateau_mesh::{DVec2, DVec3, Execution};
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-/// Processor time of this process in seconds, from a start on.
+/// Processor time of this process in seconds. If the system does not report it, the time elapsed since `start`.
 fn processor_seconds(start: Instant) -> f64 {
     let spent = std::fs::read_to_string("/proc/self/schedstat").ok();
     let nanoseconds = spent.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());

@@ -1,9 +1,11 @@
-//! Cable nets without film: the shape in which the forces of all cables balance, from force densities or from targets.
+//! Form finding of cable nets without film: finds the shape in which the forces of all cables balance, from force
+//! densities or from targets.
 //!
 //! [`solve`] takes a [`Net`]: points, the cables between them, supports and loads. Without targets the force densities
-//! give the shape by linear equations (Schek 1974). With forces and lengths that cables are to have, the densities are
-//! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held
-//! too. Edges may be struts, which push: their forces and densities are negative, and the net may be a tensegrity.
+//! give the shape by linear equations (Schek 1974). If cables have target forces or lengths, the densities are fitted
+//! in least squares so that the shape comes nearest to the targets, in exact equilibrium. Densities can also be held at
+//! given values. Edges may be struts, which push: their forces and densities are negative, and the net may be a
+//! tensegrity.
 //!
 //! ```
 //! use plateau_film::cable_net::{Edge, Net, Options, solve};
@@ -40,46 +42,49 @@ use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place, polylin
 /// A net in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CableNet {
-    /// The vertices in the order of the input; supports at exactly the given coordinates.
+    /// The vertices in the order of the input. Supports have exactly the given coordinates.
     pub vertices: Vec<DVec3>,
-    /// The force of each edge.
+    /// The force of each edge, positive in tension.
     pub forces: Vec<f64>,
     /// The length of each edge.
     pub lengths: Vec<f64>,
     /// The force density of each edge.
     pub densities: Vec<f64>,
-    /// For each support of the input the force that it exerts on the net.
+    /// The force that each support of the input exerts on the net.
     pub reactions: Vec<DVec3>,
     /// The sum of all loads.
     pub loads: DVec3,
-    /// For each edge whether the targets leave it almost no force, or no more than the least density gives.
+    /// For each edge that is not held, whether its force is almost zero or its density is at the least density. The
+    /// targets would need such a cable to push.
     pub slack: Vec<bool>,
-    /// For each edge whether its force or length deviates from a target by more than half of the target.
+    /// For each edge, whether its force or length deviates from a target by more than half of the target.
     pub missed: Vec<bool>,
-    /// The sum of the reactions' magnitudes.
+    /// The sum of the magnitudes of the reactions.
     pub magnitudes: f64,
-    /// |loads + reactions| over the sum of the reactions' magnitudes.
+    /// The magnitude of the sum of all loads and reactions, divided by `magnitudes`.
     pub imbalance: f64,
-    /// The largest force on a free vertex that is not balanced.
+    /// The largest unbalanced force on a free vertex.
     pub residual_force: f64,
-    /// Σ |F| L.
+    /// The load path Σ |F| L.
     pub load_path: f64,
-    /// Weighted sum of the mean squared relative deviations from the targets, and of the load path over that at the
-    /// start; zero without targets.
+    /// The weighted sum of three parts: the mean squared relative deviations of the forces and of the lengths from
+    /// their targets, and the load path relative to its value at the start. It is 0 without targets.
     pub loss: f64,
-    /// The largest derivative of the loss by a logarithm of a force density.
+    /// The largest derivative of the loss by the logarithm of a force density. For a net with struts also by the
+    /// position of a vertex, measured in root mean square edge lengths.
     pub gradient: f64,
-    /// Number of steps.
+    /// Number of steps of the fitting.
     pub iterations: u32,
     /// Why fitting ended.
     pub stop_reason: StopReason,
 }
 
-/// Largest derivative of the loss at which a net that no step improves counts as found. The loss has no unit.
+/// Largest derivative of the loss at which a stalled net still counts as converged. The loss has no unit.
 const STATIONARY: f64 = 1e-6;
 
 impl CableNet {
-    /// Whether the loss is at a minimum: fitting ended because it no longer falls.
+    /// Whether the loss is at a minimum: fitting ended because the loss no longer falls, or stalled where its
+    /// derivative almost vanishes. A net without targets always counts.
     #[must_use]
     pub fn converged(&self) -> bool {
         match self.stop_reason {
@@ -92,15 +97,16 @@ impl CableNet {
 
 /// Finds the shape of a net.
 ///
-/// The result depends on nothing but the arguments, to the byte on processors with the same vector instructions.
+/// The result depends only on the arguments. It is the same to the byte on processors with the same vector
+/// instructions.
 ///
 /// # Errors
-/// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular
-/// to working precision, that collapses or runs away from its targets, or whose targets leave cables slack;
-/// [`Error::Interrupted`] on cancel. A deadline returns the shape of the last step.
+/// [`Error::Input`] for faults that the arguments themselves show. [`Error::NoResult`] if the equations are singular to
+/// working precision, if the net collapses or grows without limit, or if the targets leave cables slack.
+/// [`Error::Interrupted`] if the caller cancels. If a deadline passes, the shape of the last step is returned.
 pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet, Error> {
     check(net, options)?;
-    // Far from zero the differences of coordinates lose digits, so the shape is found beside a support.
+    // The shape is found relative to a support, because differences of coordinates lose digits far from zero.
     let origin = net.vertices[net.supports[0] as usize];
     let local = Net { vertices: net.vertices.iter().map(|p| *p - origin).collect(), ..net.clone() };
     let has_struts = net.edges.iter().any(|edge| edge.strut) && net.edges.iter().any(|edge| !edge.held);
@@ -123,7 +129,7 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
     }
     let mut reactions = Vec::with_capacity(net.supports.len());
     for &support in &net.supports {
-        // A support that is listed twice has its reaction once.
+        // If a support is listed twice, only its first entry has the reaction; the second has zero.
         reactions.push(-std::mem::take(&mut unbalanced[support as usize]));
     }
     let magnitudes: f64 = reactions.iter().map(|reaction| reaction.length()).sum();
@@ -158,12 +164,12 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
     })
 }
 
-/// Largest number of edges that an error names.
+/// Maximum number of edges that an error names.
 const NAMED_EDGES: usize = 50;
-/// Length below which an edge counts as collapsed, as a fraction of the size of the net as it was given.
+/// Length below which an edge counts as collapsed, as a fraction of the size of the input net.
 const COLLAPSED: f64 = 1e-9;
 
-/// Fails with the edges that meet a condition, if there are any.
+/// Fails with `reason` and names the given edges, unless there are none.
 fn refuse(reason: Reason, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
     if edges.is_empty() {
         return Ok(());
@@ -183,7 +189,7 @@ fn refuse_collapsed(net: &Net, lengths: &[f64]) -> Result<(), Error> {
 
 /// Refuses a shape in which cables have no force because the targets would need them to push.
 fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
-    // With a least density the caller has said how much tension stays.
+    // With a least density, the caller has chosen the tension that slack cables keep.
     if options.least_density > 0.0 {
         return Ok(());
     }
@@ -193,13 +199,14 @@ fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
     refuse(Reason::SlackCable, detail, &slack, "would be slack")
 }
 
-/// Length of an edge above which a net runs away from its targets, as a multiple of the size of the given net plus the
-/// sum of all target lengths.
+/// An edge longer than this shows that the net runs away from its targets. Multiple of the size of the input net plus
+/// the sum of all target lengths.
 const RUNAWAY: f64 = 20.0;
-/// Relative deviation above which a target counts as missed. A net that misses no target does not run away.
+/// Relative deviation above which a target counts as missed. Only a net that misses a target is refused for its long
+/// edges.
 const MISSED: f64 = 1e-3;
 
-/// The largest relative deviation of each edge from a target that counts.
+/// Returns the largest relative deviation of each edge from its targets of positive weight, or 0 without such targets.
 fn deviations(net: &Net, options: &Options, forces: &[f64], lengths: &[f64]) -> Vec<f64> {
     let off = |value: f64, target: Option<f64>, weight: f64| {
         target.filter(|_| weight > 0.0).map_or(0.0, |target| (value / target - 1.0).abs())
@@ -210,7 +217,8 @@ fn deviations(net: &Net, options: &Options, forces: &[f64], lengths: &[f64]) -> 
     net.edges.iter().zip(forces).zip(lengths).map(largest).collect()
 }
 
-/// Refuses a shape whose edges grow without limit while it comes nearer to its targets: no net meets them.
+/// Refuses a net some of whose edges grow without limit as it approaches its targets, because no net meets such
+/// targets.
 fn refuse_runaway(net: &Net, lengths: &[f64], deviations: &[f64]) -> Result<(), Error> {
     let wanted: f64 = net.edges.iter().filter_map(|edge| edge.length).sum();
     let most = RUNAWAY * (polyline::radius(&net.vertices) + wanted);
@@ -222,19 +230,20 @@ fn refuse_runaway(net: &Net, lengths: &[f64], deviations: &[f64]) -> Result<(), 
     refuse(Reason::TargetsNotReached, detail, &long, "grows without limit")
 }
 
-/// Checks the arguments of [`solve`] before any work: linear in the size of the net.
+/// Checks the arguments of [`solve`] before any work, in a time that is nearly linear in the size of the net.
 ///
 /// # Errors
-/// The [`Error::Input`] that [`solve`] would begin with.
+/// The [`Error::Input`] with which [`solve`] would fail.
 pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
     options::check(net, options)
 }
 
-/// Number of bytes of memory per edge, and per entry of the factor of the equations with one unknown at a vertex. The
-/// system of a step has six unknowns at a vertex, so that its factor has 36 numbers of 8 bytes for each such entry, or
-/// fewer where its elimination order is better. Grids of squares, walls of bricks and grids in space take 70 % to 80 %
-/// of the sum.
+/// Memory per edge, in bytes. Together with [`BYTES_PER_ENTRY`] it makes an estimate of which grids of squares, walls
+/// of bricks and grids in space take 70 % to 80 %.
 const BYTES_PER_EDGE: f64 = 5_600.0;
+/// Memory in bytes per entry of the factor of the equations with one unknown at a vertex. The system of a step has six
+/// unknowns at a vertex, so its factor has 36 numbers of 8 bytes for each such entry, or fewer where its elimination
+/// order is better.
 const BYTES_PER_ENTRY: f64 = 330.0;
 
 /// Estimates the memory that solving takes, for a net that [`check`] accepts. A net has no triangles. The factor takes

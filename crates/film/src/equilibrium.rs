@@ -1,8 +1,9 @@
-//! The equilibrium of sheets and lines: one Newton iteration, one residual, one stability for every body.
+//! The equilibrium of sheets and lines: every body is solved by the same Newton iteration, with the same residual and
+//! the same analysis of stability.
 //!
-//! A [`Body`] is a complex of triangles with a surface tension per sheet, further energies
-//! ([`Term`](crate::energy::Term)), what each vertex may do ([`Freedom`]), and constraints on the whole.
-//! [`Body::relax`] moves it to the nearest equilibrium:
+//! A [`Body`] consists of a complex of triangles with a surface tension per sheet, further energies
+//! ([`Term`](crate::energy::Term)), the directions in which each vertex may move ([`Freedom`]), and constraints on the
+//! whole body. [`Body::relax`] moves it to the nearest equilibrium:
 //!
 //! ```
 //! use plateau_film::equilibrium::{Body, Outcome, Settings};

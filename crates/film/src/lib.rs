@@ -1,8 +1,8 @@
 //! Films and nets: minimal surfaces, tensile structures and cable nets.
 //!
 //! [`minimal_surface`] finds surfaces of least area between boundary loops (Chen, Cai and Zheng; Liu and Wang; Bento
-//! and Cavalcanti). [`tensile_structure`] finds films with cables, pressure and weight in equilibrium, and
-//! [`cable_net`] nets of cables without a film. All of them stand on [`energy`] and [`equilibrium`].
+//! and Cavalcanti). [`tensile_structure`] finds films with cables, pressure and weight in equilibrium. [`cable_net`]
+//! finds nets of cables without a film. All three use [`energy`] and [`equilibrium`].
 //!
 //! ```
 //! use plateau_film::minimal_surface::{Options, Resolution, solve};
@@ -28,8 +28,8 @@
 //! - *Pinch*: a change of topology where a neck closes.
 //!
 //! # Layers
-//! Each module knows only those above it: [`energy`], [`equilibrium`], [`minimal_surface`], [`tensile_structure`],
-//! [`cable_net`].
+//! Each module uses only the modules before it in this list: [`energy`], [`equilibrium`], [`minimal_surface`],
+//! [`tensile_structure`], [`cable_net`].
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -40,7 +40,7 @@ pub mod equilibrium;
 pub mod minimal_surface;
 pub mod tensile_structure;
 
-/// The example of the README is compiled and run with the others.
+/// Compiles and runs the example of the README as a doc test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

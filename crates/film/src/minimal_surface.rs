@@ -1,4 +1,4 @@
-//! Minimal surfaces: the least area, or another energy, among the meshes that span closed boundary polygons.
+//! Minimal surfaces: meshes that span closed boundary polygons and minimise the area or another energy.
 //!
 //! The main function is [`solve`]. It takes boundary polygons and a resolution, and returns a mesh with its
 //! measurements and the reason why the solver stopped. The boundary never moves; the solver places all other vertices.
@@ -77,23 +77,27 @@ use solved_film::SolvedFilm;
 use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pinkall_polthier};
 use touching_boundaries::JoinedLoops;
 
-/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective
-/// least.
+/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that minimises the
+/// objective.
 ///
-/// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
-/// arguments, to the byte on processors with the same vector instructions, and turns, moves and scales with them up to
-/// rounding. Neighbouring points that are equal, or nearer than 1e-9 of the boundary's radius, are merged, with the
-/// warning `merged_points`. The minimum is a *local* one: a boundary may bound several minimal surfaces, and the
-/// initial mesh decides which of them is found. A surface whose solver did not meet its own rule is returned with
-/// `converged: false` and the warning `not_converged`, at a deadline too. A film of least area whose solver met its own
-/// rule above the tolerance carries the warning `not_minimal`.
+/// The result is an oriented manifold whose boundary loops are exactly the given boundaries. (A film with junctions is
+/// not a manifold.) The result depends only on the arguments. On processors with the same vector instructions it is the
+/// same to the byte. If the arguments are rotated, moved or scaled, the result is too, up to rounding.
+///
+/// Neighbouring points that are equal, or nearer than 1e-9 of the boundary's radius, are merged, with the warning
+/// `merged_points`. The minimum is a *local* minimum: a boundary may bound several minimal surfaces, and the initial
+/// mesh decides which of them is found.
+///
+/// If the solver did not meet its own rule, also at a deadline, the surface is returned with `converged: false` and the
+/// warning `not_converged`. If the solver met its own rule on a film of least area whose residual is above the
+/// tolerance, the film carries the warning `not_minimal`.
 ///
 /// # Errors
-/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours
-/// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution);
-/// [`Error::NoResult`] if no valid mesh came out, or `no_connected_film` if several boundaries had to be connected
-/// ([`TopologyRule::Fixed`]) and the film did not hold; [`Error::Interrupted`] on cancel, and on a deadline that passes
-/// before there is a mesh.
+/// [`Error::Input`] if the arguments themselves are wrong (a coordinate that is not finite or beyond 1e50, neighbours
+/// that are nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution).
+/// [`Error::NoResult`] if no valid mesh was found, with the reason `no_connected_film` if several boundaries had to be
+/// connected ([`TopologyRule::Fixed`]) and the film did not hold. [`Error::Interrupted`] on cancel, and at a deadline
+/// that passes before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     let shared = input.shared_point();
@@ -117,10 +121,11 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         Method::Newton(Newton { topology: TopologyRule::Best, .. }) => {
             Some(best_topology::solve(boundaries, options, exec)?)
         }
-        // A coarser mesh skips points of the boundaries, and may skip those at which they touch.
+        // Nested meshes are not used for joined boundaries, because a coarser mesh may skip the points at which the
+        // boundaries touch.
         Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) if joined.is_none() => {
-            // The theorem of the cone does not cover films with fixed points inside, nor a mesh of the caller, which
-            // may have several parts.
+            // The theorem of the cone does not cover films with fixed points inside. It does not cover a mesh of the
+            // caller either, because the mesh may have several parts.
             if options.constraints.is_empty()
                 && !matches!(options.initial_mesh, InitialMesh::Given(_))
                 && let Some(parted) = cone::part(boundaries, exec)?
@@ -152,12 +157,12 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     Ok(surface)
 }
 
-/// Residual above which a film that has not converged is not near a minimal surface: its radius of curvature is then as
-/// small as the boundary.
+/// Residual above which a film that has not converged is not near a minimal surface. At this residual the radius of
+/// curvature of the film is as small as the boundary.
 const LOST: f64 = 1.0;
 
-/// Refuses the mesh that is left when the film had to connect several boundaries but the solver found no minimal
-/// surface that does: the mesh has collapsed, folded over, or stopped far from any minimal surface.
+/// Returns an error if the film had to connect several boundaries but the solver found no minimal surface that connects
+/// them, because the mesh has collapsed, folded over, or stopped far from any minimal surface.
 fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     let ended = match statistics.stop_reason {
         StopReason::Collapsed => "collapsed",
@@ -172,7 +177,7 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     Err(cone::not_connected(&format!("the mesh {ended}")))
 }
 
-/// Runs the solver that is asked for from an initial mesh of the full size.
+/// Runs the requested solver from an initial mesh of the full size.
 fn relax(film: &mut Film, kind: InitialMeshKind, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let limits = options.limits();
     let given = matches!(options.initial_mesh, InitialMesh::Given(_));
@@ -200,10 +205,11 @@ fn relax(film: &mut Film, kind: InitialMeshKind, options: &Options, exec: &Execu
     }
 }
 
-/// Checks the arguments of [`solve`] before any work: linear in the number of points.
+/// Checks the arguments of [`solve`] without solving, in a time that is linear in the number of points.
 ///
 /// # Errors
-/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.
+/// The [`Error::Input`] that [`solve`] would return for these arguments. Arguments that pass may still turn out to have
+/// no valid mesh.
 pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     let input = Input::read(boundaries, options)?;
     if let InitialMesh::Given(mesh) = &options.initial_mesh

@@ -1,9 +1,9 @@
-//! Tensile structures: films of given prestress with cables, pressure and weight, in the shape in which all forces
-//! balance.
+//! Form finding of tensile structures: finds the shape in which the forces of prestressed films, cables, pressure and
+//! weight balance.
 //!
 //! [`solve`] takes a [`Structure`] and a resolution and returns a mesh with the forces in its cables and at its
-//! supports. A film with nothing but fixed boundaries is a minimal surface; every further effect is a term of one
-//! energy or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
+//! supports. A film with fixed boundaries and without cables or loads is a minimal surface. Every further effect adds a
+//! term to one energy, a constraint, or a freedom of vertices in the [equilibrium core](crate::equilibrium):
 //!
 //! ```text
 //! E = Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V + weights        volumes and lengths as constraints where given
@@ -74,13 +74,14 @@ use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
 
 /// Finds the shape of a structure in equilibrium.
 ///
-/// The result depends on nothing but the arguments, to the byte on processors with the same vector instructions, and
-/// moves and scales with them up to rounding. A shape that stopped above the tolerance because the iterations or the
-/// time were used up is returned with `converged: false` and the warning `not_converged`.
+/// The result depends only on the arguments. It is the same to the byte on processors with the same vector
+/// instructions. If the structure is moved or scaled, the result moves and scales with it, up to rounding. If the
+/// iterations or the time are used up before the residual reaches the tolerance, the shape is returned with `converged:
+/// false` and the warning `not_converged`.
 ///
 /// # Errors
-/// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] if there is no equilibrium near the
-/// boundaries or no mesh; [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
+/// [`Error::Input`] if a check of the arguments fails; [`Error::NoResult`] if there is no equilibrium near the
+/// boundaries or no mesh; [`Error::Interrupted`] on cancellation, or if the deadline passes before there is a mesh.
 pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Result<TensileStructure, Error> {
     check(structure, options)?;
     let (model, found) = if remeshing::travels(structure) {
@@ -97,13 +98,13 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
     outcome::finish(model, found, structure, exec)
 }
 
-/// A mesh counts as too coarse if its mean edge exceeds the given one by this factor.
+/// A mesh is too coarse if its mean edge length is at least this multiple of the required edge length.
 const TOO_COARSE: f64 = 1.15;
-/// Largest factor by which a finer mesh has more triangles.
+/// Upper bound of the number of triangles of the finer mesh, as a multiple of the number of the coarse mesh.
 const MOST_FINER: f64 = 4.0;
 
-/// Finds the shape on the initial mesh. A film may become much larger than its boundaries suggest; if its edges are
-/// then longer than the given length, the shape is found once more on a finer mesh.
+/// Finds the shape on the initial mesh. The film may become much larger than its boundaries suggest, and the edges of
+/// its mesh then become longer than the required length. In this case the shape is found once more on a finer mesh.
 fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let find = |options: &Options, exec: &Execution| {
         let mut model = exec
@@ -123,7 +124,8 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
-/// Finds the shape on a sequence of meshes, beginning with a coarse one, which are remeshed while the structure moves.
+/// Finds the shape on a sequence of meshes that become finer, the first of which is coarse. Each mesh is remeshed while
+/// the structure moves.
 fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let count = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options)).triangles;
     let (start, share) = if count > travel::COARSE {
@@ -141,10 +143,10 @@ fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<
     Ok((model, found))
 }
 
-/// Checks the arguments of [`solve`] before any work: linear in the number of points.
+/// Checks the arguments of [`solve`] without solving. The time is linear in the number of points.
 ///
 /// # Errors
-/// The [`Error::Input`] that [`solve`] would begin with.
+/// The [`Error::Input`] that [`solve`] would return for these arguments.
 pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
     checks::check(structure, options)?;
     check_catenaries(structure)?;
@@ -152,7 +154,7 @@ pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
     minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
 }
 
-/// Refuses cables through the air between two supports, for whose given value there is no catenary.
+/// Refuses a heavy cable in the air between two supports if no catenary has the value that the cable's mode prescribes.
 fn check_catenaries(structure: &Structure) -> Result<(), Error> {
     let hubs: Vec<DVec3> = structure.rings.iter().filter_map(|ring| ring.hub).collect();
     let joined = |end: &DVec3| {
@@ -176,7 +178,8 @@ fn check_catenaries(structure: &Structure) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Refuses a cable between supports one above the other that cannot hang straight, or whose mode leaves its force open.
+/// Refuses a cable between two supports, one above the other, if a part of the cable would have to push or if its mode
+/// does not determine its force.
 fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: Place) -> Option<InputError> {
     let force = catenary::plumb_force(cable, ends, structure.up);
     match force {
@@ -197,8 +200,8 @@ fn plumb_refusal(structure: &Structure, cable: &Cable, ends: [DVec3; 2], place: 
     }
 }
 
-/// Translates the places in an error of the initial mesh, where cables across the film are constraint polylines, to the
-/// places of these cables in the structure.
+/// Translates the places in an error of the initial mesh to places in the structure. In the initial mesh the cables
+/// across the film are constraint polylines; in the structure they are cables.
 fn placed(structure: &Structure, mut error: Error) -> Error {
     let across = |cable: &(usize, &Cable)| matches!(cable.1.course, Course::Across(_));
     let numbers: Vec<usize> = structure.cables.iter().enumerate().filter(across).map(|(k, _)| k).collect();
@@ -217,14 +220,15 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
     error
 }
 
-/// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it. Sails and
-/// halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles.
+/// Estimated memory per triangle of the film, in bytes. Most of it is the matrix factor, which has three unknowns at
+/// every vertex. Sails and halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles.
 const BYTES_PER_TRIANGLE: f64 = 5_000.0;
-/// Number of bytes of memory per triangle of a mesh on which an edge slides: the triangle and its share of the tree.
+/// Estimated memory per triangle of a mesh on which an edge slides, in bytes: the triangle and its share of the search
+/// tree.
 const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
 
-/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the
-/// layers over the boundaries before form finding ([`minimal_surface::estimate`]).
+/// Estimates the number of triangles of the result and the memory that solving takes. The number of triangles is that
+/// of the initial mesh over the boundaries ([`minimal_surface::estimate`]), times the number of layers.
 #[must_use]
 pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));

@@ -1,6 +1,7 @@
-//! `best` over two to six random loops: its area is at most the least that any other start finds, and it does not
-//! change when the loops are turned, moved and listed in another order. `PLATEAU_LONG` runs 200 configurations, or
-//! `PLATEAU_CONFIGURATIONS` from `PLATEAU_FIRST` on.
+//! Tests topology `best` over two to six random loops. Its area must be at most the least area that any other start
+//! finds, and must not change when the loops are turned, moved and listed in another order. A few chosen seeds always
+//! run. With `PLATEAU_LONG`, 200 configurations run, or the number `PLATEAU_CONFIGURATIONS`, from seed `PLATEAU_FIRST`
+//! on.
 
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, TopologyRule, solve,
@@ -25,7 +26,7 @@ fn ellipse(points: usize, centre: DVec3, first: DVec3, second: DVec3, phase: f64
     (0..points).map(|k| centre + first * angle(k).cos() + second * angle(k).sin()).collect()
 }
 
-/// A plane ellipse of these half axes around a normal.
+/// A plane ellipse with these half axes and this normal.
 fn around(random: &mut SplitMix64, centre: DVec3, normal: DVec3, axes: [f64; 2]) -> Vec<DVec3> {
     let (x, y) = normal.any_orthonormal_pair();
     let turn = random.between(0.0, TAU);
@@ -33,8 +34,8 @@ fn around(random: &mut SplitMix64, centre: DVec3, normal: DVec3, axes: [f64; 2])
     ellipse(16 + 2 * random.below(5), centre, u * axes[0], v * axes[1], random.between(0.0, TAU))
 }
 
-/// Returns loops of a random kind. The kinds are coaxial rings, rings that nearly coincide, rings on a sphere, ellipses
-/// anywhere (which may be linked) and Borromean rings.
+/// Returns loops of a random kind: coaxial rings, rings that nearly coincide, rings on a sphere, ellipses anywhere
+/// (which may be linked) or Borromean rings.
 fn configuration(random: &mut SplitMix64) -> (&'static str, Vec<Vec<DVec3>>) {
     let count = 2 + random.below(5);
     match random.below(5) {
@@ -112,13 +113,13 @@ fn crosses(surface: &MinimalSurface) -> bool {
     found.unwrap().pairs > 0
 }
 
-/// The error of the mesh's own area.
+/// Error estimate of the area of the mesh.
 fn own_error(surface: &MinimalSurface) -> f64 {
     surface.statistics.extrapolated_area.map_or(0.0, |area| area.error_estimate)
 }
 
-/// Returns whether `best` solves for a film that joins boundaries of the configuration of a seed, and its faults, in
-/// words.
+/// Checks `best` on the configuration of a seed. Returns whether its film joins boundaries and needed a solve, and its
+/// faults in words.
 fn judged(seed: u64) -> (bool, Option<String>) {
     let random = &mut SplitMix64::new(seed);
     let (kind, loops) = configuration(random);
@@ -142,7 +143,7 @@ fn judged(seed: u64) -> (bool, Option<String>) {
             let holds =
                 statistics.converged && statistics.stability.is_none_or(|stability| stability.stable == Some(true));
             let least = statistics.area + 2.0 * own_error(&best).max(own_error(&other)) + 1e-9 * statistics.area;
-            // Films that pass through themselves come after all others.
+            // A film that passes through itself is no competitor for a film that does not.
             if holds && (!crosses(&other) || crosses(&best)) && best.statistics.area > least {
                 faults.push(format!("{name} from {initial:?} finds {}", statistics.area));
             }
@@ -182,13 +183,13 @@ fn best_is_the_least_of_all_starts_wherever_the_loops_stand() {
     let number = |name: &str, other: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(other);
     let first = number("PLATEAU_FIRST", 0);
     let all = first..first + number("PLATEAU_CONFIGURATIONS", 200);
-    // The quick ones are those that have been wrong, two loops anywhere, Borromean rings, and ellipses that cross.
+    // The quick seeds are those that failed at some time, two loops anywhere, Borromean rings, and ellipses that cross.
     let seeds: Vec<u64> = if is_long() { all.collect() } else { vec![3, 4, 5, 72, 79, 136, 137, 183, 184] };
     let count = seeds.len();
     let (joined, faults): (Vec<bool>, Vec<Option<String>>) = seeds.into_iter().map(judged).unzip();
     let wrong: Vec<String> = faults.into_iter().flatten().collect();
     assert!(wrong.is_empty(), "{} of {count} wrong:\n{}", wrong.len(), wrong.join("\n"));
-    // Discs over plane loops and strips between near rings need no solve, so at least one film has to need it.
+    // Plane loops spanned by discs and near rings joined by strips need no solve. At least one film must need a solve.
     assert!(joined.contains(&true), "no film joins loops");
 }
 

@@ -1,11 +1,11 @@
-//! Cable nets against closed forms and published figures, and what is refused.
+//! Cable nets: compared with closed forms and published figures, and the inputs that are refused.
 
 use plateau_film::cable_net::{CableNet, Edge, Net, Options, StopReason, check, solve};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use std::cell::Cell;
 
-/// A square net of `side` units with `cells` cells each way: vertices row by row, edges with whether they are on the
-/// rim.
+/// A square net with sides of length `side` and `cells` cells along each side. The vertices are numbered row by row.
+/// `edge` makes an edge from its ends and from whether it is on the rim.
 fn grid(side: f64, cells: u32, edge: impl Fn([u32; 2], bool) -> Edge) -> Net {
     let mut net = Net::default();
     let number = |i: u32, j: u32| i * (cells + 1) + j;
@@ -35,7 +35,7 @@ fn found(net: &Net, options: &Options) -> CableNet {
 
 #[test]
 fn a_hypar_of_equal_densities_passes_through_the_mean_of_its_supports() {
-    // The test of compas_fd: four supports, two of them lifted by one, and one free point at (0.5, 0.5, 0.5).
+    // The test of compas_fd: four supports, two of them lifted by 1. The free vertex must come to (0.5, 0.5, 0.5).
     let corners = [(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (1.0, 1.0, 0.0), (0.0, 1.0, 1.0)];
     let mut vertices: Vec<DVec3> = corners.map(|(x, y, z)| DVec3::new(x, y, z)).to_vec();
     vertices.push(DVec3::new(0.2, 0.7, 3.0));
@@ -50,7 +50,7 @@ fn a_hypar_of_equal_densities_passes_through_the_mean_of_its_supports() {
 
 #[test]
 fn a_loaded_string_of_equal_densities_is_a_parabola() {
-    // Equal weights at equal steps: the moment of the loads over the density.
+    // Equal weights at equal steps, so the sag is the bending moment of the loads over the density.
     let count = 20u32;
     let vertices: Vec<DVec3> = (0..=count).map(|k| DVec3::new(f64::from(k), 0.0, 0.0)).collect();
     let edges = (0..count).map(|k| Edge { ends: [k, k + 1], density: Some(5.0), ..Edge::default() }).collect();
@@ -66,7 +66,7 @@ fn a_loaded_string_of_equal_densities_is_a_parabola() {
     assert!((lift - 0.3 * 21.0).abs() < 1e-12);
 }
 
-/// The net of jax_fdm's `cablenet.md`: 10 m, 10 × 10 cells, two opposite corners lifted by 5 m.
+/// The net of jax_fdm's `cablenet.md`: a square of 10 m with 10 × 10 cells, and two opposite corners lifted by 5 m.
 fn lifted(cells: u32) -> Net {
     let force_at_start = |rim: bool| if rim { 20.0 } else { 1.0 };
     let mut net = grid(10.0, cells, |ends, rim| Edge {
@@ -109,8 +109,9 @@ fn the_net_of_jax_fdm_reaches_its_targets() {
 
 #[test]
 fn a_fine_net_is_not_drawn_together_by_the_densities_that_it_begins_with() {
-    // Ten times the force inside: the cables of a side pull with 10 × 19 against the 20 of the rim. Fitting from such
-    // densities ends with lengths that deviate by 40 % in the mean (0.156 is the mean of the squares).
+    // The inner cables start with ten times the force: the 19 cables that meet a side pull with 10 × 19 against the 20
+    // of the rim. A fit that starts from these densities ends with lengths that deviate by 40 % in the mean (0.156 is
+    // the mean of the squares).
     let mut net = lifted(20);
     for edge in net.edges.iter_mut().filter(|edge| edge.length.is_some()) {
         edge.density = edge.density.map(|q| 10.0 * q);
@@ -127,7 +128,7 @@ fn a_fine_net_is_not_drawn_together_by_the_densities_that_it_begins_with() {
 
 #[test]
 fn a_target_that_a_net_can_reach_is_reached() {
-    // The forces of a net of unequal densities, asked for from equal ones.
+    // The forces of a net of unequal densities are the targets of a net that starts from equal densities.
     let mut net = lifted(4);
     for (k, edge) in net.edges.iter_mut().enumerate() {
         *edge = Edge { ends: edge.ends, density: Some(1.0 + 0.1 * (k % 7) as f64), ..Edge::default() };
@@ -156,7 +157,7 @@ fn a_shorter_load_path_is_found_when_it_is_asked_for() {
 
 #[test]
 fn held_densities_stay_and_the_others_are_fitted() {
-    // The rim of the lifted net keeps its density while the lengths inside are fitted.
+    // The rim of the lifted net keeps its density, and the lengths inside are fitted.
     let mut net = lifted(6);
     for edge in &mut net.edges {
         if edge.force.is_some() {
@@ -173,7 +174,7 @@ fn held_densities_stay_and_the_others_are_fitted() {
         net.edges.iter().zip(&found.lengths).filter_map(of).sum::<f64>()
     };
     assert!(deviation(&result) < 0.5 * deviation(&start), "{} {}", deviation(&result), deviation(&start));
-    // Held densities alone are the linear equations, whatever the targets.
+    // If all densities are held, only the linear equations are solved, whatever the targets.
     net.edges.iter_mut().for_each(|edge| (edge.density, edge.held) = (edge.density.or(Some(1.0)), true));
     assert_eq!(found(&net, &Options::default()).stop_reason, StopReason::NoTargets);
 }
@@ -248,7 +249,7 @@ fn bad_nets_are_refused_by_the_place_of_the_value() {
             Err(other) => panic!("{other:?}"),
         }
     };
-    // The end of a chain moves freely, and then what hangs on it, unless a load pulls at it.
+    // The free end of a chain is undetermined, and so are the vertices that hang on it, unless a load pulls at the end.
     assert_eq!(chain(&[0], 1.0, Vec::new()), ["/vertices/1", "/vertices/2", "/vertices/3"]);
     let pull = DVec3::new(1.0, 0.0, 0.0);
     assert_eq!(chain(&[0], 1.0, vec![DVec3::ZERO, DVec3::ZERO, DVec3::ZERO, pull]), Vec::<String>::new());
@@ -274,9 +275,9 @@ fn the_same_net_gives_the_same_bits_and_looks_at_the_caller() {
     assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled));
 }
 
-/// Returns a prism of three struts: a fixed triangle of radius 1, one above it that begins turned by `turn` degrees,
-/// and cables of force 1 between them. A strut joins each lower vertex to the upper vertex that is two thirds of a turn
-/// further than the one to which its cable goes.
+/// Returns a prism of three struts: a fixed triangle of radius 1, a second triangle above it that begins turned by
+/// `turn` degrees, and cables of force 1 between them. Each lower vertex has a cable to one upper vertex, and a strut
+/// to the upper vertex that follows a third of a turn later.
 fn triplex(turn: f64) -> Net {
     let third = |k: u32, turn: f64, z: f64| {
         let angle = (120.0 * f64::from(k) + turn).to_radians();
@@ -307,7 +308,7 @@ fn the_prism_of_three_struts_is_twisted_by_thirty_degrees() {
             assert!(((twist - 30.0 + 540.0).rem_euclid(360.0) - 180.0).abs() < 1e-6, "{turn}: {twist}");
             assert!((p.truncate().length() - 1.0).abs() < 1e-6);
         }
-        // The force density of a strut is that of its cable, and its length is as it was asked for.
+        // The force density of a strut is the opposite of that of its cable, and its length is the wanted one.
         for (edge, (length, q)) in net.edges.iter().zip(result.lengths.iter().zip(&result.densities)) {
             assert!(
                 !edge.strut || (length - 2.5).abs() < 1e-8 && (q + result.densities[1]).abs() < 1e-6,
@@ -319,7 +320,7 @@ fn the_prism_of_three_struts_is_twisted_by_thirty_degrees() {
 
 #[test]
 fn a_strut_bears_what_statics_says() {
-    // A mast on a fixed foot, held by three stays of force 2 against a pull to the side.
+    // A mast on a fixed foot, held by three stays of force 2.
     let foot = DVec3::ZERO;
     let anchors = [0.0f64, 120.0, 240.0]
         .map(|angle| DVec3::new(3.0 * libm::cos(angle.to_radians()), 3.0 * libm::sin(angle.to_radians()), 0.0));
@@ -329,11 +330,11 @@ fn a_strut_bears_what_statics_says() {
     edges.extend((2..5).map(|k| Edge { ends: [k, 1], force: Some(2.0), ..Edge::default() }));
     let net = Net { vertices, edges, supports: vec![0, 2, 3, 4], loads: Vec::new() };
     let result = found(&net, &Options { tolerance: 1e-12, ..Options::default() });
-    // By symmetry the mast stands upright, and bears the three stays' vertical parts.
+    // By symmetry the mast stands upright, and bears the vertical parts of the three stays' forces.
     let top = result.vertices[1];
     assert!(top.distance(DVec3::new(0.0, 0.0, 4.0)) < 1e-6, "{top} {result:?}");
     assert!((result.forces[0] + 3.0 * 2.0 * 0.8).abs() < 1e-6, "{:?}", result.forces);
-    // Below a load the mast bears more, and the targets are met all the same.
+    // Under a load the mast bears more, and the targets are still met.
     let loads = vec![DVec3::ZERO, DVec3::new(0.0, 0.0, -1.5), DVec3::ZERO, DVec3::ZERO, DVec3::ZERO];
     let result = found(&Net { loads, ..net }, &Options { tolerance: 1e-12, ..Options::default() });
     assert!((result.forces[0] + 3.0 * 2.0 * 0.8 + 1.5).abs() < 1e-6, "{:?}", result.forces);
@@ -341,7 +342,7 @@ fn a_strut_bears_what_statics_says() {
 
 #[test]
 fn targets_that_no_net_meets_fail_and_name_the_edges_that_grow() {
-    // Two cables of force 1 cannot bear a load of 3: 2 F cos = 3 needs F > 1.5.
+    // Two cables of force 1 cannot bear a load of 3, because 2 F cos α = 3 needs F > 1.5.
     let vertices = vec![DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, -0.5)];
     let net = |force: f64| Net {
         vertices: vertices.clone(),
@@ -358,7 +359,7 @@ fn targets_that_no_net_meets_fail_and_name_the_edges_that_grow() {
             other => panic!("{force}: {other:?}"),
         }
     }
-    // A force that is enough is reached, also where the net hangs deep.
+    // A force that is large enough is reached, even if the net hangs deep.
     for force in [1.6, 1.501] {
         let result = found(&net(force), &Options::default());
         assert!((result.forces[0] / force - 1.0).abs() < 1e-6 && !result.missed.contains(&true), "{result:?}");
@@ -367,7 +368,7 @@ fn targets_that_no_net_meets_fail_and_name_the_edges_that_grow() {
 
 #[test]
 fn an_edge_that_misses_a_target_by_more_than_half_is_marked() {
-    // A straight string: both halves have the same force, so no net has both targets.
+    // In a straight string both halves have the same force, so no net meets both targets.
     let vertices = vec![DVec3::ZERO, DVec3::new(1.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0)];
     let edge = |k: u32, force: f64| Edge { ends: [k, k + 1], force: Some(force), ..Edge::default() };
     let net = Net { vertices, edges: vec![edge(0, 1.0), edge(1, 5.0)], supports: vec![0, 2], loads: Vec::new() };
@@ -385,7 +386,7 @@ fn a_net_at_survey_coordinates_is_balanced_as_far_as_they_allow() {
     net.vertices.iter_mut().for_each(|p| *p += far);
     let result = solve(&net, &options, &Execution::default()).unwrap();
     let largest = result.forces.iter().copied().fold(0.0, f64::max);
-    // Coordinates of 5e6 are whole multiples of 1e-9, and the densities are about 20.
+    // Coordinates near 5e6 are multiples of 1e-9, and the densities are about 20, so the balance cannot be exact.
     println!("{} {}", result.residual_force / largest, result.loss / reference.loss - 1.0);
     assert!(result.residual_force < 2e-8 * largest, "{}", result.residual_force / largest);
     assert!((result.loss / reference.loss - 1.0).abs() < 1e-6);

@@ -1,8 +1,8 @@
-//! Smallest angles of films over boundaries with corners, re-entrant ones too, from coarse to fine: they must not fall
-//! with the resolution.
+//! Smallest angles of films over boundaries with corners, including re-entrant corners, from coarse to fine meshes. The
+//! angles must not become smaller as the resolution becomes finer.
 //!
-//! All corners of these boundaries turn by less than 130 degrees in space, so that every one leaves room for angles of
-//! 20 degrees. With `PLATEAU_LONG=1` the resolutions go up to 768,000 triangles and the table is printed.
+//! All corners of these boundaries turn by less than 130 degrees in space, so that each leaves room for angles of 20
+//! degrees. With `PLATEAU_LONG=1` the resolutions go up to 768,000 triangles. The table is printed.
 
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Execution, Mesh};
@@ -11,7 +11,7 @@ fn corners(points: &[[f64; 3]]) -> Vec<DVec3> {
     points.iter().map(|&point| DVec3::from_array(point)).collect()
 }
 
-/// A loop around the origin: each point by its angle in degrees, its distance from the axis and its height.
+/// A loop around the z axis. Each point is given by its angle in degrees, its distance from the axis and its height.
 fn around(points: impl Iterator<Item = (f64, f64, f64)>) -> Vec<DVec3> {
     points
         .map(|(degrees, radius, height)| {

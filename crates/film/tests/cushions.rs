@@ -1,4 +1,5 @@
-//! Cushions: several layers over one boundary with chambers between them, against closed forms, and what is refused.
+//! Cushions: several layers over one boundary with chambers between them. They are compared with closed forms, and
+//! faulty inputs are refused.
 
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
@@ -48,13 +49,13 @@ fn found(structure: &Structure, edge_length: f64) -> TensileStructure {
     result
 }
 
-/// The height, the area and the volume of the cap of a sphere over the circle.
+/// The height, area and volume of the cap over the circle of a sphere with radius `sphere`.
 fn cap(sphere: f64) -> [f64; 3] {
     let height = sphere - (sphere * sphere - RADIUS * RADIUS).sqrt();
     [height, TAU * sphere * height, PI * height * height * (3.0 * sphere - height) / 3.0]
 }
 
-/// The least and the largest height of each layer.
+/// The smallest and the largest height of each layer.
 fn heights(result: &TensileStructure) -> Vec<(f64, f64)> {
     let mut first = 0;
     let mut heights = Vec::new();
@@ -68,7 +69,7 @@ fn heights(result: &TensileStructure) -> Vec<(f64, f64)> {
     heights
 }
 
-/// The observed order of errors on meshes of edge lengths in the ratio two.
+/// The observed order of convergence of errors on a series of meshes, each with half the edge length of the one before.
 fn order(errors: &[f64]) -> f64 {
     let n = errors.len() - 1;
     (errors[0] / errors[n]).abs().log2() / n as f64
@@ -78,7 +79,7 @@ const MESHES: [(usize, f64); 3] = [(24, 1.2), (48, 0.6), (96, 0.3)];
 
 #[test]
 fn two_equal_layers_are_a_lens() {
-    // σ 1 and p 0.2: two caps of spheres of radius 10.
+    // Tension 1 and pressure 0.2 give two caps of spheres of radius 10.
     let [height, area, volume] = cap(10.0);
     let mut errors = [Vec::new(), Vec::new(), Vec::new()];
     for (points, edge_length) in MESHES {
@@ -87,7 +88,7 @@ fn two_equal_layers_are_a_lens() {
         assert_eq!(chamber.pressure, 0.2);
         errors[0].push(lens.statistics.area - 2.0 * area);
         errors[1].push(chamber.volume - 2.0 * volume);
-        // The same lens by its volume.
+        // The same lens, with its volume given instead of its pressure.
         let by_volume = found(&cushion(circle(points), &[1.0, 1.0], &[Pressure::Volume(2.0 * volume)]), edge_length);
         let chamber = by_volume.statistics.chambers[0];
         assert!((chamber.volume / (2.0 * volume) - 1.0).abs() < 1e-9, "{chamber:?}");
@@ -95,7 +96,7 @@ fn two_equal_layers_are_a_lens() {
         let [(_, top), (bottom, _)] = heights(&lens)[..] else { panic!() };
         let error = 0.08 * edge_length * edge_length;
         assert!((top - height).abs() < error && (bottom + height).abs() < error, "{top} {bottom} {height}");
-        // The pressure acts on both layers: the supports bear only the pull of the films.
+        // The pressure acts on both layers, so the supports bear only the pull of the films.
         let balance = lens.statistics.balance.unwrap();
         assert!(balance.loads.length() < 1e-9 && balance.reactions.length() < 1e-9, "{balance:?}");
     }
@@ -105,7 +106,7 @@ fn two_equal_layers_are_a_lens() {
 
 #[test]
 fn layers_of_unequal_prestress_have_the_radii_of_their_own_tension() {
-    // Radii 2 σ / p: 20 / 3 and 40 / 3.
+    // The radii 2 σ / p are 20 / 3 and 40 / 3.
     let (tensions, pressure) = ([1.0, 2.0], 0.3);
     let [upper, lower] = tensions.map(|tension| cap(2.0 * tension / pressure));
     let mut errors = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
@@ -132,7 +133,8 @@ fn layers_of_unequal_prestress_have_the_radii_of_their_own_tension() {
 
 #[test]
 fn the_layer_between_two_chambers_has_the_radius_of_their_difference() {
-    // Pressures 0.2 and 0.15 at σ 1: radii 10, 40 and 40 / 3. The middle layer bulges into the lower chamber.
+    // Pressures of 0.2 and 0.15 at a tension of 1 give the radii 10, 40 and 40 / 3. The middle layer bulges into the
+    // lower chamber.
     let pressures = [0.2, 0.15];
     let [upper, middle, lower] = [10.0, 40.0, 40.0 / 3.0].map(cap);
     let volumes = [upper[2] + middle[2], lower[2] - middle[2]];
@@ -152,7 +154,7 @@ fn the_layer_between_two_chambers_has_the_radius_of_their_difference() {
     }
     println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
     assert!(errors.iter().all(|errors| order(errors) > 1.7), "{errors:?}");
-    // The first chamber has a pressure, the other a volume.
+    // The first chamber has a prescribed pressure, the second a prescribed volume.
     let mixed = [Pressure::Constant(0.2), Pressure::Volume(volumes[1])];
     let result = found(&cushion(circle(48), &[1.0; 3], &mixed), 0.6);
     assert!((result.statistics.chambers[1].pressure - 0.15).abs() < 2e-3, "{:?}", result.statistics.chambers);
@@ -160,27 +162,27 @@ fn the_layer_between_two_chambers_has_the_radius_of_their_difference() {
 
 #[test]
 fn a_hall_of_two_layers_stands_on_the_ground() {
-    // 0.2 between the layers and 0.3 below the inner one: the outer has the radius 10, the inner one 20.
+    // With 0.2 between the layers and 0.3 below the inner layer, the outer layer has the radius 10, the inner layer 20.
     let [outer, inner] = [10.0, 20.0].map(cap);
     let hall = found(&cushion(circle(96), &[1.0; 2], &[0.2, 0.3].map(Pressure::Constant)), 0.3);
     let [between, below] = hall.statistics.chambers[..] else { panic!() };
     assert!((between.volume / (outer[2] - inner[2]) - 1.0).abs() < 5e-3, "{between:?}");
     assert!((below.volume / inner[2] - 1.0).abs() < 5e-3, "{below:?}");
-    // The ground bears the pressure on the opening: 0.2 and then 0.3 - 0.2 from layer to layer.
+    // The ground bears the pressure on the opening: 0.2 from the outer layer and 0.3 - 0.2 from the inner layer.
     let opening = 0.5 * 96.0 * RADIUS * RADIUS * (TAU / 96.0).sin();
     let loads = hall.statistics.balance.unwrap().loads;
     assert!((loads.z / (0.3 * opening) - 1.0).abs() < 1e-9, "{loads} {}", 0.3 * opening);
 }
 
-/// Two fields with a neck between them that is narrower than an edge, so that a plane mesh has edges across the neck
-/// from boundary to boundary.
+/// Two fields joined by a neck that is narrower than an edge, so that a plane mesh has edges across the neck from
+/// boundary to boundary.
 fn dumbbell() -> Vec<DVec3> {
     let half = [(0.0, -2.0), (4.0, -2.0), (4.0, -0.3), (8.0, -0.3), (8.0, -2.0), (12.0, -2.0)];
     let other = half.iter().rev().map(|(x, y)| (*x, -y));
     half.iter().copied().chain(other).map(|(x, y)| DVec3::new(x, y, 0.0)).collect()
 }
 
-/// Every edge has two triangles: of one layer inside, and one of each layer on the boundary.
+/// Asserts that every edge has two triangles: both of one layer inside, and one of each layer on the boundary.
 fn assert_only_the_edge_is_shared(cushion: &TensileStructure) {
     let mut edges = BTreeMap::new();
     for &[a, b, c] in &cushion.mesh.triangles {
@@ -193,8 +195,8 @@ fn assert_only_the_edge_is_shared(cushion: &TensileStructure) {
 
 #[test]
 fn layers_come_apart_in_a_neck_that_is_narrower_than_an_edge() {
-    // A long film of width b under a pressure p is an arc of radius σ / p, which is b² p / (8 σ) high. Edges longer
-    // than the width leave a single row of vertices in the neck.
+    // A long film of width b under a pressure p is an arc of radius σ / p and height b² p / (8 σ). Edges longer than
+    // the width leave a single row of vertices in the neck.
     let arc = 0.6 * 0.6 * 0.1 / 8.0;
     for (edge_length, off) in [(2.0, 0.5), (1.0, 0.5), (0.2, 0.1)] {
         let cushion = found(&cushion(dumbbell(), &[1.0, 1.0], &[Pressure::Constant(0.1)]), edge_length);
@@ -214,7 +216,7 @@ fn layers_share_their_edge_and_nothing_else() {
         assert_only_the_edge_is_shared(&cushion);
         let rim = &cushion.boundaries[0];
         assert!(rim.len() >= 4 && cushion.statistics.layers.iter().all(|layer| layer.triangles > 8));
-        // The layers mirror each other.
+        // The layers are mirror images of each other.
         let [(_, top), (bottom, _)] = heights(&cushion)[..] else { panic!() };
         assert!((top + bottom).abs() < 1e-6 * top && top > 0.3, "{top} {bottom}");
     }
@@ -222,7 +224,7 @@ fn layers_share_their_edge_and_nothing_else() {
 
 #[test]
 fn an_edge_cable_bears_the_pull_of_both_layers() {
-    // At a small pressure the cushion is nearly plane: its edges are arcs of radius T / (σ + σ) = 10.
+    // At a small pressure the cushion is nearly plane, and its edges are arcs of radius T / (σ + σ) = 10.
     let cable = |k: usize| Cable {
         name: format!("edge {k}"),
         course: Course::Boundary { boundary: 0, from: k, to: (k + 1) % 4 },
@@ -235,7 +237,7 @@ fn an_edge_cable_bears_the_pull_of_both_layers() {
     let flat = found(&structure, 0.5);
     let sag = 10.0 - 75f64.sqrt();
     assert!((flat.cables[0].sag / sag - 1.0).abs() < 5e-3, "{} {sag}", flat.cables[0].sag);
-    // Inflated, the layers pull inwards less, because they leave the edge at an angle to the plane.
+    // When the cushion is inflated, the layers pull inwards less, because they leave the edge at an angle to the plane.
     structure.chambers[0].holds = Pressure::Constant(0.2);
     let inflated = found(&structure, 0.5);
     println!("{} {} {:?}", flat.cables[0].sag, inflated.cables[0].sag, inflated.statistics.chambers);
@@ -284,19 +286,19 @@ fn what_the_arguments_show_is_refused_by_its_place() {
     assert_eq!(changed(&|s| s.chambers.truncate(1)), ["/chambers"]);
     assert_eq!(changed(&|s| s.chambers[1].holds = Pressure::Volume(0.0)), ["/chambers/1/volume"]);
     assert_eq!(changed(&|s| s.chambers[0].holds = Pressure::Constant(f64::NAN)), ["/chambers/0/pressure"]);
-    // 2 σ / r = 0.4 for the upper layer.
+    // The pressure limit of the upper layer is 2 σ / r = 0.4.
     let limit = changed(&|s| s.chambers[0].holds = Pressure::Constant(0.41));
     assert_eq!(limit, ["/chambers/0/pressure"]);
-    // The lower layers alone are above their limits: the middle one by the difference of the pressures.
+    // The middle layer is above its limit, because the difference of the two pressures, 0.49, acts on it.
     assert_eq!(places(&with(&[0.39, -0.1].map(Pressure::Constant))), ["/chambers/1/pressure"]);
     let two = |pressure: f64| cushion(circle(64), &[1.0, 1.0], &[Pressure::Constant(pressure)]);
     assert_eq!(places(&two(0.0)), ["/chambers/0/pressure"]);
     assert_eq!(places(&two(-0.1)), ["/chambers/0/pressure"]);
-    // Pressures at which two of three layers would lie in the same place.
+    // At these pressures two of the three layers would coincide.
     assert_eq!(places(&with(&[0.1, 0.2].map(Pressure::Constant))), ["/chambers/0/pressure"]);
     assert_eq!(places(&with(&[0.2, 0.1].map(Pressure::Constant))), ["/chambers/1/pressure"]);
-    // The space between two layers is closed wherever their edge is, the one below the last layer only over a fixed
-    // edge.
+    // The space between two layers is closed whatever their edge is. The space below the last layer is closed only if
+    // its edge is fixed.
     let mut hangs = cushion(square(), &[1.0, 1.0], &[0.1, 0.15].map(Pressure::Constant));
     let course = Course::Boundary { boundary: 0, from: 0, to: 1 };
     let mode = CableMode::Force(20.0);

@@ -1,12 +1,13 @@
-//! A closed boundary has no first point of its own: whichever of its points the list begins with, the film is the same
-//! up to the error of its mesh, and the stated area is that of the mesh.
+//! A closed boundary has no first point of its own. Whichever point its list begins with, the film must be the same up
+//! to the error of its mesh, and the stated area must be that of the mesh.
 //!
-//! Coarse to fine solves keep the corners of a boundary, and point 0 need not be one of them. The boundary points were
-//! then numbered from the first kept point, and every point was moved to the place of its neighbour. The round disc in
-//! which the film of coastline 5 begins started at point 0, and the areas differed by 2.6 times what is allowed.
+//! Two faults lead to different films. First, coarse to fine solves keep the corners of a boundary, and point 0 need
+//! not be a corner. If the boundary points are numbered from the first kept point, every point moves to the place of
+//! its neighbour. Second, the round disc in which a film begins may start at point 0 of the list. For coastline 5 the
+//! areas then differ by 2.6 times the allowed difference.
 //!
 //! Each case is a boundary at one resolution, with every choice of the first point. A few cases with some first points
-//! run always; with `PLATEAU_LONG=1` it is 60 boundaries at three resolutions with every first point.
+//! always run. With `PLATEAU_LONG=1`, 60 boundaries run at three resolutions with every first point.
 
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::random::SplitMix64;
@@ -26,14 +27,14 @@ fn around(angle: f64, radius: f64, height: f64) -> DVec3 {
     DVec3::new(radius * angle.cos(), radius * angle.sin(), height)
 }
 
-/// A square with 10 to 40 points on each side. Every third one is plane.
+/// A square with 10 to 40 points on each side. Every third square is plane.
 fn square(number: usize, random: &mut SplitMix64) -> Vec<DVec3> {
     let lift = if number.is_multiple_of(3) { 0.0 } else { random.between(0.1, 0.6) };
     let corners = [(0.0, 0.0, 0.0), (1.0, 0.0, lift), (1.0, 1.0, 0.0), (0.0, 1.0, lift)];
     divided(&corners.map(|(x, y, z)| DVec3::new(x, y, z)), 10 + random.below(31))
 }
 
-/// A coastline: a square whose sides are halved four or five times, with every middle moved aside.
+/// A coastline: a square whose sides are halved four or five times. Each midpoint is moved sideways.
 fn coastline(random: &mut SplitMix64) -> Vec<DVec3> {
     let mut points: Vec<DVec3> =
         (0..4).map(|k| around(TAU * f64::from(k) / 4.0, 3.0, random.between(-0.3, 0.3))).collect();
@@ -59,7 +60,7 @@ fn star(random: &mut SplitMix64) -> Vec<DVec3> {
     divided(&(0..2 * arms).map(corner).collect::<Vec<_>>(), 3 + random.below(8))
 }
 
-/// Two rings at less than half of the largest gap of a film between them.
+/// Two rings at less than half of the largest gap that a film between them can span.
 fn rings(random: &mut SplitMix64) -> Vec<Vec<DVec3>> {
     let (radius, gap) = (random.between(0.7, 1.0), random.between(0.2, 0.6));
     let mut ring = |radius: f64, height: f64| {
@@ -89,8 +90,8 @@ fn area(mesh: &Mesh) -> f64 {
     0.5 * mesh.triangles.iter().map(double).sum::<f64>()
 }
 
-/// The area of a film and the distance of its extrapolated area, where it has one; what is wrong with the film
-/// otherwise.
+/// Returns the area of a film, and the difference from its extrapolated area if it has one. Returns an error that
+/// describes the fault if the film has one.
 fn film(loops: &[Vec<DVec3>], triangles: usize) -> Result<(f64, Option<f64>), String> {
     let options = Options::new(Resolution::Triangles(triangles));
     let surface = solve(loops, &options, &Execution::default()).map_err(|error| error.to_string())?;
@@ -142,8 +143,8 @@ fn a_boundary_has_no_first_point_of_its_own() {
             }
             let least = areas.iter().map(|(area, _)| *area).fold(f64::INFINITY, f64::min);
             let most = areas.iter().map(|(area, _)| *area).fold(0.0, f64::max);
-            // Above 10,000 triangles not every film has an extrapolated area. The error is then taken to have fallen
-            // with the square of the edge length since the last resolution.
+            // Above 10,000 triangles not every film has an extrapolated area. In this case the error of the last
+            // resolution is scaled with the square of the edge length.
             let fallen = if k == 0 { f64::NAN } else { error * resolutions[k - 1] as f64 / triangles as f64 };
             error = areas.iter().filter_map(|(_, error)| *error).fold(f64::INFINITY, f64::min);
             error = if error.is_finite() { error } else { fallen };

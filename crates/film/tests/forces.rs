@@ -1,4 +1,4 @@
-//! The forces that are stated of tensile structures: at the ends of cables, at clamped edges, and in every triangle.
+//! The forces that are reported for tensile structures: at the ends of cables, at clamped edges, and in every triangle.
 
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
@@ -34,7 +34,7 @@ fn the_largest_force_of_a_heavy_cable_is_that_at_its_upper_end() {
         assert!(
             largest > *result.cables[0].segment_forces.last().unwrap() && least < result.cables[0].segment_forces[0]
         );
-        // The force grows with the height by the weight per length.
+        // From the lowest to the highest point, the force grows by the weight per length times the height.
         let lowest =
             result.mesh.vertices.iter().skip(4).map(|p| p.z).filter(|z| *z > 1.0).fold(f64::INFINITY, f64::min);
         assert!((largest - least - 0.8 * (9.0 - lowest)).abs() < 2e-2, "{largest} {least} {lowest}");
@@ -57,7 +57,7 @@ fn the_end_of_a_cable_at_a_clamped_edge_bears_the_cable_alone() {
         };
         assert!(force(0.0).distance(DVec3::new(-5.0, 0.0, 0.0)) < 1e-9, "{}", force(0.0));
         assert!(force(10.0).distance(DVec3::new(5.0, 0.0, 0.0)) < 1e-9, "{}", force(10.0));
-        // The edge bears the film's pull, which adds up to nothing around a plane square.
+        // The edge bears the film's pull, whose sum around a plane square is zero.
         let [edge] = &result.edge_reactions[..] else { panic!("{:?}", result.edge_reactions) };
         assert!(edge.force.length() < 1e-9, "{}", edge.force);
     }
@@ -65,7 +65,7 @@ fn the_end_of_a_cable_at_a_clamped_edge_bears_the_cable_alone() {
 
 #[test]
 fn the_force_per_length_along_held_edges_is_the_films_pull() {
-    // A plane film: the warp pulls at the sides across x, the weft at those across y.
+    // A plane film: the warp pulls at the two sides that are perpendicular to x, the weft at the other two.
     let weave =
         Weave { warp: 3.0, weft: 1.0, direction: WarpDirection::Parallel(DVec3::X), hold: WeaveHold::Magnitudes };
     let layers = vec![FilmStress { prestress: FilmPrestress::Woven(weave), weight: 0.0 }];
@@ -83,7 +83,8 @@ fn the_force_per_length_along_held_edges_is_the_films_pull() {
     assert!(sum.distance(DVec3::new(12.0, 8.0, 0.0)) < 1e-9, "{sum}");
     let (least, most) = result.edge_reactions[0].per_length.unwrap();
     assert!((least - 1.0).abs() < 1e-9 && (most - 3.0).abs() < 1e-9);
-    // Two layers of tension 1 over a square without pressure pull with 2, and a cable takes its side from the edge.
+    // A film of tension 1 over a square pulls with 1 on its fixed sides. The side along which a cable runs is no part
+    // of the fixed edge.
     let mut two = film(&[(0.0, 0.0, 0.0), (8.0, 0.0, 0.0), (8.0, 8.0, 0.0), (0.0, 8.0, 0.0)], 0.0);
     two.cables = vec![cable(Course::Boundary { boundary: 0, from: 0, to: 1 }, CableMode::Force(9.0), 0.0)];
     let one = found(&two, 200);
@@ -94,7 +95,7 @@ fn the_force_per_length_along_held_edges_is_the_films_pull() {
 
 #[test]
 fn all_reactions_balance_in_their_sum_and_in_their_moments() {
-    // A mast lifts a ring beside the middle of a skew frame, one side of which is a cable.
+    // A mast lifts a ring that is off the centre of a skew frame. One side of the frame is a cable.
     let circle = |k: u32| DVec3::new(1.0 + libm::cos(f64::from(k) * 0.5), 0.5 - libm::sin(f64::from(k) * 0.5), 1.0);
     let hub = DVec3::new(1.0, 0.5, 1.0);
     let mut structure = film(&[(-5.0, -5.0, 0.0), (5.0, -4.0, 1.0), (6.0, 5.0, 0.0), (-5.0, 6.0, -1.0)], 0.0);
@@ -114,7 +115,7 @@ fn all_reactions_balance_in_their_sum_and_in_their_moments() {
     let magnitudes: f64 = all.iter().map(|(_, force)| force.length()).sum();
     println!("{sum} {moment} {magnitudes}");
     assert!(sum.length() < 1e-9 * magnitudes && moment.length() < 1e-8 * magnitudes, "{sum} {moment}");
-    // The guide bears a moment and a force across the axis.
+    // The ring's guide bears a moment and a force across its axis.
     let guide = result.edge_reactions.iter().find(|edge| edge.boundary == 1).unwrap();
     assert!(guide.force.truncate().length() > 1e-3 && guide.force.z.abs() < 1e-6, "{guide:?}");
 }
@@ -163,7 +164,7 @@ fn stresses_cables_and_weights_balance_at_every_free_vertex() {
 
 #[test]
 fn a_film_whose_weight_takes_its_tension_fails_and_names_it() {
-    // Upright and 20 high: the tension at the bottom is 1 - 0.2 × 10 = -1.
+    // The film stands upright and is 20 high, so the tension at the bottom is 1 - 0.2 × 10 = -1.
     let corners = [(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (4.0, 0.0, 20.0), (0.0, 0.0, 20.0)];
     let solved =
         |weight: f64| solve(&film(&corners, weight), &Options::new(Resolution::Triangles(800)), &Execution::default());

@@ -1,5 +1,5 @@
-//! Initial meshes from boundaries alone: plane polygons, four corners, graded spacing, the client's own mesh, fixed
-//! points and curves, and faulty inputs.
+//! Initial meshes: from boundaries alone (plane polygons, four corners, graded spacing), from the client's own mesh,
+//! and with fixed points and curves. Also faulty inputs.
 
 mod boundaries;
 
@@ -40,8 +40,8 @@ fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// Checks that the mesh is a manifold whose boundary loops are the given ones: the input points in order, exactly (a
-/// merged point nearly), and added points on the segments.
+/// Checks that the mesh is a manifold whose boundary loops are the given ones. The input points must be vertices in the
+/// given order and at exactly their positions (merged points only nearly).
 fn valid(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let topology = surface.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), given.len());
@@ -79,7 +79,7 @@ fn refused(given: &[Vec<DVec3>], options: &Options) -> String {
     error.to_string()
 }
 
-/// The places of the sides that meet.
+/// Places in the error for boundaries whose sides meet.
 fn crossings(given: &[Vec<DVec3>]) -> Vec<String> {
     match solve(given, &options(100), &Execution::default()) {
         Err(Error::NoResult { places, .. }) => places.iter().map(|error| error.place.to_string()).collect(),
@@ -87,7 +87,7 @@ fn crossings(given: &[Vec<DVec3>]) -> Vec<String> {
     }
 }
 
-/// Returns the points turned about a skew axis and moved by the offset.
+/// Returns the points rotated about a skew axis and then moved by the offset.
 fn moved(points: &[DVec3], offset: DVec3) -> Vec<DVec3> {
     let turn = glam::DQuat::from_axis_angle(at(1.0, 2.0, -0.7).normalize(), 1.1);
     points.iter().map(|&p| turn * p + offset).collect()
@@ -214,7 +214,8 @@ fn an_edge_length_is_met_between_three_loops() {
 
 #[test]
 fn spacing_from_a_thousandth_to_one_is_graded() {
-    // The steps grow from 0.001 at angle 0 to 1 half way round, and fall again, once gradually and once abruptly.
+    // The steps grow from 0.001 at angle 0 to at most 1 half way round, and fall again in the same way. The growth is
+    // gradual or abrupt.
     for (growth, height) in [(1.15, 0.4), (1.15, 3.0), (3.0, 0.0), (1000.0, 0.4)] {
         let (mut half, mut step) = (vec![0.0f64], 0.001f64);
         while half[half.len() - 1] + step / 3.0 < TAU / 2.0 - 0.15 {
@@ -249,7 +250,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
     for (given, kind) in cases {
         for wanted in [Resolution::Triangles(2500), Resolution::InteriorVertices(1300), Resolution::EdgeLength(0.0)] {
             if kind == "sphere_with_holes" && matches!(wanted, Resolution::EdgeLength(_)) {
-                // Necks shrink during the solve, and with them the area from which the number of triangles is derived.
+                // Necks shrink during the solve, and so does the area from which the number of triangles is derived.
                 continue;
             }
             let radius = given.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
@@ -257,7 +258,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
                 Resolution::EdgeLength(_) => Resolution::EdgeLength(0.05 * radius),
                 other => other,
             };
-            // Only the initial mesh is checked; the solver does not matter here.
+            // Only the initial mesh is checked, so the solver may stop early.
             let options = Options { max_iterations: Some(4), ..Options::new(wanted) };
             let surface = solved(&given, &options);
             let statistics = &surface.statistics;
@@ -331,7 +332,7 @@ fn nearly_equal_points_are_merged_or_converge() {
     let reference = solved(&[curve(60, |t| at(t.cos(), t.sin(), 0.3 * (2.0 * t).cos()))], &options(1500));
     for exponent in 3..=16 {
         let gap = 10f64.powi(-exponent);
-        // A point beside another along the loop, and off it; and a loop that comes back to its first point.
+        // A point is added beside another, along the loop or off it, before the loop's first point or after its last.
         for direction in [at(0.0, 1.0, 0.0), at(0.6, 0.0, 0.8)] {
             for place in [0, 60] {
                 let mut points = curve(60, |t| at(t.cos(), t.sin(), 0.3 * (2.0 * t).cos()));
@@ -358,7 +359,7 @@ fn impossible_inputs_name_the_reason() {
     let mut huge = triangle.clone();
     huge[2].x = 1e300;
     assert!(refused(&[huge], &options(100)).starts_with("/boundaries/0/2:"));
-    // Products of these lengths underflow to 0. A walk along such rings must end all the same.
+    // Products of these lengths underflow to 0. The walk along the rings must end all the same.
     let tiny: Vec<DVec3> = circle(36, 1e-299, 0.0);
     let options_of_rings = Options { initial_mesh: InitialMesh::Rings, ..keep(100) };
     assert!(refused(&[tiny.clone(), moved(&tiny, DVec3::Z)], &options_of_rings).starts_with("/boundaries/0/0:"));
@@ -376,7 +377,7 @@ fn impossible_inputs_name_the_reason() {
     let bow_tie = flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
     assert!(refused(std::slice::from_ref(&bow_tie), &options(100)).starts_with("self_intersecting_boundary"));
     assert!(refused(&[moved(&bow_tie, at(3.0, 0.0, 1e3))], &options(100)).starts_with("self_intersecting_boundary"));
-    // The first point is repeated, so the places are those of the input's points.
+    // The first point is repeated. The places must be the indices in the input, not those after merging.
     let repeated = flat(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
     assert_eq!(crossings(std::slice::from_ref(&repeated)), ["/boundaries/0/0", "/boundaries/0/3"]);
     let far = moved(&repeated, at(3.0, 0.0, 1e3));
@@ -395,7 +396,7 @@ fn impossible_inputs_name_the_reason() {
     assert!(refused(&[triangle], &bad).starts_with("/tolerance"));
 }
 
-/// A short description of a result: the kind of mesh and whether it converged, or the reason why there is none.
+/// Describes a result in short: the kind of mesh and whether it converged, or the reason why there is none.
 fn outcome(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> String {
     match solve(given, options, exec) {
         Ok(surface) => {
@@ -409,8 +410,8 @@ fn outcome(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> String 
     }
 }
 
-/// Input: one point of a circle moved by 1e6. Before the number of lattice points was bounded, the rectangle around the
-/// spike was filled, for a minute without a look, in 3 GB.
+/// Input: one point of a circle moved by 1e6. Symptom: the rectangle around the spike was filled with lattice points,
+/// for a minute without a look, in 3 GB. Rule: the number of lattice points is bounded.
 #[test]
 fn a_spike_of_a_million_costs_a_bounded_number_of_steps() {
     let outcomes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE].map(|direction| {
@@ -426,8 +427,8 @@ fn a_spike_of_a_million_costs_a_bounded_number_of_steps() {
     assert_eq!(outcomes, expected);
 }
 
-/// Input: two loops of which one point differs. Before a bound was set, each look at the sizes let the film between
-/// them grow fourfold again, without end.
+/// Input: two loops that differ in one point only. Symptom: the film between them grew fourfold each time the sizes
+/// were examined, without end. Rule: the growth has a bound.
 #[test]
 fn loops_that_all_but_coincide_cost_a_bounded_number_of_steps() {
     let outcomes = [1e-300, 1e-20, 1e-12, 1e-9, 1e-6, 1e-3].map(|gap| {
@@ -438,7 +439,8 @@ fn loops_that_all_but_coincide_cost_a_bounded_number_of_steps() {
         assert!(exec.work() < 50_000_000, "{gap}: {} steps", exec.work());
         outcome
     });
-    // The first four lie in one plane and share sides there; the film between the others is of no use.
+    // In the first four cases the loops lie in one plane and share sides there. In the others the film between the
+    // loops is of no use.
     let [plane, space] = ["self_intersecting_boundary", "no_connected_film"];
     assert_eq!(outcomes, [plane, plane, plane, plane, space, space]);
 }
@@ -448,7 +450,7 @@ fn several_loops_however_they_lie_give_a_mesh_or_a_reason() {
     let nested = vec![circle(40, 1.0, 0.0), circle(40, 0.4, 0.0)];
     let surface = solved(&nested, &options(1000));
     assert_eq!((surface.statistics.initial_mesh.name(), surface.statistics.euler_characteristic), ("planar", 0));
-    // Linked, crossing in one plane, side by side, one twice.
+    // Four pairs: linked, crossing in one plane, side by side, and the same loop twice.
     let linked = vec![circle(40, 1.0, 0.0), curve(40, |t| at(1.0 + t.cos(), 0.0, t.sin()))];
     let crossing = vec![circle(40, 1.0, 0.0), curve(40, |t| at(0.7 + t.cos(), t.sin(), 0.0))];
     let beside = vec![circle(40, 1.0, 0.0), curve(40, |t| at(5.0 + t.cos(), t.sin(), 0.0))];
@@ -460,7 +462,7 @@ fn several_loops_however_they_lie_give_a_mesh_or_a_reason() {
 
 #[test]
 fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
-    // The exact catenoid over Chen, Cai, Zheng's patch: an unstable critical point.
+    // The exact catenoid over Chen, Cai, Zheng's patch is an unstable critical point.
     let (nu, nv, sector) = (52usize, 26usize, 3.0 * std::f64::consts::PI / 5.0);
     let place = |i: usize, j: usize| {
         let u = -sector + 2.0 * sector * i as f64 / nu as f64;
@@ -472,7 +474,7 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     for i in 0..=nu {
         mesh.vertices.extend((0..=nv).map(|j| place(i, j)));
     }
-    // The boundary points are exactly those of the request.
+    // The vertices on the boundary must have exactly the positions of the request.
     let boundary = boundaries::catenoid();
     let rim: Vec<u32> = (0..nu)
         .map(|i| number(i, 0))
@@ -509,7 +511,8 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     assert!(left.statistics.converged && left.unstable_mode.is_none());
     assert_eq!(left.statistics.stability.unwrap().stable, Some(true));
     assert!((left.statistics.area - 58.16).abs() < 0.2, "{}", left.statistics.area);
-    // Without instructions the solver finds the stable surface. A result can be the initial mesh of another request.
+    // With the default initial mesh the solver finds the stable surface. A result can be the initial mesh of another
+    // request.
     let stable = solved(std::slice::from_ref(&boundary), &keep(2040));
     assert_eq!(stable.statistics.stability.unwrap().morse_index, Some(0));
     assert!((stable.statistics.area - 58.16).abs() < 0.1);
@@ -543,7 +546,7 @@ fn fixed_points_and_curves_are_vertices_and_edges_exactly() {
         let constraints = if is_wavy {
             Constraints { points: shift(&[pole]), polylines: vec![shift(&ridge)] }
         } else {
-            // Away from the surface, across the helicoid's strip.
+            // A point and a curve away from the surface, the curve across the helicoid's strip.
             Constraints {
                 points: vec![at(0.3, -7.0, 4.8)],
                 polylines: vec![vec![at(4.0, 0.5, 0.4), at(6.0, 0.6, 0.6), at(8.0, 0.9, 0.3)]],
@@ -561,7 +564,7 @@ fn fixed_points_and_curves_are_vertices_and_edges_exactly() {
                 assert_eq!(surface.mesh.vertices[v as usize], constraints.polylines[0][k]);
                 assert_eq!(surface.mean_curvature[v as usize], 0.0);
             }
-            // From each point of the curve a chain of edges leads straight to the next.
+            // From each point of the curve, a straight chain of edges leads to the next point.
             for pair in line.windows(2) {
                 let (mut here, goal) = (pair[0], surface.mesh.vertices[pair[1] as usize]);
                 let start = surface.mesh.vertices[pair[0] as usize];
@@ -652,15 +655,16 @@ fn loops_that_share_a_point_are_told_so() {
         "{}",
         shared[0].detail
     );
-    // A film that has to connect them fails, and the point is named there too.
+    // A film that has to connect the loops fails, and the error names the shared point too.
     assert_eq!(crossings(&[square.clone(), above]), ["/topology", "/boundaries/1/0"]);
     let below = moved(&square, at(0.0, 0.0, 9.0));
     let surface = solve(&[square, below], &apart, &Execution::default()).unwrap();
     assert!(surface.warnings.iter().all(|warning| warning.code != "shared_points"));
 }
 
-/// A boundary of 50,000 points took 17 s: its mesh was laid out eleven times, the first ones with ten times the
-/// triangles that were asked for, and each thin triangle was looked at once for every change around it.
+/// Input: a boundary of 50,000 points. Symptom: 17 s, because the mesh was laid out eleven times, at first with ten
+/// times the wanted triangles, and each thin triangle was examined once for every change around it. Rule: the work is
+/// proportional to the number of points.
 #[test]
 fn a_long_loop_takes_work_in_proportion_to_its_points() {
     let points = 6_000;

@@ -1,4 +1,4 @@
-//! Tests of a solved film that follows its boundary while a user drags the boundary.
+//! Tests of a solved film that follows its boundary while the user drags the boundary.
 
 use plateau_film::minimal_surface::{KeptFilm, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Execution};
@@ -50,7 +50,7 @@ fn the_way_to_a_place_does_not_matter() {
         around.move_to(&[square(height)], &exec).unwrap().unwrap();
     }
     let apart = distance(&vertices(&straight), &vertices(&around));
-    // The vertices follow the boundary step by step, so that they come to lie elsewhere on the surface.
+    // The vertices follow the boundary step by step, so after a detour they lie elsewhere on the same surface.
     assert!(apart < 2e-3, "{apart}");
 }
 
@@ -68,7 +68,8 @@ fn a_turned_enlarged_and_far_film_moves_alike() {
         let offset = DVec3::new(offset, -offset, offset);
         let place = |point: DVec3| scale * turn(point) + offset;
         let placed = |height: f64| [square(height).into_iter().map(place).collect::<Vec<DVec3>>()];
-        // The same mesh at the other place, so that rounding does not choose another one.
+        // The solved mesh itself is moved. A new solve at the other place might choose another mesh because of
+        // rounding.
         let options = Options::new(Resolution::Triangles(500));
         let mut solved = solve(&[square(0.0)], &options, &exec).unwrap();
         solved.mesh.vertices.iter_mut().for_each(|vertex| *vertex = place(*vertex));

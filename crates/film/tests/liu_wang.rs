@@ -1,5 +1,5 @@
-//! Liu and Wang's examples (their Figs. 6 to 9), with their error formulas and the ranges that we chose: they print
-//! none.
+//! Liu and Wang's examples (their Figs. 6 to 9) with their error formulas. The paper gives no parameter ranges, so the
+//! ranges here are our choice.
 
 use plateau_film::minimal_surface::{
     InitialMesh, LiuWang, Method, MinimalSurface, Options, Process, Resolution, Solver, VertexRelaxation, solve,
@@ -8,7 +8,7 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use std::cell::Cell;
 use std::f64::consts::PI;
 
-/// The boundary of the image of a rectangle, with `nu` and `nv` intervals along its sides.
+/// The boundary of the image of a parameter rectangle, with `nu` and `nv` intervals along its sides in u and v.
 fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [nu, nv]: [u32; 2]) -> Vec<DVec3> {
     let at = |a: f64, b: f64, k: u32, n: u32| a + (b - a) * f64::from(k) / f64::from(n);
     let bottom = (0..nu).map(|k| r(at(u0, u1, k, nu), v0));
@@ -28,8 +28,8 @@ fn helicoid() -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     (boundary, error)
 }
 
-/// A part of a catenoid on which the ratio to an area minimiser is that of the paper. `docs/papers/liu-wang.md` has
-/// other parts.
+/// A part of a catenoid on which the ratio of the error to that of an area minimiser is as in the paper.
+/// `docs/papers/liu-wang.md` has other parts.
 fn catenoid() -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     let b = 2.05;
     let boundary = rim(
@@ -46,7 +46,7 @@ fn catenoid() -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     (boundary, error)
 }
 
-/// Scherk's surface over the square |x|, |y| <= 0.3 π / b, `n` intervals a side.
+/// Scherk's surface over the square |x|, |y| <= 0.3 π / b, with `n` intervals per side.
 fn scherk(b: f64, n: u32) -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     let height = move |x: f64, y: f64| ((b * y).cos() / (b * x).cos()).ln() / b;
     let reach = 0.3 * PI / b;
@@ -58,7 +58,7 @@ fn scherk(b: f64, n: u32) -> (Vec<DVec3>, impl Fn(DVec3) -> f64) {
     (boundary, error)
 }
 
-/// Nine points of a membrane: three high and six low ones.
+/// A membrane's boundary of nine points: three are high and six are low.
 fn membrane() -> Vec<DVec3> {
     (0..9)
         .map(|k| {
@@ -77,8 +77,8 @@ fn with(method: LiuWang, interior_vertices: usize) -> Options {
     Options { method: Method::LiuWang(method), ..Options::new(Resolution::InteriorVertices(interior_vertices)) }
 }
 
-/// The objective of the paper's formula, and the same without the curvatures at boundary vertices, which is the
-/// default. The latter vanishes at its minimum, so that it is solved to where only rounding is left.
+/// Solves with two objectives: the paper's formula, and the default, which leaves out the curvatures at boundary
+/// vertices. The default objective vanishes at its minimum, so it is minimised until only rounding is left.
 fn liu_wang(boundary: &[DVec3], interior_vertices: usize, seed: u64) -> [MinimalSurface; 2] {
     [(true, 1e-6), (false, 1e-15)].map(|(boundary_curvature, tolerance)| {
         let options = with(LiuWang { boundary_curvature, tolerance, seed }, interior_vertices);
@@ -116,8 +116,8 @@ fn the_catenoid_of_24_boundary_and_25_interior_points() {
     let [theirs, interior] = liu_wang(&boundary, 25, 1);
     let interior = mean_error(&interior, 24, &error);
     assert!(mean_error(&theirs, 24, &error) < 5e-3 && interior < 5e-3);
-    // Their comparison: minimising the area from the same candidate mesh, one vertex at a time, has the larger error.
-    // How much larger depends on where it is ended.
+    // The paper's comparison: minimising the area from the same candidate mesh, one vertex at a time, has the larger
+    // error. The ratio depends on when the area minimiser stops.
     for (area_tolerance, ratio) in [(1e-4, 0.7), (1e-9, 0.85)] {
         let processes = Some(vec![vec![Process::AreaMinimising]]);
         let area = VertexRelaxation { area_tolerance, processes, ..VertexRelaxation::default() };
@@ -137,7 +137,7 @@ fn nine_sets_of_scherks_surface() {
     for b in [0.4, 1.0, 4.9] {
         for (sides, interior_vertices) in [(5, 16), (6, 20), (8, 30)] {
             let (boundary, error) = scherk(b, sides);
-            // The paper: the initial points influence the solution. The middle one of five choices stands for them.
+            // According to the paper the initial points influence the solution. The median of five seeds is tested.
             let mut means = [1, 2, 3, 4, 5].map(|seed| {
                 let [_, interior] = liu_wang(&boundary, interior_vertices, seed);
                 b * mean_error(&interior, boundary.len(), &error)
@@ -152,8 +152,8 @@ fn nine_sets_of_scherks_surface() {
 fn the_membrane_of_nine_points_with_four_inside_becomes_nearly_minimal() {
     let [_, surface] = liu_wang(&membrane(), 4, 1);
     assert!(surface.statistics.objective_value < 1e-6);
-    // Liu and Wang's H, which has no tangential part, vanishes. The reported curvature has one, which depends on the
-    // layout of the four points. The fairing spreads the points evenly, which does not make this part vanish.
+    // Liu and Wang's curvature H, which has no tangential part, vanishes. The reported mean curvature has a tangential
+    // part, which depends on the layout of the four points. Spreading the points evenly does not make it vanish.
     assert!(surface.statistics.mean_curvature.mean < 1.5e-2);
 }
 
@@ -171,7 +171,7 @@ fn scale_changes_nothing() {
 
 #[test]
 fn motions_change_nothing() {
-    // No symmetry here: on a symmetric loop the choice among equal diagonals may hang on the last bits.
+    // The loop has no symmetry, because on a symmetric loop the last bits may decide between equally good diagonals.
     let boundary: Vec<DVec3> = (0..24)
         .map(|k| f64::from(k) * 2.0 * PI / 24.0)
         .map(|t| DVec3::new(2.0 * t.cos() + 0.2 * (2.0 * t).sin(), t.sin(), 0.3 * (3.0 * t + 0.4).cos()))
@@ -181,7 +181,7 @@ fn motions_change_nothing() {
     let reference = run(boundary.clone());
     let motion = |p: DVec3| p.rotate_x(0.3).rotate_y(1.1).rotate_z(-0.7) + DVec3::new(1e7, -2e7, 3e7);
     let moved: Vec<DVec3> = boundary.iter().map(|&p| motion(p)).collect();
-    // Coordinates of 3e7 have a rounding of 4e-9.
+    // Coordinates of 3e7 are rounded to 4e-9.
     assert_same(&run(moved), &reference, 1e-5, motion);
 }
 

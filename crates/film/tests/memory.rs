@@ -1,11 +1,11 @@
-//! The memory that form finding takes is below its estimate. A process of its own measures each case, because the peak
-//! of a process never falls.
+//! The memory that form finding takes must be below its estimate. Each case is measured in a process of its own,
+//! because the peak memory of a process never falls.
 
 use plateau_film::cable_net::{Edge, Net, Options, estimate, solve};
 use plateau_mesh::{DVec3, Execution};
 use std::process::Command;
 
-/// Environment variable with the case that the process measures.
+/// Environment variable that names the case for the process to measure.
 const CASE: &str = "PLATEAU_TEST_MEMORY_CASE";
 
 /// Returns the peak of this process's resident memory in bytes.
@@ -15,7 +15,7 @@ fn peak() -> Option<u64> {
     Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? * 1024)
 }
 
-/// Nets whose forces are to be equal, by name.
+/// The nets of the cases, by name. All forces have the same target.
 fn net(name: &str) -> Net {
     let (columns, rows, layers): (u32, u32, u32) = match name {
         "squares" => (100, 100, 1),
@@ -23,7 +23,7 @@ fn net(name: &str) -> Net {
         "space" => (20, 20, 20),
         _ => panic!("no net is called {name}"),
     };
-    // In a wall of bricks every second upright is left out, so that a vertex has three edges.
+    // In a wall of bricks every second vertical edge is missing, so that a vertex has three edges.
     let is_joined = |i: u32, j: u32, axis: u32| name != "bricks" || axis != 1 || (i + j).is_multiple_of(2);
     let mut net = Net::default();
     let number = |i: u32, j: u32, k: u32| (k * rows + j) * columns + i;
@@ -48,7 +48,8 @@ fn net(name: &str) -> Net {
     net
 }
 
-/// Prints how much the peak has grown while a net was solved. Does nothing by itself.
+/// Measures how much the peak grows while a net is solved, and compares it with the estimate. Does nothing unless the
+/// environment names a case.
 #[test]
 fn a_net_in_a_process_of_its_own() {
     let Ok(name) = std::env::var(CASE) else { return };

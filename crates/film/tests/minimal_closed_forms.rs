@@ -1,5 +1,5 @@
-//! The default solver against surfaces that are known in closed form, under refinement, and against the limits of
-//! the five reference polygons.
+//! Tests the default solver: convergence to surfaces that are known in closed form, and the limit areas of the five
+//! reference polygons.
 
 mod boundaries;
 
@@ -13,8 +13,9 @@ fn options(triangles: usize) -> Options {
     Options { tolerance: 1e-8, ..Options::new(Resolution::Triangles(triangles)) }
 }
 
-/// Solves and checks what every answer must keep: convergence, stability, a manifold of the given Euler characteristic
-/// without folds, whose boundary is the given one, point by point and in its order.
+/// Solves, and checks the properties that every result must have: it converged, is stable, and is a manifold of the
+/// right Euler characteristic without flipped triangles. Its boundary must be the given boundary, point by point and in
+/// order.
 fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     let surface = solve(given, options, &Execution::default()).unwrap();
     let statistics = &surface.statistics;
@@ -41,7 +42,8 @@ fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// Solves at three resolutions, each with four times the triangles; the errors of area and distance must fall with h².
+/// Solves at three resolutions, each with four times the triangles of the one before. The errors of area and distance
+/// must fall with h².
 fn converges(
     name: &str,
     exact_area: f64,
@@ -57,7 +59,7 @@ fn converges(
         let error = (surface.statistics.area - exact_area).abs() / exact_area;
         errors.push((surface.statistics.triangles as f64, error, mean_square.sqrt(), far));
     }
-    // The order with respect to the number of triangles: 1 stands for h².
+    // Order of convergence with respect to the number of triangles. The order 1 corresponds to h².
     let order = |coarse: f64, fine: f64, ratio: f64| (coarse / fine).ln() / ratio.ln();
     for pair in errors.windows(2) {
         let ratio = pair[1].0 / pair[0].0;
@@ -80,7 +82,7 @@ fn the_helicoid() {
 
 #[test]
 fn the_catenoid_between_two_rings() {
-    // c cosh(1 / 2c) = 1, the wider neck.
+    // The larger solution of c cosh(1 / 2c) = 1, which is the wider neck.
     let c = (0..200).fold(0.8, |c: f64, _| 1.0 / (0.5 / c).cosh());
     let area = PI * c * c * ((1.0 / c).sinh() + 1.0 / c);
     assert!((area - 5.991797).abs() < 1e-6);
@@ -100,7 +102,7 @@ fn scherk() {
     converges("scherk", 11.72195, |k| vec![patch(surface, side, side, (16 * k, 16 * k))], distance);
 }
 
-/// Enneper's surface at polar parameters.
+/// Enneper's surface at the polar coordinates of its parameters.
 fn enneper(radius: f64, angle: f64) -> DVec3 {
     let (p, q) = (radius * angle.cos(), radius * angle.sin());
     enneper_at(p, q)
@@ -115,7 +117,7 @@ fn enneper_below_its_stability_radius() {
     let radius = 0.8f64;
     let area = PI * (radius.powi(2) + radius.powi(4) + radius.powi(6) / 3.0);
     let rim = |n: usize| (0..n).map(|k| enneper(radius, 2.0 * PI * k as f64 / n as f64)).collect();
-    // The nearest point of the surface, by Gauss and Newton in its parameters.
+    // Finds the nearest point of the surface by the Gauss-Newton method in its parameters.
     let distance = |point: DVec3| {
         let (mut p, mut q) = (point.x, -point.y);
         for _ in 0..40 {
@@ -134,14 +136,14 @@ fn enneper_below_its_stability_radius() {
 
 #[test]
 fn the_skew_quadrilateral_passes_through_its_centre() {
-    // Turning by a right angle about the axis through the middles of both diagonals and reflecting in the centre maps
-    // the quadrilateral to itself, so the surface meets the axis in the centre.
+    // A rotation by 90° about the axis through the midpoints of both diagonals, followed by a reflection in the centre,
+    // maps the quadrilateral to itself. Therefore the surface meets the axis in the centre.
     let polygon = skew_quadrilateral(1);
     let centre = polygon.iter().sum::<DVec3>() / 4.0;
     let mut errors = Vec::new();
     for triangles in [500, 2000, 8000] {
         let surface = solved(std::slice::from_ref(&polygon), &options(triangles));
-        // The distance of the centre from the nearest triangle's plane.
+        // Distance of the centre from the plane of the nearest triangle.
         let mesh = &surface.mesh;
         let middle = |t: &[u32; 3]| mesh.corners(*t).iter().sum::<DVec3>() / 3.0;
         let nearest = mesh
@@ -169,7 +171,7 @@ fn the_five_reference_polygons() {
     for (name, polygons, limit) in references {
         let areas = [2000, 8000, 32000].map(|triangles| {
             let statistics = solved(&polygons, &options(triangles)).statistics;
-            // The extrapolated area in the statistics, if there is one.
+            // The extrapolated area of the statistics, which large meshes may lack.
             assert!(statistics.extrapolated_area.is_some() || triangles > 10_000, "{name}");
             if let Some(extrapolated) = statistics.extrapolated_area {
                 assert!((extrapolated.area / limit - 1.0).abs() < 1e-4, "{name} {triangles}: {extrapolated:?}");
@@ -182,7 +184,7 @@ fn the_five_reference_polygons() {
         });
         let errors = areas.map(|(_, area)| area - limit);
         assert!(errors[0] > errors[1] && errors[1] > errors[2], "{name}: {areas:?}");
-        // Extrapolated in h², that is in one over the triangles.
+        // Extrapolation in h², that is, in the inverse of the number of triangles.
         let [_, (n, coarse), (m, fine)] = areas;
         let extrapolated = fine - (coarse - fine) * n / (m - n);
         assert!((extrapolated / limit - 1.0).abs() < 3e-5, "{name}: {extrapolated} {areas:?}");
@@ -203,7 +205,7 @@ fn the_papers_polygons_kept_as_they_are() {
 
 #[test]
 fn a_large_kept_polygon_is_solved_from_the_coarse_to_the_fine_with_all_its_points() {
-    // 611 is prime: no coarse polygon's edges can all be halved until the end.
+    // 611 is prime, so no coarse polygon has edges that can all be halved down to the finest level.
     let polygons = vec![circle(611, 1.0, -0.5), circle(610, 1.0, 0.5)];
     let options = Options { boundary_sampling: BoundarySampling::Keep, ..options(20_000) };
     let surface = solved(&polygons, &options);
@@ -235,7 +237,7 @@ fn the_harmonic_map_of_a_plane_boundary_has_its_area_for_energy() {
 
 #[test]
 fn a_large_plane_boundary_is_exact() {
-    // The coarse mesh is minimal before the first step; the levels above have nothing to correct.
+    // The coarse mesh is minimal before the first step, so the finer levels have nothing to correct.
     let corners = [DVec3::ZERO, DVec3::new(2.0, 0.0, 1.0), DVec3::new(2.0, 2.0, 2.0), DVec3::new(0.0, 2.0, 1.0)];
     let area = (corners[1] - corners[0]).cross(corners[3] - corners[0]).length();
     let surface = solved(&[corners.to_vec()], &options(40_000));
@@ -251,7 +253,7 @@ fn rings_near_the_critical_gap() {
 
 #[test]
 fn offset_scale_and_rotation_change_nothing_but_themselves() {
-    // No symmetry, or rounding would decide between many meshes that are equally good.
+    // The boundary has no symmetry, because rounding would otherwise choose between meshes that are equally good.
     let at =
         |angle: f64| DVec3::new(angle.cos(), 0.8 * (angle + 0.1).sin(), 0.3 * (2.0 * angle).cos() + 0.1 * angle.sin());
     let polygons = vec![(0..100).map(|k| at(2.0 * PI * k as f64 / 100.0)).collect::<Vec<_>>()];
@@ -263,7 +265,7 @@ fn offset_scale_and_rotation_change_nothing_but_themselves() {
             .map(|polygon| polygon.iter().map(|&p| scale * (turn * p) + DVec3::splat(offset)).collect())
             .collect();
         let statistics = solved(&moved, &options(6000)).statistics;
-        // Rounding may flip single edges of the initial mesh, and this moves the area by less than 1e-7.
+        // Rounding may flip single edges of the initial mesh, which changes the area by less than 1e-7.
         let tolerance = if offset == 0.0 { 1e-7 } else { 1e-6 };
         let ratio = statistics.area / (scale * scale) / plain.area;
         assert!((ratio - 1.0).abs() < tolerance, "{scale} {offset}: {ratio}");

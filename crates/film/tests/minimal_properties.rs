@@ -1,5 +1,5 @@
 //! Invariances of minimal surfaces: under motions and scalings of the boundary, and under another first point or
-//! direction of its loop.
+//! direction of the boundary's list.
 
 use glam::DQuat;
 use plateau_film::minimal_surface::{Options, Resolution, Statistics, solve};
@@ -7,7 +7,7 @@ use plateau_mesh::{DVec3, Execution};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-/// A closed curve without symmetry: a circle with a few waves, in and out and up and down.
+/// A closed curve without symmetry: a circle with a few waves in radius and height.
 fn boundary() -> impl Strategy<Value = Vec<DVec3>> {
     let wave = || (-1.0..1.0f64, -1.0..1.0f64);
     (24usize..48, wave(), wave(), wave(), wave()).prop_map(|(points, in_2, in_3, up_2, up_3)| {
@@ -32,8 +32,8 @@ fn solved(boundary: &[DVec3]) -> Statistics {
     surface.statistics
 }
 
-/// Compares areas in units of `scale²`: the area of the mesh within the difference that another mesh of the size makes,
-/// and its extrapolated limit more closely.
+/// Compares areas in units of `scale²`. The area of the mesh may differ as much as between two meshes of this size. The
+/// extrapolated area must agree more closely.
 fn same(moved: &Statistics, plain: &Statistics, scale: f64, tolerance: f64) -> Result<(), TestCaseError> {
     prop_assert_eq!(moved.converged, plain.converged);
     let ratio = moved.area / (scale * scale) / plain.area;
@@ -65,7 +65,7 @@ proptest! {
         let scale = 10f64.powi(exponent);
         let turned: Vec<DVec3> = boundary.iter().map(|&p| scale * (turn * p)).collect();
         same(&solved(&turned), &plain, scale, 2e-3)?;
-        // Coordinates of 1e7 leave nine digits, so the residual cannot reach its tolerance to the last digit.
+        // Coordinates of 1e7 leave nine digits, so the residual cannot fall fully to its tolerance.
         let far: Vec<DVec3> = boundary.iter().map(|&p| p + DVec3::new(1e7, -1e7, 1e7)).collect();
         same(&solved(&far), &plain, 1.0, 2e-3)?;
     }

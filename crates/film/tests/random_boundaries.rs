@@ -1,5 +1,5 @@
-//! Random boundaries of awkward kinds: each has a film that is converged and right, by figures computed here, or is
-//! refused by name.
+//! Random boundaries of awkward kinds. At least 95% of them must have a film that is converged and right; the others
+//! are refused by name or not converged. Residual, Morse index and crossings of each film are computed here again.
 
 use plateau_film::minimal_surface::{
     InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, solve,
@@ -11,7 +11,7 @@ use robust::{Coord3D, orient3d};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// A vector in a cube around the origin.
+/// A random vector in the cube of half edge `size` around the origin.
 fn vector(random: &mut SplitMix64, size: f64) -> DVec3 {
     let mut any = || random.between(-1.0, 1.0);
     size * DVec3::new(any(), any(), any())
@@ -31,8 +31,9 @@ fn gentle(random: &mut SplitMix64, points: usize) -> Vec<DVec3> {
     })
 }
 
-/// A mesh of Enneper's surface over a disc of a radius, and its boundary: turned, moved and scaled at random. Up to the
-/// radius 1 it is the film with the least area, and beyond it is stationary with one direction in which the area falls.
+/// Returns a mesh of Enneper's surface over a disc, and its boundary, both turned, moved and scaled at random. Up to a
+/// disc of radius 1 the surface is the film of least area. Beyond, it is stationary with one direction in which the
+/// area falls.
 fn enneper(random: &mut SplitMix64) -> (Vec<DVec3>, Mesh) {
     let (around, rings) = (32 + 4 * random.below(6), 6 + random.below(5));
     let radius = if random.unit() < 0.3 { random.between(0.6, 0.9) } else { random.between(1.1, 1.4) };
@@ -59,7 +60,7 @@ fn enneper(random: &mut SplitMix64) -> (Vec<DVec3>, Mesh) {
     (mesh.vertices[1 + (rings - 1) * around..].to_vec(), mesh)
 }
 
-/// Three axes at right angles.
+/// A rotation, given by the images of the three axes.
 struct Rotation([DVec3; 3]);
 
 impl Rotation {
@@ -129,7 +130,8 @@ fn boundaries(kind: &str, random: &mut SplitMix64) -> Vec<Vec<DVec3>> {
     vec![one]
 }
 
-/// The boundaries of a kind, and the solver's options. A stationary film that is given as a mesh must stay as it is.
+/// Returns the boundaries of a kind, and the options of the solve. A stationary film that is given as a mesh must stay
+/// as it is, also if it is unstable.
 fn request(kind: &str, random: &mut SplitMix64) -> (Vec<Vec<DVec3>>, Options) {
     if kind != "given_enneper" {
         return (boundaries(kind, random), Options::new(Resolution::Triangles(1000)));
@@ -140,10 +142,12 @@ fn request(kind: &str, random: &mut SplitMix64) -> (Vec<Vec<DVec3>>, Options) {
     (vec![boundary], options)
 }
 
-/// Residual that is allowed far from the origin.
+/// Largest residual that is allowed if the boundary is more than 1000 radii away from the origin, because its
+/// coordinates are rounded by more there.
 const FAR_RESIDUAL: f64 = 1e-3;
 
-/// The largest normal part of the area's gradient over a third of the area around a vertex, times R.
+/// Computes the residual: the largest normal part of the area gradient at a free vertex, over 2/3 of the area around
+/// the vertex, times R.
 fn residual(mesh: &Mesh, fixed: &[bool], radius: f64) -> f64 {
     let n = mesh.vertices.len();
     let (mut gradient, mut normal, mut area) = (vec![DVec3::ZERO; n], vec![DVec3::ZERO; n], vec![0.0; n]);
@@ -152,7 +156,8 @@ fn residual(mesh: &Mesh, fixed: &[bool], radius: f64) -> f64 {
         let twice = (p[1] - p[0]).cross(p[2] - p[0]);
         for k in 0..3 {
             let v = t[k] as usize;
-            // The area grows fastest across the opposite edge, by half its length.
+            // The area of a triangle grows fastest when the vertex moves at right angles to the opposite edge. The
+            // gradient has half the length of that edge.
             gradient[v] += 0.5 * twice.normalize().cross(p[(k + 2) % 3] - p[(k + 1) % 3]);
             normal[v] += twice;
             area[v] += 0.5 * twice.length();
@@ -160,14 +165,14 @@ fn residual(mesh: &Mesh, fixed: &[bool], radius: f64) -> f64 {
     }
     let at = |v: usize| {
         let force = gradient[v].dot(normal[v].normalize()).abs();
-        // Below rounding of the coordinates no position is better.
+        // A force below the rounding of the coordinates counts as zero, because no other position would be better.
         if force < 32.0 * f64::EPSILON * radius { 0.0 } else { force / (2.0 * area[v] / 3.0) * radius }
     };
     (0..n).filter(|&v| !fixed[v]).map(at).fold(0.0, f64::max)
 }
 
-/// Number of negative eigenvalues of the area's second derivatives along the vertex normals, by elimination of the
-/// dense matrix (Sylvester's law of inertia).
+/// Computes the number of negative eigenvalues of the second derivatives of the area along the vertex normals, by
+/// elimination of the dense matrix (Sylvester's law of inertia).
 fn morse_index(mesh: &Mesh, fixed: &[bool]) -> usize {
     let mut normal = vec![DVec3::ZERO; mesh.vertices.len()];
     for &t in &mesh.triangles {
@@ -182,7 +187,8 @@ fn morse_index(mesh: &Mesh, fixed: &[bool]) -> usize {
     for &t in &mesh.triangles {
         let p = t.map(|v| mesh.vertices[v as usize]);
         let m = t.map(|v| normal[v as usize]);
-        // Twice the area vector p0 x p1 + p1 x p2 + p2 x p0, and its derivatives by the three heights.
+        // `whole` is twice the area vector, p0 x p1 + p1 x p2 + p2 x p0. `first` are its derivatives with respect to
+        // the three heights.
         let whole = (p[1] - p[0]).cross(p[2] - p[0]);
         let length = whole.length();
         let first = [0, 1, 2].map(|k: usize| m[k].cross(p[(k + 1) % 3] - p[(k + 2) % 3]));
@@ -240,18 +246,18 @@ fn is_crossed(mesh: &Mesh) -> bool {
     })
 }
 
-/// How often a property was compared in a case where a solver that ignores it would be wrong.
+/// Counts the films in which a property was compared that a solver could get wrong.
 #[derive(Debug, Default)]
 struct Compared {
     /// Films that cross themselves.
     crossed: u32,
     /// Films whose residual was computed here.
     residuals: u32,
-    /// Films with directions in which the area falls.
+    /// Films with a direction in which the area falls.
     unstable: u32,
 }
 
-/// Returns the word `right`, or the fault of a result in words.
+/// Returns the word `right`, or describes the fault of a result in words.
 fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared: &mut Compared) -> String {
     let surface = match solved {
         Ok(surface) => surface,
@@ -264,7 +270,7 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
     compared.crossed += u32::from(crossed);
     let check = self_intersections::check(&surface.mesh, Order::Spatial, usize::MAX, &Execution::default());
     let (_, warning) = check.expect("nobody interrupts");
-    // `is_crossed` does not count triangles that only touch.
+    // Only this direction is compared, because `is_crossed` does not count triangles that only touch.
     if crossed && warning.is_none() {
         return format!("crosses itself: {crossed}, which is not said");
     }
@@ -293,7 +299,7 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>, compared
     let Some(stability) = statistics.stability else { return "converged with no index".into() };
     let own = morse_index(&centred, &fixed);
     compared.unstable += u32::from(own > 0);
-    // Below that the sign of an eigenvalue is a matter of rounding.
+    // The sign of a smaller eigenvalue is decided by rounding.
     let decided = (stability.lowest_eigenvalue * radius * radius).abs() > 0.1 * allowed;
     if Some(own) != stability.morse_index && decided {
         return format!("converged with an index of {own}, not {:?}", stability.morse_index);

@@ -1,7 +1,9 @@
-//! Random structures from good and from bad starts: every start that ends in a shape ends in the same one, on every
-//! mesh, and no start says that there is no equilibrium where another one finds it.
+//! Random structures, each solved from a good start and from bad starts, in which free parts are displaced. Nearly all
+//! bad starts must end in the shape of the good start on the same mesh. No start may report that there is no
+//! equilibrium where another start finds it.
 //!
-//! `PLATEAU_SEED` chooses the structures, `PLATEAU_STRUCTURES` their number and `PLATEAU_FIRST` the first of them.
+//! `PLATEAU_SEED` chooses the structures, `PLATEAU_STRUCTURES` their number, and `PLATEAU_FIRST` the number of the
+//! first structure.
 
 use glam::DQuat;
 use plateau_film::equilibrium::Support;
@@ -34,7 +36,8 @@ fn cable(course: Course, mode: CableMode) -> Cable {
     Cable { name: "c".into(), course, mode, axial_stiffness: None, weight: 0.0 }
 }
 
-/// The half angle of the arc that a cable along a side is to have, well within the angles of the corners.
+/// Returns for each side the half angle of the arc that its cable is to form. The half angles are well below the angles
+/// of the corners, so that the arcs fit.
 fn sides(random: &mut Random, corners: &[DVec3]) -> Vec<f64> {
     let count = corners.len();
     let angle = |k: usize| {
@@ -44,7 +47,7 @@ fn sides(random: &mut Random, corners: &[DVec3]) -> Vec<f64> {
     (0..count).map(|k| 0.5 * angle(k).min(angle((k + 1) % count)).min(2.4) * random.between(0.3, 0.85)).collect()
 }
 
-/// A cable along a side that hangs in an arc of the half angle under a film of tension 1.
+/// Returns a cable along side `k` that forms an arc of the half angle `half` under a film of tension 1.
 fn side(random: &mut Random, k: usize, count: usize, chord: f64, half: f64) -> Cable {
     let force = 0.5 * chord / half.sin();
     let length = 2.0 * force * half;
@@ -60,15 +63,15 @@ fn side(random: &mut Random, k: usize, count: usize, chord: f64, half: f64) -> C
     Cable { axial_stiffness, ..cable(course, mode) }
 }
 
-/// Returns a cable along each side of a polygon, for arcs of these half angles.
+/// Returns a cable along each side of a polygon. The cables form arcs of the half angles `halves`.
 fn cables(random: &mut Random, corners: &[DVec3], halves: &[f64]) -> Vec<Cable> {
     let count = corners.len();
     let chord = |k: usize| corners[k].distance(corners[(k + 1) % count]);
     (0..count).map(|k| side(random, k, count, chord(k), halves[k])).collect()
 }
 
-/// 3 to 8 corners around a ring with cables between them. One to three corners are free and held by stays, or by a
-/// mast and stays, or slide on a line or surface; these are displaced.
+/// A sail with 3 to 8 corners and cables between them. One to three corners are free and held by stays, or by a mast
+/// and stays, or slide on a line or surface. These corners are displaced.
 fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let count = 3 + random.below(6);
     let corner = |random: &mut Random, k: usize| {
@@ -90,7 +93,7 @@ fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let first = random.below(count);
     let mut kinds = "stay";
     for i in 0..released {
-        // Not two neighbours, where there are enough corners.
+        // Neighbouring corners are not both released if there are enough corners.
         let k = (first + i * if count >= 2 * released { 2 } else { 1 }) % count;
         let (before, here, after) = (good[(k + count - 1) % count], good[k], good[(k + 1) % count]);
         let pull =
@@ -157,7 +160,8 @@ fn circle(count: usize, radius: f64, height: f64) -> Vec<DVec3> {
     (0..count).map(|k| DVec3::new(radius * at(k).cos(), radius * at(k).sin(), height)).collect()
 }
 
-/// A fixed ring and an edge that slides on a surface below it, displaced and of another size.
+/// A film between a fixed ring and an edge that slides on a surface below it. The edge is displaced and has another
+/// size than in equilibrium.
 fn skirt(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let count = [12, 20, 32, 48][random.below(4)];
     let height = random.between(0.2, 0.52);
@@ -179,7 +183,7 @@ fn skirt(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     ("skirt", Structure { sliding, ..film(vec![upper, lower]) })
 }
 
-/// A curtain between a fixed upper edge and a floor on which its lower edge slides, with cables at its sides.
+/// A curtain with a fixed upper edge, cables at its sides, and a lower edge that slides on a floor.
 fn curtain(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let (width, height) = (random.between(4.0, 8.0), random.between(2.0, 4.0));
     let y = 6.0 * displaced * random.between(0.5, 1.0) + 0.2;
@@ -201,8 +205,8 @@ fn curtain(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     ("curtain", Structure { sliding, cables, ..film(vec![boundary]) })
 }
 
-/// A polygon with edge cables, and a ring with a hub that a mast from the ground or a flying mast holds up; the ring,
-/// its hub and the joint are displaced.
+/// A film between a polygon with edge cables and a ring with a hub. A mast holds up the hub; it stands on the ground,
+/// or on a joint that hangs on cables (a flying mast). The ring, its hub and the joint are displaced.
 fn tent(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let count = 4 + random.below(4);
     let flying = random.below(2) == 0;
@@ -235,7 +239,7 @@ fn tent(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     (if flying { "flying mast" } else { "mast and ring" }, structure)
 }
 
-/// A closed film: a tube of given volume between two rings, or a film over a ring under pressure.
+/// A film that encloses a volume: a tube of given volume between two rings, or a film over a ring under pressure.
 fn closed(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     if random.below(2) == 0 {
         let height = random.between(0.35, 0.55);
@@ -261,7 +265,8 @@ fn closed(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     ("pressure", structure)
 }
 
-/// The structure of a seed, displaced by a part of its span.
+/// Returns the kind and the structure of a seed. `displaced` is the displacement of its free parts as a fraction of its
+/// span.
 fn structure(seed: u64, displaced: f64) -> (&'static str, Structure) {
     let mut random = SplitMix64::new(seed);
     match random.below(20) {
@@ -302,8 +307,8 @@ fn ended(structure: &Structure, triangles: usize) -> Result<Ended, String> {
     }
 }
 
-/// Least relative error that is assumed of the area on a mesh of 2,700 triangles. On coarser meshes it is larger in
-/// proportion.
+/// Lower bound of the relative error that is assumed of an area on a mesh of 2,700 triangles. On coarser meshes the
+/// bound grows in inverse proportion to the number of triangles.
 const FLOOR: f64 = 2e-4;
 
 #[test]
@@ -384,7 +389,8 @@ fn bad_starts_end_in_the_shape_of_the_good_one_on_every_mesh() {
         time(0.999)
     );
     assert!(known as f64 >= 0.6 * good as f64, "{known} of {good}");
-    // Masts that lean the other way and cables of given length have several stable shapes.
+    // Not all shapes need to agree, because masts that lean the other way and cables of given length have several
+    // stable shapes.
     let least = if long { 0.9 } else { 0.97 };
     assert!(f64::from(alike) >= least * f64::from(bad), "{alike} of {bad}");
     assert_eq!(denied, 0);
@@ -397,7 +403,8 @@ fn is_found(seed: u64, displaced: f64, triangles: usize) -> Ended {
 
 #[test]
 fn the_force_of_a_cable_of_given_sag_does_not_swing_to_and_fro() {
-    // A corner on stays moves out under a larger force of the cable of given sag, and then asks for a smaller one.
+    // A larger force of the cable of given sag moves a corner on stays outwards, where the sag then needs a smaller
+    // force.
     let [near, far] = [0.25, 0.5].map(|displaced| is_found(3_000_043, displaced, 900));
     assert!((far.area / near.area - 1.0).abs() < 1e-3, "{} for {}", far.area, near.area);
     assert!(near.iterations < 200 && far.iterations < 200, "{} and {} solves", near.iterations, far.iterations);
@@ -405,22 +412,24 @@ fn the_force_of_a_cable_of_given_sag_does_not_swing_to_and_fro() {
 
 #[test]
 fn a_ring_on_a_flying_mast_that_is_drawn_too_high_comes_down() {
-    // The mast is 2.38 long and drawn 6.6 long. The film as drawn is so high that it pinches off at the ring.
+    // The mast is 2.38 long, and the drawing shows it 6.6 long. The drawn film is so high that it pinches off at the
+    // ring.
     let [good, far] = [0.0, 0.5].map(|displaced| is_found(3_000_021, displaced, 900));
     assert!((far.area / good.area - 1.0).abs() < 3e-3, "{} for {}", far.area, good.area);
 }
 
 #[test]
 fn newtons_method_waits_while_the_rounds_come_nearer_slowly() {
-    // A mast of given length holds a corner. Each round moves it by 92% of the round before.
+    // A mast of given length holds a corner. The movement of the corner in each round is 92% of that in the round
+    // before.
     let [good, far] = [0.0, 0.25].map(|displaced| is_found(773_401_320_239, displaced, 900));
     assert!((far.area / good.area - 1.0).abs() < 4e-3, "{} for {}", far.area, good.area);
 }
 
 #[test]
 fn a_corner_that_closes_far_out_is_found_further_in() {
-    // The corner is drawn 3.9 from its place. On the way, and where the cables alone hold it, its sides are long arcs
-    // that close it.
+    // The drawing shows the corner 3.9 away from its place in equilibrium. On the way there, and where the cables alone
+    // hold it, the sides of the corner are such long arcs that the corner closes.
     let [good, far] = [0.0, 0.5].map(|displaced| is_found(175_023_525_079, displaced, 900));
     assert!((far.area / good.area - 1.0).abs() < 4e-3, "{} for {}", far.area, good.area);
 }

@@ -1,9 +1,9 @@
-//! Two coaxial rings of radii 1 and r, from half to twice the largest distance of a catenoid: beyond it no film may be
-//! called converged, and below 0.99 of it none may be lost.
+//! Two coaxial rings of radii 1 and r, at distances from half to twice the largest distance of a catenoid. Beyond the
+//! largest distance no film may be called converged. Up to 0.99 of it no film may be lost.
 //!
 //! The rings are regular polygons, inscribed in circles. A film between them is compared with catenoids: beyond the
-//! limit of the circles around both polygons there is none, and below the limit of the circles inside both there is
-//! one. `PLATEAU_LONG` runs the whole sweep.
+//! limit of the circumscribed circles there is no film, and below the limit of the inscribed circles there is a film.
+//! `PLATEAU_LONG` runs the whole sweep.
 
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Error, Execution};
@@ -14,9 +14,9 @@ fn ring(points: usize, radius: f64, height: f64, phase: f64) -> Vec<DVec3> {
     (0..points).map(|k| DVec3::new(radius * angle(k).cos(), radius * angle(k).sin(), height)).collect()
 }
 
-/// The largest distance between coaxial circles that a catenoid r = a cosh(z / a) joins: a (arcosh(R / a) + arcosh(r /
-/// a)) has a single maximum over the waist a, where its derivative arcosh(R/a) + arcosh(r/a) - 1/√(1 - (a/R)²) -
-/// 1/√(1 - (a/r)²) changes its sign.
+/// Returns the largest distance between coaxial circles of radii R and r that a catenoid with the profile a cosh(z / a)
+/// joins. The distance a (arcosh(R / a) + arcosh(r / a)) has a single maximum over the waist a, where its derivative
+/// arcosh(R/a) + arcosh(r/a) - 1/√(1 - (a/R)²) - 1/√(1 - (a/r)²) changes its sign.
 fn largest_distance(large: f64, small: f64) -> f64 {
     let reach = |a: f64| a * ((large / a).acosh() + (small / a).acosh());
     let slope = |a: f64| {
@@ -47,7 +47,8 @@ impl Case {
     fn solved(&self) -> Result<MinimalSurface, Error> {
         let [large, small] = self.points;
         let shrunk = |points: usize| (PI / points as f64).cos();
-        // Beyond the limit of the larger circles, or below the limit of the smaller ones.
+        // Distances beyond the limit are multiples of that of the circumscribed circles. Distances below the limit are
+        // multiples of that of the inscribed circles.
         let limit = if self.factor > 1.0 {
             largest_distance(1.0, self.radius)
         } else {
@@ -57,7 +58,7 @@ impl Case {
         solve(&rings, &Options::new(Resolution::Triangles(self.triangles)), &Execution::default())
     }
 
-    /// Returns the fault of the case in words.
+    /// Solves the case and describes its fault, if it has one, in words.
     fn fault(&self) -> Option<String> {
         let start = std::time::Instant::now();
         let solved = self.solved();
@@ -102,7 +103,7 @@ fn beyond_the_largest_distance_nothing_converges_and_below_it_nothing_is_lost() 
         let factors = [0.7, 0.99, 1.01, 1.1, 2.0];
         sweep(&[1.0, 0.1], &[[48, 24]], &[300], &factors);
         sweep(&[1.0, 0.1, 0.001], &[[48, 24]], &[2000], &factors);
-        // At so few triangles the edges at the small ring are many times as long as the ring is wide.
+        // With only 300 triangles the edges at the small ring are many times as long as the ring is wide.
         sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[0.98, 0.99]);
         sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[1.005, 1.5]);
         return;

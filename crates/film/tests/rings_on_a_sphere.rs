@@ -1,5 +1,5 @@
-//! Rings that face outwards on a sphere, as many as twelve: their connected film, against the film that their convex
-//! hull relaxes to.
+//! Three to twelve rings that face outwards on a sphere. Their connected film is compared with the film to which their
+//! convex hull relaxes.
 
 use plateau_film::minimal_surface::{InitialMesh, MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::random::SplitMix64;
@@ -10,14 +10,15 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-/// A unit vector, uniform on the sphere.
+/// Returns a random unit vector, uniform on the sphere.
 fn direction(random: &mut SplitMix64) -> DVec3 {
     let (z, angle) = (random.between(-1.0, 1.0), TAU * random.unit());
     let r = (1.0 - z * z).sqrt();
     DVec3::new(r * angle.cos(), r * angle.sin(), z)
 }
 
-/// Centres spread by repulsion; each ring spans 0.95 of half the smallest angle to another centre.
+/// Returns rings of random points around random centres that repel each other. The angular radius of each ring is 0.95
+/// of half the smallest angle from its centre to another centre.
 fn configuration(random: &mut SplitMix64, rings: usize) -> Vec<Vec<DVec3>> {
     let mut centres: Vec<DVec3> = (0..rings).map(|_| direction(random)).collect();
     for round in 0..200 {
@@ -48,7 +49,8 @@ fn configuration(random: &mut SplitMix64, rings: usize) -> Vec<Vec<DVec3>> {
     boundaries
 }
 
-/// Triangles of the convex hull, facing outwards. Points are added one by one.
+/// Returns the triangles of the convex hull, facing outwards. The hull starts as the tetrahedron of the points `first`,
+/// and the other points are added one by one.
 fn hull(points: &[DVec3], first: [u32; 4]) -> Vec<[u32; 3]> {
     let coord = |v: u32| {
         let p = points[v as usize];
@@ -83,7 +85,7 @@ fn halved(mesh: &Mesh) -> Mesh {
     let mut triangles = Vec::new();
     for &triangle in &mesh.triangles {
         let at = |side: [u32; 2]| middle.get(&key(side)).copied();
-        // Turned so that the sides that are halved come first.
+        // The corners are rotated so that the sides that are halved come first.
         let turns = (0..3).map(|k| [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]]);
         let halves = |t: &[u32; 3]| sides(*t).map(|side| at(side).is_some());
         let [a, b, c] = turns.max_by_key(halves).unwrap();
@@ -97,7 +99,8 @@ fn halved(mesh: &Mesh) -> Mesh {
     Mesh { vertices, triangles }
 }
 
-/// The film that the hull without its caps relaxes to.
+/// Returns the film to which the convex hull relaxes. The caps of the hull, whose triangles have all corners on one
+/// ring, are left out.
 fn reference(boundaries: &[Vec<DVec3>]) -> MinimalSurface {
     let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
     let ring: Vec<usize> = boundaries.iter().enumerate().flat_map(|(k, points)| vec![k; points.len()]).collect();

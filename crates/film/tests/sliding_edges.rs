@@ -1,4 +1,5 @@
-//! Edges that slide on surfaces: given contact angles and the client's mesh, against closed forms, and what is refused.
+//! Edges that slide on surfaces: contact angles and surfaces given as meshes are compared with closed forms, and wrong
+//! arguments are refused.
 
 use plateau_film::equilibrium::Support;
 use plateau_film::equilibrium::support::{Cylinder, Mesh, Plane, Sphere, Torus};
@@ -16,7 +17,8 @@ fn circle(count: usize, radius: f64, height: f64) -> Vec<DVec3> {
     (0..count).map(|k| DVec3::new(radius * at(k).cos(), radius * at(k).sin(), height)).collect()
 }
 
-/// A film of tension 1 whose boundary of this number slides, at an angle in degrees.
+/// A film of tension 1 whose boundary of the number `boundary` slides on the support `on`, at a contact angle in
+/// degrees. `None` stands for a right angle.
 fn sliding(
     boundaries: Vec<Vec<DVec3>>,
     boundary: usize,
@@ -48,7 +50,8 @@ fn on_edge(result: &TensileStructure, boundary: usize) -> impl Iterator<Item = D
 }
 
 /// Asserts that the errors of the area, of the edge's place and of the contact angle fall with the square of the edge
-/// length, the last one to less than 0.1 degrees. A right angle is exact on every mesh.
+/// length, and that the error of the angle falls below 0.1 degrees. Errors below 1e-9 are exempt, because a right angle
+/// is exact on every mesh.
 fn assert_angle_and_order(results: &[(TensileStructure, f64)], degrees: f64, area: f64) {
     let mut errors = Vec::new();
     for (result, of_edge) in results {
@@ -64,12 +67,14 @@ fn assert_angle_and_order(results: &[(TensileStructure, f64)], degrees: f64, are
     }
 }
 
-/// Points of a boundary and triangles.
+/// Three meshes by their number of points on a boundary and their number of triangles. Each has half the edge length of
+/// the mesh before it.
 const MESHES: [(usize, usize); 3] = [(32, 500), (64, 2000), (128, 8000)];
 
 #[test]
 fn a_half_catenoid_meets_a_plane_at_a_given_angle() {
-    // r = c cosh((z - z0) / c) with dr/dz = -cot θ on the plane: z0 = c asinh(cot θ) and the edge's radius c / sin θ.
+    // The film is r = c cosh((z - z0) / c) with dr/dz = -cot θ on the plane z = 0. Hence z0 = c asinh(cot θ), and the
+    // radius of the edge is c / sin θ.
     for (degrees, height) in [(60.0f64, 0.5), (110.0, 0.3), (90.0, 0.5)] {
         let start = -(1.0 / degrees.to_radians().tan()).asinh();
         let (mut low, mut neck): (f64, f64) = (0.55, 1.5);
@@ -115,8 +120,8 @@ fn the_angle_is_that_on_the_left_of_the_edge() {
 
 #[test]
 fn a_film_in_a_tube_climbs_the_wall_to_the_given_angle() {
-    // Between a ring of radius 0.6 and a tube of radius 1: a catenoid with dr/dz = tan 60° at the wall, so its waist is
-    // c = cos 60°. Above the edge the angle is 120°.
+    // The film between a ring of radius 0.6 and a tube of radius 1 is a catenoid with dr/dz = tan 60° at the wall, so
+    // its waist is c = cos 60°. The angle above the edge is 120°.
     let (neck, inner) = (0.5f64, 0.6);
     let (from, to) = ((inner / neck).acosh(), (1.0 / neck).acosh());
     let height = neck * (to - from);
@@ -133,7 +138,8 @@ fn a_film_in_a_tube_climbs_the_wall_to_the_given_angle() {
 
 #[test]
 fn a_catenoid_meets_a_ring_beam_of_round_tube_at_a_right_angle() {
-    // The catenoid r = cosh z from z = 0.8 down to z = 0.2, where its tangent passes through the centre of the tube.
+    // The film is the catenoid r = cosh z from z = 0.8 down to z = 0.2, where its tangent passes through the centre of
+    // the tube.
     let (from, to, tube_radius) = (0.2f64, 0.8f64, 0.4);
     let radius = from.cosh() - tube_radius * from.tanh();
     let centre = DVec3::Z * (from - tube_radius / from.cosh());
@@ -156,7 +162,8 @@ fn a_catenoid_meets_a_ring_beam_of_round_tube_at_a_right_angle() {
 
 #[test]
 fn a_plane_film_in_a_sphere_meets_it_at_the_angle_of_its_height() {
-    // The plane z = 1 cuts the sphere of radius 2 at 60°, on the side of the pole. The ring holds the film in it.
+    // The plane z = 1 cuts the sphere of radius 2 at 60°, on the side of the pole. The ring lies in this plane and
+    // holds the film there.
     let area = PI * (3.0 - 1.2 * 1.2);
     let results = MESHES.map(|(count, triangles)| {
         let sphere = Sphere { centre: DVec3::ZERO, radius: 2.0 };
@@ -171,19 +178,20 @@ fn a_plane_film_in_a_sphere_meets_it_at_the_angle_of_its_height() {
 
 #[test]
 fn an_edge_between_fixed_points_meets_a_plane_at_a_given_angle() {
-    // A film that hangs from the straight side y = 0 of a long strip and slides on the floor at the other side: a plane
-    // film that leans by the angle. Its ends are held on that plane.
+    // The film hangs from the straight side y = 0 of a long strip and slides on the floor at the other side. It is
+    // plane and leans by the angle `degrees`. Its ends are held in that plane.
     let degrees = 50.0f64;
     let (length, height) = (4.0, 1.0);
     let foot = height / degrees.to_radians().tan();
     let count = 20;
     let at = |k: usize| length * k as f64 / count as f64;
     let mut boundary: Vec<DVec3> = (0..=count).map(|k| DVec3::new(at(k), foot, 0.0)).collect();
-    // The middle of the edge begins elsewhere.
+    // The points inside the edge start away from their places.
     boundary[1..count].iter_mut().for_each(|p| p.y -= 0.2);
     boundary.extend([DVec3::new(length, 0.0, height), DVec3::new(0.0, 0.0, height)]);
     let plane = Plane { point: DVec3::ZERO, normal: DVec3::Z };
-    // The film is on the left of the edge, at smaller y, where the surface goes on below it: the angle there is θ.
+    // Seen from above, the film is on the right of the edge, at smaller y, where its angle with the floor is `degrees`.
+    // The contact angle is measured on the left of the edge, where it is 180° - `degrees`.
     let mut structure = sliding(vec![boundary], 0, plane, Some(180.0 - degrees));
     structure.sliding[0].part = SlidingPart::Edge { boundary: 0, from: 0, to: count };
     let result = found(&structure, 600);
@@ -192,12 +200,12 @@ fn an_edge_between_fixed_points_meets_a_plane_at_a_given_angle() {
     assert!((least.to_degrees() - 130.0).abs() < 0.1 && (most.to_degrees() - 130.0).abs() < 0.1);
     let area = length * height / degrees.to_radians().sin();
     assert!((result.statistics.area / area - 1.0).abs() < 1e-9, "{} {area}", result.statistics.area);
-    // The supports bear the pull of both sides and the forces that hold the angle.
+    // The pull of both sides and the forces that hold the angle add up to zero over all supports.
     let balance = result.statistics.balance.unwrap();
     assert!(balance.reactions.length() < 1e-9, "{balance:?}");
 }
 
-/// A plane grid over [-2, 2]² as a mesh, tilted about the x axis by a slope.
+/// A mesh of the square [-2, 2]² as a plane grid, tilted about the x axis by a slope.
 fn floor(cells: u32, slope: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let at = |k: u32| 4.0 * f64::from(k) / f64::from(cells) - 2.0;
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
@@ -213,7 +221,7 @@ fn floor(cells: u32, slope: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (vertices, triangles)
 }
 
-/// The unit sphere as an icosahedron whose triangles are divided into four `times` times.
+/// A mesh of the unit sphere: an icosahedron whose triangles are divided into four `times` times.
 fn icosphere(times: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let mut vertices = Vec::new();
@@ -273,7 +281,7 @@ fn a_plane_given_as_a_mesh_gives_the_plane_s_answer() {
 
 #[test]
 fn an_edge_that_slides_beyond_the_border_of_its_mesh_is_reported() {
-    // The edge ends at a radius of 0.85, and the mesh at 0.7 from the axis.
+    // In equilibrium the edge has a radius of 0.85, but the mesh reaches only to 0.7 from the axis.
     let (vertices, triangles) = floor(8, 0.0);
     let vertices: Vec<DVec3> = vertices.iter().map(|p| *p * 0.35).collect();
     let mesh = Mesh::new(&vertices, &triangles, 0.25).unwrap();
@@ -296,7 +304,8 @@ fn a_sphere_given_as_a_mesh_comes_nearer_to_the_sphere_s_answer_with_the_square_
         let length = vertices[triangles[0][0] as usize].distance(vertices[triangles[0][1] as usize]);
         let mesh = Mesh::new(&vertices, &triangles, 2.5 * length).unwrap();
         let own = found(&sliding(boundaries(), 1, mesh, None), 2000);
-        // The vertices stand elsewhere along the edge, which is a level circle.
+        // The heights of the edges are compared, because the vertices of the two films stand at different places along
+        // the edge, which is a level circle.
         let height =
             |of: &TensileStructure| on_edge(of, 1).map(|place| place.z).sum::<f64>() / on_edge(of, 1).count() as f64;
         let apart = (height(&own) - height(&exact)).abs();
@@ -329,7 +338,7 @@ fn offsets_and_scales_change_nothing_but_rounding_on_a_mesh_and_at_an_angle() {
     };
     for on_mesh in [true, false] {
         let own = shape(0.0, 1.0, on_mesh);
-        // Powers of two change no digit.
+        // The scales are powers of two, because these change no digit.
         for (offset, scale) in [(1e6, 1.0), (0.0, 131_072.0), (0.0, 1.0 / 131_072.0)] {
             let other = shape(offset, scale, on_mesh);
             assert!((other / own - 1.0).abs() < 1e-7, "{on_mesh} {offset} {scale}: {own} {other}");
@@ -357,7 +366,7 @@ fn what_the_arguments_show_is_refused_by_its_place() {
         refused(&structure)
     };
     let angle = ["/supports/0/contact_angle_deg"];
-    // A torus has no closed form of the area beside an edge.
+    // A contact angle on a torus is refused, because the area beside an edge on a torus has no closed form.
     let beam = Torus { centre: DVec3::Z * -0.1, axis: DVec3::Z, radius: 0.9, tube_radius: 0.1 };
     assert_eq!(changed(&|s| s.sliding[0].on = Arc::new(beam)), angle);
     assert_eq!(changed(&|s| s.layers[0].weight = 0.1), angle);
@@ -366,7 +375,7 @@ fn what_the_arguments_show_is_refused_by_its_place() {
     let (vertices, triangles) = floor(8, 0.0);
     let mesh = |rounding: f64| Mesh::new(&vertices, &triangles, rounding).unwrap();
     assert_eq!(changed(&|s| s.sliding[0].on = Arc::new(mesh(0.5))), angle);
-    // A point off the mesh, and one beyond its border.
+    // A point that is not on the mesh, and a point beyond its border, are refused.
     let mut structure = sliding(boundaries(), 1, mesh(0.1), None);
     assert!(check(&structure, &options).is_ok());
     structure.boundaries[1][3].z = 0.11;
@@ -374,7 +383,7 @@ fn what_the_arguments_show_is_refused_by_its_place() {
     assert_eq!(refused(&structure), ["/boundaries/1/3", "/boundaries/1/7"]);
     structure.boundaries[1][3].z = f64::NAN;
     assert_eq!(refused(&structure)[0], "/boundaries/1/3");
-    // A rounding that reaches too many triangles.
+    // A rounding that reaches too many triangles is refused.
     let (vertices, triangles) = floor(80, 0.0);
     let structure = sliding(boundaries(), 1, Mesh::new(&vertices, &triangles, 3.0).unwrap(), None);
     assert_eq!(refused(&structure), ["/supports/0/on/mesh/rounding"]);

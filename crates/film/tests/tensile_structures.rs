@@ -1,4 +1,4 @@
-//! Tensile structures against closed forms, and what is refused.
+//! Tensile structures: shapes are compared with closed forms, and wrong arguments are refused.
 
 use plateau_film::equilibrium::support::Plane;
 use plateau_film::minimal_surface::Resolution;
@@ -23,7 +23,7 @@ fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
     Structure::new(boundaries, vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }])
 }
 
-/// The space below a single film.
+/// A single chamber, the space below the film.
 fn below(holds: Pressure) -> Vec<Chamber> {
     vec![Chamber { below: 0, holds }]
 }
@@ -42,14 +42,14 @@ fn found(structure: &Structure, edge_length: f64) -> TensileStructure {
     let result = solve(structure, &options, &Execution::default()).unwrap();
     let statistics = &result.statistics;
     assert!(statistics.converged && statistics.stability.is_some_and(|s| s.stable == Some(true)), "{statistics:?}");
-    // Water stands in a film that hangs through.
+    // Ponding is the only warning that is allowed, because water stands in a film that hangs through.
     assert!(result.warnings.iter().all(|warning| warning.code == "ponding"), "{:?}", result.warnings);
     let balance = statistics.balance.unwrap();
     assert!(balance.imbalance < 1e-9, "{balance:?}");
     result
 }
 
-/// The observed order of errors on meshes of edge lengths in the ratio two.
+/// Returns the observed order of errors on meshes whose edge length halves from each to the next.
 fn order(errors: &[f64]) -> f64 {
     let n = errors.len() - 1;
     (errors[0] / errors[n]).abs().log2() / n as f64
@@ -92,8 +92,8 @@ fn every_mode_finds_the_sail_whose_cables_have_a_force_of_ten() {
         let result = found(&structure, 0.8);
         for cable in &result.cables {
             println!("{} {} {} {}", mode.name(), cable.force, cable.length, cable.sag);
-            // The meshes differ, and with them lengths and sags by a part of the mesh's error, which is 4e-3. An arc
-            // that is longer by 4e-3 has a force that is smaller by 4e-2.
+            // The films have different meshes. Their lengths and sags therefore differ by a part of the mesh's error,
+            // which is 4e-3. An arc that is longer by 4e-3 has a force that is smaller by 4e-2.
             assert!((cable.force - 10.0).abs() < 4e-2, "{mode:?} {}", cable.force);
             assert!((cable.length - length).abs() < 2e-3 && (cable.sag - sag).abs() < 4e-3, "{mode:?}");
             let unstressed = cable.unstressed_length.unwrap();
@@ -104,7 +104,7 @@ fn every_mode_finds_the_sail_whose_cables_have_a_force_of_ten() {
 
 #[test]
 fn a_disc_under_pressure_is_a_cap_of_a_sphere() {
-    // Radius 5, σ 1, p 0.2: a sphere of radius 10.
+    // A disc of radius 5 with tension σ = 1 under the pressure p = 0.2 is a cap of a sphere of radius 2 σ / p = 10.
     let (height, area, volume) = (10.0 - 75f64.sqrt(), 84.178721, 53.870818);
     let mut errors = [Vec::new(), Vec::new(), Vec::new()];
     for (points, edge_length) in [(24, 1.2), (48, 0.6), (96, 0.3)] {
@@ -118,7 +118,7 @@ fn a_disc_under_pressure_is_a_cap_of_a_sphere() {
         let loads = cap.statistics.balance.unwrap().loads;
         let opening = 0.5 * points as f64 * 25.0 * (TAU / points as f64).sin();
         assert!((loads.z - 0.2 * opening).abs() < 1e-9 && loads.truncate().length() < 1e-9);
-        // The same shape by its volume: the pressure is found.
+        // If the volume of the cap is given instead, the solver finds the same shape and its pressure.
         structure.chambers = below(Pressure::Volume(cap.statistics.chambers[0].volume));
         let by_volume = found(&structure, edge_length);
         assert!(
@@ -135,7 +135,8 @@ fn a_disc_under_pressure_is_a_cap_of_a_sphere() {
 
 #[test]
 fn a_volume_beyond_the_hemisphere_is_reached() {
-    // A sphere of radius R through a circle of radius 5 with the centre above it: three quarters of it.
+    // The shape is the larger part of a sphere of radius 6 through a circle of radius 5, with the centre above the
+    // circle.
     let radius: f64 = 6.0;
     let height = radius + (radius * radius - 25.0).sqrt();
     let volume = PI * height * height * (3.0 * radius - height) / 3.0;
@@ -147,17 +148,18 @@ fn a_volume_beyond_the_hemisphere_is_reached() {
     assert!((cap.statistics.chambers[0].pressure - 2.0 / radius).abs() < 0.01 * 2.0 / radius);
 }
 
-/// Delaunay's surface of revolution between two rings of radius 1 at heights 0 and `height`, tension 1: the profile
-/// from the middle, where its radius is `middle`, by Runge and Kutta's method.
+/// Delaunay's surface of revolution between two equal rings at the distance `height`, with tension 1. Half of the
+/// profile is integrated, from the middle, where its radius is `middle`, by Runge and Kutta's method.
 struct Delaunay {
-    /// The radius at the rings.
+    /// The radius of the rings. The surface spans rings of radius 1 only if this is 1.
     ring: f64,
     area: f64,
     volume: f64,
 }
 
 impl Delaunay {
-    /// With the angle ψ of the profile against the axis: r' = sin ψ, z' = cos ψ, ψ' = cos ψ / r - p by arc length.
+    /// Integrates r' = sin ψ, z' = cos ψ, ψ' = cos ψ / r - p by arc length, with the angle ψ of the profile against the
+    /// axis.
     fn integrate(middle: f64, pressure: f64, height: f64) -> Self {
         let slope = |[r, _, psi, _, _]: [f64; 5]| {
             [psi.sin(), psi.cos(), psi.cos() / r - pressure, TAU * r, PI * r * r * psi.cos()]
@@ -171,7 +173,7 @@ impl Delaunay {
             std::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
         };
         let mut y = [middle, 0.0, 0.0, 0.0, 0.0];
-        // The last steps are Newton's for the height of the ring.
+        // The last steps are Newton steps towards the height of the ring.
         while (0.5 * height - y[1]).abs() > 1e-13 && y[0] > 0.01 && y[2].abs() < 1.5 {
             y = step_from(y, ((0.5 * height - y[1]) / y[2].cos()).min(1e-3));
         }
@@ -179,7 +181,7 @@ impl Delaunay {
     }
 }
 
-/// The zero of a monotone function between two places, by bisection.
+/// Returns the zero of a monotone function between two arguments, by bisection.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let rising = f(high) > f(low);
     for _ in 0..60 {
@@ -200,8 +202,8 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
         structure.chambers = below(pressure);
         structure
     };
-    // A neck and a bulge of the unduloid, a neck and a bulge of the nodoid. With the axial force 2 r - p r² at the
-    // middle the unduloid has p (2 r - p r²) > 0, the nodoid < 0.
+    // The cases are a neck and a bulge of the unduloid, and a neck and a bulge of the nodoid. With the axial force 2 r
+    // - p r² at the middle, p (2 r - p r²) is positive for the unduloid and negative for the nodoid.
     let bulge = 1.3;
     let beyond = root(1.9, 3.3, |p| Delaunay::integrate(bulge, p, height).ring - 1.0);
     let given = |pressure: f64, low: f64, high: f64| {
@@ -228,7 +230,7 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
             errors[2].push(extreme - middle);
         }
         println!("{middle} {pressure} {errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
-        // On the coarsest mesh the errors of the edge and of the film nearly cancel.
+        // The coarsest mesh is left out, because the errors of the edge and of the film nearly cancel there.
         assert!(errors[..2].iter().all(|errors| order(&errors[1..]) > 1.8), "{middle} {pressure} {errors:?}");
         assert!(errors[2][2].abs() < 5e-3 * middle, "{middle} {pressure} {errors:?}");
     }
@@ -236,13 +238,13 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
 
 #[test]
 fn a_heavy_cable_hangs_in_a_catenary() {
-    // Span 10 between equal heights, horizontal component 6, weight 1: y = 6 cosh(x / 6).
+    // The span is 10 between equal heights, the horizontal component 6, and the weight 1, so y = 6 cosh(x / 6).
     let (component, weight): (f64, f64) = (6.0, 1.0);
     let half = 5.0 * weight / component;
     let sag = component / weight * (half.cosh() - 1.0);
     let length = 2.0 * component / weight * half.sinh();
     let end = component * half.cosh();
-    // ∫ w y ds / L over the half, with ds = cosh(x / 6) dx.
+    // The mean force is ∫ w y ds / L over half the cable, with ds = cosh(x / 6) dx.
     let mean = 0.5 * component * (half + half.sinh() * half.cosh()) / half.sinh();
     let stiffness = 2e4;
     let modes = [
@@ -266,16 +268,16 @@ fn a_heavy_cable_hangs_in_a_catenary() {
             let scaled = (segments * edge_length / 10.0).powi(2);
             println!("{} {} {} {} of {length} {sag} {end}", mode.name(), cable.length, cable.sag, cable.force);
             errors.push(((cable.length - length).abs() + (cable.sag - sag).abs()) * scaled);
-            // The largest force is that of the middle of a segment. The force at the end of the cable is larger by the
-            // weight of half that segment's rise.
+            // The largest segment force is that in the middle of a segment. The force at the end of the cable is larger
+            // by the weight of half that segment's rise.
             let largest = cable.segment_forces.iter().copied().fold(0.0, f64::max);
             let reaction = result.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
             assert!((reaction - end).abs() < 0.01 * end && largest < end, "{mode:?} {largest} {reaction} {end}");
             ends.push((reaction - end).abs() * scaled);
         }
         println!("{errors:?} {} {ends:?} {}", order(&errors), order(&ends));
-        // In modes where the weights are those of the found segments, the force at the end is exact up to the error
-        // that the solver leaves.
+        // If a mode takes the weights of the segments from the shape that was found, the force at the end is exact up
+        // to the error that the solver leaves.
         let exact = ends.iter().all(|error| *error < 1e-5 * end);
         assert!(order(&errors) > 1.9 && (exact || order(&ends) > 1.9), "{mode:?} {errors:?} {ends:?}");
         assert!(errors[2] < 5e-3, "{mode:?} {errors:?}");
@@ -284,7 +286,7 @@ fn a_heavy_cable_hangs_in_a_catenary() {
 
 #[test]
 fn a_deep_catenary_is_found_by_its_horizontal_component_and_by_its_sag() {
-    // A sag of more than 0.338 spans: at a given force the cable would run off.
+    // The sag is more than 0.338 spans. At a given force this cable would run off.
     let (component, weight): (f64, f64) = (2.0, 1.0);
     let sag = component / weight * ((5.0 * weight / component).cosh() - 1.0);
     assert!(sag > 8.0);
@@ -343,7 +345,7 @@ fn stiff_edge_cables_curved_in_space_are_found_by_their_unstressed_length() {
         let result = found(&sail(mode, stiffness), 0.8);
         for cable in &result.cables {
             println!("{stiffness} {} {} in {}", cable.force, cable.length, result.statistics.iterations);
-            // The meshes differ, and with them the force by a part of the mesh's error.
+            // The films have different meshes. The force therefore differs by a part of the mesh's error.
             assert!((cable.force - 10.0).abs() < 0.05, "{stiffness} {}", cable.force);
             assert!((cable.length / length - 1.0).abs() < 1e-3);
         }
@@ -357,7 +359,7 @@ fn the_weight_of_a_film_is_borne_by_its_supports() {
     let hanging = found(&structure, 0.6);
     let balance = hanging.statistics.balance.unwrap();
     assert!((balance.reactions.z - 0.1 * hanging.statistics.area).abs() < 1e-3 * balance.reactions.z);
-    // A shallow film: the height in the middle is w r² / 4 σ.
+    // The film is shallow, so the depth in the middle is w r² / 4 σ = 0.625.
     let lowest = hanging.mesh.vertices.iter().map(|p| p.z).fold(0.0, f64::min);
     assert!((lowest + 0.625).abs() < 0.03, "{lowest}");
 }
@@ -450,7 +452,7 @@ fn the_same_structure_gives_the_same_bits_and_looks_at_the_caller() {
     assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled));
 }
 
-/// A ring of radius 1 at a height above a plane, and a boundary that slides on the plane.
+/// A film between a ring of radius 1 at a height above a plane and a boundary that slides on the plane.
 fn half_catenoid(count: usize, height: f64) -> Structure {
     let mut structure = film(vec![circle(count, 1.0, height), circle(count, 0.9, 0.0)]);
     let on = Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
@@ -460,7 +462,7 @@ fn half_catenoid(count: usize, height: f64) -> Structure {
 
 #[test]
 fn a_half_catenoid_slides_on_a_plane_and_meets_it_at_a_right_angle() {
-    // c cosh(h / c) = 1 at the ring; area π c (h + c sinh(2 h / c) / 2).
+    // The catenoid has c cosh(h / c) = 1 at the ring, and the area π c (h + c sinh(2 h / c) / 2).
     let height = 0.5;
     let mut neck: f64 = 0.85;
     for _ in 0..80 {
@@ -540,7 +542,7 @@ fn a_free_corner_is_held_by_stays_of_given_length() {
     let corner = structure.boundaries[0][2];
     let anchors = [DVec3::new(14.0, 11.0, -3.0), DVec3::new(11.0, 14.0, -3.0), DVec3::new(10.5, 10.5, 4.0)];
     for (name, anchor) in ["east", "north", "above"].into_iter().zip(anchors) {
-        // Shorter than the distance by a hundredth, so that the corner moves.
+        // Each stay is shorter than the distance by a hundredth, so that the corner moves.
         let mode = CableMode::Length(0.99 * corner.distance(anchor));
         let course = Course::Air([corner, anchor]);
         structure.cables.push(Cable { name: name.into(), course, mode, axial_stiffness: None, weight: 0.0 });
@@ -552,7 +554,7 @@ fn a_free_corner_is_held_by_stays_of_given_length() {
         assert!(cable.force > 0.0, "{}", cable.force);
     }
     println!("{moved:?} {:?}", result.statistics.balance);
-    // Three supports of the film and three anchors.
+    // There are reactions at three supports of the film and at three anchors.
     assert_eq!(result.reactions.len(), 6);
 }
 
@@ -564,7 +566,7 @@ fn around_z() -> WarpDirection {
     WarpDirection::Radial { point: DVec3::ZERO, axis: DVec3::Z }
 }
 
-/// Returns the same as [`found`] without a stability, which a woven film does not have.
+/// Does the same as [`found`] for a woven film, which has no stability.
 fn found_woven(structure: &Structure, edge_length: f64) -> TensileStructure {
     let result = solve(structure, &Options::new(Resolution::EdgeLength(edge_length)), &Execution::default()).unwrap();
     let statistics = &result.statistics;
@@ -575,9 +577,9 @@ fn found_woven(structure: &Structure, edge_length: f64) -> TensileStructure {
     result
 }
 
-/// The conic membrane whose hoop stress is half the meridional stress s. With the radius r and the slope φ of the
-/// meridian, (r s)' = s / 2 makes s fall as 1 / √r, and the vertical force 2 π r s sin φ is constant. Hence the height
-/// is z = 2 c √(r - c²). Here c = 1, between the rings of radius 1.25 and 4.
+/// The conic membrane whose hoop stress is half the meridional stress s, between rings of radius 1.25 and 4. With the
+/// radius r and the slope φ of the meridian, (r s)' = s / 2 makes s fall as 1 / √r, and the vertical force 2 π r s sin
+/// φ is constant. Hence the height is z = 2 c √(r - c²), here with c = 1.
 fn conic_membrane(points: usize, hold: WeaveHold) -> Structure {
     let ring = |count: usize, radius: f64| circle(count, radius, 2.0 * (radius - 1.0).sqrt());
     let mut inner = ring(points, 1.25);
@@ -601,7 +603,7 @@ fn a_conic_membrane_with_half_the_stress_around_it() {
         assert!((weave.required_ratio - 0.5).abs() < 1e-12 && (weave.ratio.mean - 0.5).abs() < 0.01, "{weave:?}");
     }
     println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
-    // The coarsest mesh has only 16 points on its inner ring.
+    // The coarsest mesh is left out, because it has only 16 points on its inner ring.
     assert!(order(&errors[0][1..]) > 1.7 && errors[0][2] < 5e-4, "{errors:?}");
     assert!(order(&errors[1]) > 1.5 && errors[1][2] < 5e-4, "{errors:?}");
 }
@@ -631,8 +633,9 @@ fn equal_stresses_of_warp_and_weft_make_a_minimal_surface() {
 
 #[test]
 fn edge_cables_of_a_plane_woven_sail_are_arcs_of_ellipses_whose_force_varies() {
-    // With the stresses T = diag(2, 1) and J a quarter turn, the force vector of an edge cable is T J (x - centre), and
-    // the cable an arc of the ellipse x² / 2 + y² = λ² around the centre. By its sag of 1.5 over half the chord, 5:
+    // With the stresses T = diag(2, 1) and a quarter turn J, the force vector of an edge cable is T J (x - centre). The
+    // cable is an arc of the ellipse x² / 2 + y² = λ² around the centre. The centres follow from the sag of 1.5 over
+    // half the chord, which is 5.
     let sag = 1.5;
     let south = (12.5 + sag * sag) / (2.0 * sag);
     let west = (25.0 + 0.5 * sag * sag) / (2f64.sqrt() * sag);
@@ -679,7 +682,7 @@ fn a_wrong_weave_is_refused_by_its_place() {
 }
 
 /// A film of tension 1 between a fixed ring of radius 4 at height 0 and a ring of radius 1 that moves along the
-/// vertical. It is a catenoid of waist a, whose vertical pull is 2 π a on every level.
+/// vertical. The film is a catenoid of waist a, whose vertical pull is 2 π a on every level.
 fn film_with_a_ring(points: usize, force: f64) -> Structure {
     let mut inner = circle(points, 1.0, 0.7);
     inner.reverse();
@@ -702,11 +705,11 @@ fn a_ring_moves_to_the_height_at_which_the_film_bears_its_force() {
         errors[0].push(pulled.ring_travels[0] + 0.7 - height);
         let loads = pulled.statistics.balance.unwrap().loads;
         assert!(loads.distance(force * DVec3::Z) < 1e-9, "{loads}");
-        // The reactions: the fixed ring bears the force, the guide of the other nothing.
+        // The fixed ring bears the whole force. The guide of the moving ring bears no vertical force.
         let [fixed, guide] = &pulled.edge_reactions[..] else { panic!("{:?}", pulled.edge_reactions) };
         assert!((fixed.force.z + force).abs() < 1e-6 && guide.force.z.abs() < 1e-6);
         assert!(guide.force.length() < 1e-2 * force, "the mesh is not quite symmetric: {}", guide.force);
-        // The same by a mast of given length under the hub: its force is found.
+        // A mast of the corresponding length under the hub gives the same shape, and its force is found.
         let mut propped = film_with_a_ring(points, 0.0);
         let foot = DVec3::new(0.0, 0.0, -2.0);
         propped.cables.push(mast([foot, DVec3::new(0.0, 0.0, 0.7)], CableMode::Length(height + 2.0)));
@@ -717,12 +720,13 @@ fn a_ring_moves_to_the_height_at_which_the_film_bears_its_force() {
         assert!((reaction.force.z + propped.cables[0].segment_forces[0]).abs() < 1e-6, "{reaction:?}");
     }
     println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
-    // The coarsest mesh has only 12 points on its ring.
+    // The coarsest mesh is left out, because it has only 12 points on its ring.
     assert!(errors.iter().all(|errors| order(&errors[1..]) > 1.7), "{errors:?}");
     assert!((errors[0][2] / height).abs() < 5e-3 && (errors[1][2] / force).abs() < 5e-3, "{errors:?}");
 }
 
-/// A film between four high corners, whose ring a mast lifts. The mast's foot hangs on four cables to the corners.
+/// A film between four high corners with a ring that a mast lifts. The foot of the mast hangs on four cables from the
+/// corners.
 fn flying_mast(mode: CableMode) -> Structure {
     let corners = [(-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0)].map(|(x, y)| DVec3::new(x, y, 2.0));
     let (foot, hub) = (DVec3::new(0.0, 0.0, 0.5), DVec3::new(0.0, 0.0, 3.0));
@@ -756,7 +760,7 @@ fn a_flying_mast_stands_on_its_cables_and_lifts_the_ring() {
     let lift: f64 = tent.cables[..4].iter().map(of).sum();
     println!("{foot} {} {:?} {lift}", mast.force, mast.segment_forces);
     assert!((lift + mast.segment_forces[0]).abs() < 1e-8 && foot.truncate().length() < 1e-6);
-    // A mast that pushes with the force that was found has the length that was given, up to the mesh's error.
+    // A mast that pushes with the force found has the length that was given before, up to the error of the mesh.
     let by_force = found(&flying_mast(CableMode::Force(-mast.force)), 0.6);
     assert!((by_force.cables.last().unwrap().length - 3.0).abs() < 0.03, "{:?}", by_force.cables.last());
 }
@@ -792,7 +796,7 @@ fn wrong_rings_joints_and_masts_are_refused_by_their_places() {
     assert!(alone.iter().all(|place| place.starts_with("/boundaries/0/")), "{alone:?}");
 }
 
-/// A square that is fixed all round, with points in the middle of two sides for a cable between them.
+/// A square that is fixed all round. Two of its sides have a point in the middle for a cable between them.
 fn square_with_middles() -> Vec<DVec3> {
     let sides = [(0.0, 0.0), (5.0, 0.0), (10.0, 0.0), (10.0, 10.0), (5.0, 10.0), (0.0, 10.0)];
     sides.into_iter().map(|(x, y)| DVec3::new(x, y, 0.0)).collect()
@@ -814,13 +818,13 @@ fn a_cable_across_a_film_that_is_longer_than_the_film_needs_is_slack() {
     assert!(slack.cables[0].slack && slack.cables[0].force == 0.0, "{:?}", slack.cables);
     assert_eq!(slack.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>(), ["slack_cable"]);
     assert!(slack.warnings[0].detail.contains("valley"), "{:?}", slack.warnings);
-    // A given length cannot go slack, so there is no shape.
+    // A cable of given length cannot go slack, so there is no shape.
     assert_eq!(refused(&with(CableMode::Length(11.0)), 1.0), ("slack_cable", vec!["/cables/0/value".to_owned()]));
 }
 
 #[test]
 fn only_the_slack_one_of_two_cables_across_a_film_is_named() {
-    // Between two arches the film has a waist, and cables from arch to arch that bear nearly nothing follow it.
+    // Between two arches the film has a waist. Cables from arch to arch that bear nearly nothing follow the film.
     let side = |y: f64| [(0.0, 0.0), (3.0, 4.0), (7.0, 4.0), (10.0, 0.0)].map(|(x, z)| DVec3::new(x, y, z));
     let boundary: Vec<DVec3> = side(0.0).into_iter().chain(side(4.0).into_iter().rev()).collect();
     let with = |modes: [CableMode; 2]| {
@@ -841,7 +845,7 @@ fn only_the_slack_one_of_two_cables_across_a_film_is_named() {
 #[test]
 fn cables_across_the_film_bear_a_part_of_the_pressure() {
     let boundary = square_with_middles();
-    // Without a cable the tension along the perimeter holds at most 40 / 100.
+    // Without a cable the tension along the perimeter of 40 holds at most the pressure 40 / 100 on the area of 100.
     let limit = |cables: Vec<Cable>, weight: f64| {
         let mut structure = Structure { cables, ..film(vec![boundary.clone()]) };
         structure.layers[0].weight = weight;
@@ -861,10 +865,11 @@ fn cables_across_the_film_bear_a_part_of_the_pressure() {
     let cable = |mode: CableMode| vec![across(vec![boundary[1], boundary[4]], mode)];
     assert_eq!(limit(Vec::new(), 0.0), Some(0.4));
     assert_eq!(limit(cable(CableMode::Force(10.0)), 0.0), Some(0.6));
-    // A cable of given length bears as much as it must, and the tension of a heavy film differs along its edge.
+    // A cable of given length bears as much as it must, so there is no limit. There is no limit for a heavy film
+    // either, because its tension differs along its edge.
     assert_eq!(limit(cable(CableMode::Length(11.0)), 0.0), None);
     assert_eq!(limit(Vec::new(), 0.01), None);
-    // A pressure above the limit without the cable has a shape with it.
+    // With a cable there is a shape at a pressure above the limit without a cable.
     let above = Structure { cables: cable(CableMode::Force(10.0)), ..film(vec![boundary.clone()]) };
     let domed = found(&Structure { chambers: below(Pressure::Constant(0.42)), ..above }, 1.0);
     assert!(domed.statistics.chambers[0].volume > 50.0, "{:?}", domed.statistics);
@@ -873,7 +878,7 @@ fn cables_across_the_film_bear_a_part_of_the_pressure() {
 #[test]
 fn water_stands_in_a_heavy_film_from_which_it_cannot_run_off() {
     // A shallow film over a tilted circle of radius a is z = k (r² - a²) + s x with k = w / 4 σ. Water fills it up to
-    // the lowest point of the circle, to the depth k ρ² over a circle of radius ρ = a - s / 2 k.
+    // the lowest point of the circle. The water is k ρ² deep and covers a circle of radius ρ = a - s / 2 k.
     let (slope, radius) = (0.02, 5.0);
     let with = |weight: f64| {
         let rim = circle(48, radius, 0.0).into_iter().map(|p| DVec3::new(p.x, p.y, slope * p.x)).collect();
@@ -892,8 +897,8 @@ fn water_stands_in_a_heavy_film_from_which_it_cannot_run_off() {
     let [warning] = &heavy.warnings[..] else { panic!("{:?}", heavy.warnings) };
     assert_eq!(warning.code, "ponding");
     assert!(warning.detail.contains(&format!("{:.4} deep", ponding.depth)), "{warning:?}");
-    // With a fifth of the weight the film's own slope at its rim is 1/100, and the water runs off although the film is
-    // flatter than any roof.
+    // With a fifth of the weight the slope of the film at its rim due to its weight is 1/100, less than that of the
+    // rim. The water runs off although the film is flatter than any roof.
     let light = with(0.004);
     assert!(light.statistics.ponding.is_none() && light.warnings.is_empty(), "{:?}", light.warnings);
     assert!(light.statistics.minimum_slope.to_degrees() < 2.0);
@@ -921,7 +926,7 @@ fn found_with_warnings(structure: &Structure, edge_length: f64) -> TensileStruct
     result
 }
 
-/// Why a solve failed, and the places that its error names.
+/// Returns the reason why a solve failed, and the places that its error names.
 fn refused(structure: &Structure, edge_length: f64) -> (&'static str, Vec<String>) {
     let options = Options::new(Resolution::EdgeLength(edge_length));
     let Err(Error::NoResult { reason, places, .. }) = solve(structure, &options, &Execution::default()) else {

@@ -1,4 +1,5 @@
-//! Films that change their topology: `free` lets necks close, and `best` compares every way to span the boundaries.
+//! Films that change their topology: under the rule `free` necks may close, and the rule `best` compares every way to
+//! span the boundaries.
 
 use plateau_film::minimal_surface::{
     BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,
@@ -39,7 +40,7 @@ fn spanned(boundaries: &[Vec<DVec3>], topology: TopologyRule, triangles: usize) 
 fn comparison(surface: &MinimalSurface) -> &SpanningComparison {
     let comparison = surface.statistics.spanning.as_ref().unwrap();
     let topologies = &comparison.topologies;
-    // The first topology has the least area of those that do not cross, and is the one that is returned.
+    // The first topology is returned. It has the least area of those whose films do not cross.
     assert!(topologies.windows(2).all(|pair| match (pair[0].area, pair[1].area) {
         (Some(a), Some(b)) if pair[0].films_cross == pair[1].films_cross => a <= b * (1.0 + 1e-8),
         (Some(_), Some(_)) => pair[1].films_cross == Some(true),
@@ -58,7 +59,7 @@ fn area_of(comparison: &SpanningComparison, films: &[&[usize]]) -> Option<f64> {
     found.unwrap_or_else(|| panic!("{films:?} is not among them")).area
 }
 
-/// The area of two regular 48-gons inscribed in circles of radius 10.
+/// The total area of two regular 48-gons inscribed in circles of radius 10.
 const TWO_DISCS: f64 = 626.525_722_656_247_7;
 
 #[test]
@@ -69,8 +70,8 @@ fn rings_of_radius_10_at_height_12_carry_a_catenoid_that_two_discs_undercut() {
         assert!(surface.statistics.converged && surface.statistics.pinches.is_empty());
         assert!((surface.statistics.area - 699.5).abs() < 0.5);
     }
-    // The catenoid is stable, but its area is not the least: beyond 0.5277 of the diameter two discs have less
-    // (Goldschmidt).
+    // The catenoid is stable, but its area is not the least. At distances beyond 0.5277 diameters two discs have less
+    // area (Goldschmidt).
     let surface = spanned(&rings(&[0.0, 12.0]), TopologyRule::Best, 1500);
     let comparison = comparison(&surface);
     assert!(comparison.connected_film_exists && surface.warnings.is_empty());
@@ -94,7 +95,7 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(surface.statistics.converged && (surface.statistics.area - TWO_DISCS).abs() < 1e-9);
     let [pinch] = surface.statistics.pinches[..] else { panic!("{:?}", surface.statistics.pinches) };
     assert_eq!(pinch.what, "split");
-    // Half way up, in the caller's own coordinates.
+    // The neck closes half way up, in the caller's own coordinates.
     assert!(pinch.place.distance(DVec3::new(3.0, -4.0, 7.0)) < 1.5, "{pinch:?}");
     assert!(surface.warnings.iter().any(|warning| warning.code == "topology_changed"));
 
@@ -112,7 +113,7 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
 }
 
 /// Input: plane curves beside each other, and a saddle beside a square. Symptom: `best` said that a connected film
-/// exists, because the mesh in a plane consists of separate discs and counted as connected.
+/// exists, because a mesh of separate discs in a plane counted as connected.
 #[test]
 fn discs_beside_each_other_are_no_connected_film() {
     let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);
@@ -132,7 +133,8 @@ fn discs_beside_each_other_are_no_connected_film() {
     }
 }
 
-/// Between coaxial circles of radius 1 the cone is as sharp as the catenoid; the error comes without a solve.
+/// Between equal coaxial circles of radius 1 the test by a double cone is as sharp as the limit of the catenoid. It
+/// refuses the boundaries without a solve.
 #[test]
 fn boundaries_that_a_cone_parts_are_refused_at_once() {
     let work = |gap: f64| {
@@ -148,8 +150,8 @@ fn boundaries_that_a_cone_parts_are_refused_at_once() {
     assert!(100 * least < most, "{least} {most}");
 }
 
-/// Input: two rings that project to lines, so that the rules remove every free vertex. Symptom: conjugate gradients
-/// were asked for the positions of no vertices. Rule: a film without free vertices is not solved.
+/// Input: two rings that project to lines, so that the rules against thin triangles remove every free vertex. Symptom:
+/// conjugate gradients were called without any unknown. Rule: a film without free vertices is not solved.
 #[test]
 fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
     let edgewise = |z: f64| {
@@ -175,8 +177,8 @@ fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
 }
 
 /// Input: the example rings-14-pinkall-polthier, whose tolerance is 0. Symptom: two exact discs with a residual of
-/// 4e-12 had the warning `not_minimal`. Rule: a tolerance below what rounding allows is met by a residual within
-/// rounding.
+/// 4e-12 had the warning `not_minimal`. Rule: if a tolerance is below what rounding allows, a residual within rounding
+/// meets it.
 #[test]
 fn a_residual_of_rounding_is_no_warning_at_the_tolerance_zero() {
     for (height, minimal) in [(14.0, true), (12.0, false)] {
@@ -221,7 +223,7 @@ fn three_loops_in_a_row() {
     assert!((pair - area_of(comparison, &[&[0, 1], &[2]]).unwrap()).abs() < 1e-6 * pair);
     assert!((surface.statistics.area - pair).abs() < 1e-6 * pair);
     assert!((area_of(comparison, &[&[0], &[1], &[2]]).unwrap() - 1.5 * TWO_DISCS).abs() < 1e-9);
-    // The catenoid between the outer two passes through the disc in the middle one.
+    // The catenoid between the two outer rings passes through the disc in the middle ring.
     let around = comparison.topologies.iter().find(|topology| topology.films == [vec![0, 2], vec![1]]).unwrap();
     assert!(around.area.unwrap() > pair && around.films_cross == Some(true));
 }
@@ -273,7 +275,7 @@ fn seven_boundaries_are_too_many_to_compare() {
 
 #[test]
 fn a_deadline_in_the_middle_gives_the_discs() {
-    // Two discs are the first two thirds of the work, the connected film is the rest.
+    // The two discs are the first two thirds of the work, and the connected film is the rest.
     let late = Cell::new(false);
     let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
     let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.61);
@@ -281,7 +283,7 @@ fn a_deadline_in_the_middle_gives_the_discs() {
     let surface = solve(&rings(&[0.0, 13.2]), &options, &Execution::new(&signal, &report)).unwrap();
     assert_eq!(surface.statistics.stop_reason.name(), "deadline");
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
-    // The search for crossings is left out, so nothing is said about them.
+    // The search for crossings is left out after the deadline, so `films_cross` is `None`.
     let discs = &comparison(&surface).topologies[0];
     assert_eq!((discs.films.len(), discs.films_cross), (2, None));
 }

@@ -1,4 +1,4 @@
-//! Structures whose corners and edges travel far from where they start.
+//! Structures whose corners and edges end far from where they start.
 
 use plateau_film::equilibrium::support::{Line, Plane};
 use plateau_film::minimal_surface::Resolution;
@@ -54,7 +54,7 @@ fn found(structure: &Structure, resolution: Resolution) -> TensileStructure {
     result
 }
 
-/// A sail of which one corner is free and tied back by a stay.
+/// A sail with one free corner, which a stay ties back.
 fn stayed(corner: (f64, f64)) -> Structure {
     let boundary = plane(&[(0.0, 0.0), corner, (10.0, 10.0), (0.0, 10.0)]);
     let mut cables: Vec<Cable> =
@@ -63,7 +63,7 @@ fn stayed(corner: (f64, f64)) -> Structure {
     Structure { cables, free_points: vec![BoundaryPoint { boundary: 0, point: 1 }], ..film(vec![boundary]) }
 }
 
-/// A film on a line along which its third corner slides.
+/// A film whose third corner slides on a line and starts at the given x.
 fn corner_on_a_line(x: f64) -> Structure {
     let on = Arc::new(Line { point: DVec3::new(0.0, 6.0, 0.0), direction: DVec3::X });
     let part = SlidingPart::Point(BoundaryPoint { boundary: 0, point: 2 });
@@ -74,7 +74,7 @@ fn corner_on_a_line(x: f64) -> Structure {
     }
 }
 
-/// A ring above a plane on which the film's other edge slides.
+/// A film between a ring and an edge that slides on a plane below. The edge starts with the radius `start`.
 fn ring_above_a_plane(count: usize, height: f64, start: f64) -> Structure {
     let on = Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
     Structure {
@@ -85,7 +85,7 @@ fn ring_above_a_plane(count: usize, height: f64, start: f64) -> Structure {
 
 #[test]
 fn a_free_corner_travels_to_where_its_cables_and_its_stay_balance() {
-    // The minimum of the exact energy of arcs.
+    // The place of the corner at the minimum of the exact energy, in which the edge cables are arcs.
     let right = DVec3::new(5.8834, 2.3470, 0.0);
     for start in [(10.0, 0.0), (5.9, 2.3)] {
         let sail = found(&stayed(start), Resolution::Triangles(1200));
@@ -126,7 +126,7 @@ fn an_edge_on_a_plane_ends_alike_from_every_radius() {
 
 #[test]
 fn points_inside_a_cables_stretch_are_free() {
-    // The same sail as from the corners alone.
+    // The points inside the cable are free, so the sail is the same as from the corners alone.
     let bent = plane(&[(0.0, 0.0), (0.5, -0.2), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
     let structure = Structure { cables: vec![edge(0, 2, 2.0)], ..film(vec![bent]) };
     for triangles in [200, 2000] {
@@ -143,7 +143,7 @@ fn points_inside_a_cables_stretch_are_free() {
     }
 }
 
-/// A liquid bridge: rings of radius 1 at the heights ±0.55, and a volume.
+/// A liquid bridge of given volume between rings of radius 1 at the heights ±0.55.
 fn bridge(volume: f64, turned: bool) -> Structure {
     let mut boundaries = vec![circle(48, 1.0, -0.55), circle(48, 1.0, 0.55)];
     boundaries[usize::from(!turned)].reverse();
@@ -152,7 +152,7 @@ fn bridge(volume: f64, turned: bool) -> Structure {
 
 #[test]
 fn a_volume_between_rings_is_reached_from_the_starts_own() {
-    // The surface of constant mean curvature of the volume 1.1275 has p = -0.201 and A = 6.994.
+    // The surface of constant mean curvature with the volume 1.1275 has the pressure p = -0.201 and the area A = 6.994.
     let shape = found(&bridge(1.1275, false), Resolution::Triangles(1500));
     let (area, pressure) = (shape.statistics.area, shape.statistics.chambers[0].pressure);
     println!("{area} {pressure}");
@@ -196,8 +196,9 @@ fn a_corner_that_nothing_ties_back_closes_and_is_named() {
     assert_eq!(reason, "no_equilibrium");
 }
 
-/// An outline of about `count` points with curved sides between held corners, and the outline of its corners alone,
-/// with the same cables.
+/// Returns the number of points of an outline, the structure with that outline, and the structure with the outline of
+/// its corners alone. The outline has about 8 to 200 points along curved sides between held corners. Both structures
+/// have the same cables.
 fn drawn_and_plain(seed: u64) -> (usize, Structure, Structure) {
     let mut random = SplitMix64::new(seed);
     let corners = 3 + random.below(4);
@@ -229,7 +230,7 @@ fn drawn_and_plain(seed: u64) -> (usize, Structure, Structure) {
     (drawn.len(), with(drawn, &first), with(points, &plain))
 }
 
-/// The area, or the detail of a failure that says that there is no equilibrium.
+/// Returns the area of the film, or the detail of the error that there is no equilibrium.
 fn area_or_denial(structure: &Structure) -> Result<f64, String> {
     match solve(structure, &Options::new(Resolution::Triangles(1000)), &Execution::default()) {
         Ok(shape) => {
@@ -241,8 +242,9 @@ fn area_or_denial(structure: &Structure) -> Result<f64, String> {
     }
 }
 
-/// The least angle in radians that the cables of a plane sail leave between them at a corner: that between the chords
-/// less the half angles of both arcs. A film exists if it is positive. `None` for more than three corners.
+/// Returns the least angle (radians) that the cables of a plane sail leave between them at a corner: the angle between
+/// the chords less the half angles of both arcs. A film exists if this angle is positive. Returns `None` for more than
+/// three corners.
 fn least_opening(plain: &Structure) -> Option<f64> {
     let corners: [DVec3; 3] = plain.boundaries[0].clone().try_into().ok()?;
     let half = |k: usize| {
@@ -276,7 +278,7 @@ fn outlines_drawn_with_curved_sides_give_the_film_of_their_corners() {
             ends => panic!("outline {seed} of {count} points: {ends:?}"),
         }
     }
-    // The cables of outline 10 would cross at a corner by 9.7 degrees.
+    // Only outline 10 has no film: its cables would cross at a corner by 9.7 degrees.
     assert_eq!(without, [10]);
 }
 

@@ -116,7 +116,8 @@ fn more_triangles_lower_the_area_as_in_their_tables() {
 
 #[test]
 fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
-    // A banana-shaped loop that is bent in space. The segments to its mean leave it and cross its inner side.
+    // The loop has the shape of a banana and is bent in space. The segments from its points to their mean leave the
+    // banana and cross its inner side.
     let (n, bend) = (96, 2.4);
     let boundary: Vec<DVec3> = (0..n)
         .map(|k| {

@@ -1,7 +1,8 @@
 //! Reads valid and invalid requests of 10, 1,000 and 200,000 points.
 //!
-//! `cargo bench -p plateau-forms --bench reading` measures with criterion; `-- --case` reads each a few times and
-//! prints the medians as one JSON line, with the time of the first refusal in the process, which compiles schemas.
+//! `cargo bench -p plateau-forms --bench reading` measures with criterion. With `-- --case` it reads each request a few
+//! times and prints the medians as one JSON line. The line also has the times of the first valid and the first invalid
+//! request of the process. The latter includes compiling schemas.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_forms::json;

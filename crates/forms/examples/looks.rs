@@ -1,6 +1,6 @@
-//! Prints the longest processor times between two looks of a solver at its signal, and where the second look was. A
-//! cancel takes at most as long. The arguments are a file with a request that names its kind, and the number of
-//! triangles to ask for.
+//! Prints the longest processor times between two checks of the cancel signal by a solver, and the place of the second
+//! check. A cancel takes at most as long as the longest of them. The arguments are a file with a request that names its
+//! kind, and the number of triangles to ask for.
 
 use plateau_forms::limits::Limits;
 use plateau_forms::request::Request;

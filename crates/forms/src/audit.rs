@@ -1,4 +1,4 @@
-//! The audit: what a result states, measured again from the arrays that leave.
+//! The audit: measures every stated figure of a result again, from the arrays that the client gets.
 //!
 //! The measuring code shares nothing with the solvers. Each kind names its stated figures in its method
 //! [`SolverInput::audit`](crate::solved::SolverInput::audit), and a result becomes a

@@ -1,17 +1,17 @@
-//! Blocks of a visual program, such as Grasshopper's: named inputs of which a request is made, and outputs of its
-//! result.
+//! Blocks of a visual program, such as Grasshopper's components. A block has named inputs, from which the host makes a
+//! request, and outputs, which show parts of the result.
 
 use serde::Serialize;
 use serde_json::Value;
 
-/// A block that makes requests of a kind. Its last inputs, with which a tolerance and any further field can be given,
-/// are added by the host.
+/// A block that makes requests of one kind. The host appends inputs for a tolerance and for any further field of the
+/// request.
 #[derive(Debug)]
 pub struct Block {
     /// Name in kebab case.
     pub name: &'static str,
     pub title: &'static str,
-    /// A sentence.
+    /// Description of the block, in one sentence.
     pub description: &'static str,
     pub inputs: &'static [Input],
 }
@@ -36,11 +36,11 @@ pub struct Input {
     pub nickname: &'static str,
     pub description: &'static str,
     pub of: Type,
-    /// Smallest number of values of a list. `None` for an input that takes one value.
+    /// Smallest number of values, for an input that takes a list. `None` for an input that takes a single value.
     pub at_least: Option<u32>,
     pub default: Option<Preset>,
-    /// JSON Pointer to the field of the request that the value becomes as it is. Without one, the host has a recipe for
-    /// the block, which uses the value.
+    /// JSON Pointer to the field of the request that takes the value unchanged. If it is `None`, the host's own code
+    /// for the block uses the value.
     pub field: Option<&'static str>,
 }
 
@@ -99,7 +99,7 @@ impl Input {
         Self { name, nickname, description, of, at_least: None, default: Some(default), field: None }
     }
 
-    /// Makes the value become a field of the request as it is.
+    /// Sets the field of the request, as a JSON Pointer, that takes the value unchanged.
     #[must_use]
     pub const fn to(mut self, field: &'static str) -> Self {
         self.field = Some(field);
@@ -107,7 +107,7 @@ impl Input {
     }
 }
 
-/// An output of every block of a kind.
+/// An output that every block of a kind has.
 #[derive(Clone, Copy, Debug)]
 pub struct Output {
     pub name: &'static str,
@@ -125,7 +125,7 @@ pub enum Source {
     Statistic(&'static str),
 }
 
-/// Part of a result that is geometry, or belongs to geometry item by item.
+/// Part of a result: geometry, or a list with one value for each item of some geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     Mesh,
@@ -167,7 +167,7 @@ impl Output {
     }
 }
 
-/// Inputs and outputs of several kinds.
+/// Input for closed boundary curves. Several kinds share this and the following inputs and outputs.
 pub(crate) const BOUNDARIES: Input = Input::list("Boundaries", "B", Type::Curve, 1, "Closed curves.");
 pub(crate) const TRIANGLES: Input = Input::optional("Triangles", "T", Preset::Integer(2000), "Number of triangles.");
 pub(crate) const EDGE_LENGTH: Input = Input::optional(

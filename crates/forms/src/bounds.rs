@@ -1,4 +1,5 @@
-//! Numbers, texts and lists with bounds. Each type refuses on reading what its schema refuses.
+//! Numbers, texts and lists with bounds. When a type is deserialised, it refuses the values that its JSON Schema
+//! refuses.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::{Deserialize, Deserializer, Error};
@@ -6,10 +7,10 @@ use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use std::ops::Deref;
 
-/// Text of the errors that serde gets. Clients see the explanation by the schema instead.
+/// Error text for serde. Clients see an explanation that is made from the schema instead.
 const OUT_OF_BOUNDS: &str = "out of bounds";
 
-/// Whether a number keeps one keyword of a schema.
+/// Tests whether a number satisfies one keyword of a schema, such as `minimum`.
 macro_rules! keeps {
     (minimum, $number:expr, $bound:literal) => {
         $number >= $bound as f64
@@ -25,7 +26,7 @@ macro_rules! keeps {
     };
 }
 
-/// Declares f64 with the keywords of their schemas.
+/// Declares types that wrap an f64. Keywords of JSON Schema give the bounds of each type.
 macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident { $($keyword:ident: $bound:literal),+ })+) => { $(
         $(#[$doc])*
@@ -243,7 +244,7 @@ pub fn given<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) ->
     T::deserialize(deserializer).map(Some)
 }
 
-/// An object of which exactly one member is given.
+/// An object with several optional members, of which a valid object has exactly one.
 pub trait OneOf {
     /// Returns the number of members that are given.
     fn given(&self) -> usize;
@@ -268,12 +269,14 @@ pub fn given_one<'de, T: Deserialize<'de> + OneOf, D: Deserializer<'de>>(
     one(deserializer).map(Some)
 }
 
-/// Whether a member has the value that stands for its absence, so that it need not be written.
+/// Returns whether a member has its default value. The member need not be written then, because a missing member has
+/// this value.
 pub fn is_default<T: Default + PartialEq>(member: &T) -> bool {
     *member == T::default()
 }
 
-/// Leaves a member out of the written request, because it is kept elsewhere.
+/// Always returns true, so that serde leaves a member out of the written request. It is for members that are stored
+/// elsewhere.
 pub fn unwritten<T>(_member: &T) -> bool {
     true
 }

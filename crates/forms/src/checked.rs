@@ -1,4 +1,5 @@
-//! The trait of a kind's request, and the functions through which the table of kinds reaches it.
+//! Traits that the request type of a kind implements, and the functions through which the table of kinds uses that
+//! type.
 
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
@@ -12,7 +13,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::borrow::Cow;
 
-/// Result of the checks of one kind of request.
+/// Result of checking a request.
 #[derive(Debug)]
 pub(crate) struct Checked {
     pub memory_bytes: u64,
@@ -20,27 +21,28 @@ pub(crate) struct Checked {
     pub input: Box<dyn SolverInput>,
 }
 
-/// A request of one kind as its JSON has it.
+/// The request type of a kind, with the fields of the request's JSON.
 pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
     type Statistics: JsonSchema;
 
     /// Returns the unit of the coordinates and the axis that points up.
     fn axes(&self) -> (Unit, UpAxis);
 
-    /// Makes the checks that the types do not make on reading, and converts the request to the geometry's types.
+    /// Checks what deserialising the type has not checked, and converts the request to the geometry's types.
     ///
     /// # Errors
     /// Returns every offending value.
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection>;
 }
 
-/// A request of one kind that begins with the result of a finished job.
+/// The request type of a kind whose requests begin with the result of a finished job.
 pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema {
     type Statistics: JsonSchema;
 
     fn source(&self) -> &JobSource;
 
-    /// Makes the checks that the types do not make on reading, and converts request and source to the geometry's types.
+    /// Checks what deserialising the type has not checked, and converts the request and its source to the geometry's
+    /// types.
     ///
     /// # Errors
     /// Returns every offending value.
@@ -51,31 +53,33 @@ pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema {
 pub(crate) struct Passed {
     pub coordinates: CoordinateSystem,
     pub checked: Checked,
-    /// Key of the result from which the request begins, if its kind has a source.
+    /// Key by which the host finds the result from which the request begins. `None` if the kind has no source.
     pub source: Option<Vec<u8>>,
 }
-/// A request that was read, and how its type writes it.
+/// A request that passed its checks, and its JSON as its type writes it.
 pub(crate) type Read = (Passed, Vec<u8>);
-/// A request that was read, and the members that were kept apart from it.
+/// A request that passed its checks, and the members of the body that are not part of the request.
 #[cfg(feature = "stored")]
 pub(crate) type ReadApart = (Read, serde_json::Map<String, Value>);
 
-/// The types of a kind, as functions that need no type parameter.
+/// The operations on the types of a kind, as function pointers without type parameters, so that one table can hold
+/// every kind.
 pub(crate) struct Types {
     #[cfg(feature = "explain")]
     pub request: TypeSchema,
     #[cfg(feature = "explain")]
     pub statistics: TypeSchema,
     pub has_source: bool,
-    /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is
-    /// refused.
+    /// Reads a request from its JSON. The members that the list names are returned separately. Returns `None` if the
+    /// body is refused.
     #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
-    /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
+    /// Reads a request from a JSON value. The error is `None` if the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
-    /// Returns the place at which the type refuses a value, for a value that its schema accepts.
+    /// Returns the first place at which the type refuses a value. It explains values that the type refuses although the
+    /// schema accepts them.
     pub refusal: fn(&Value) -> Rejection,
-    /// Reads a request as its type has written it.
+    /// Reads the JSON that the type itself has written for an accepted request.
     #[cfg(feature = "stored")]
     pub read_stored: fn(&[u8], Find<'_>, &Limits) -> Result<Passed, Rejection>,
 }
@@ -97,7 +101,7 @@ impl Types {
         }
     }
 
-    /// Types of a kind whose requests begin with the result of a finished job.
+    /// Creates the operations of a kind whose requests begin with the result of a finished job.
     #[cfg_attr(not(feature = "test-hooks"), expect(dead_code, reason = "only a kind for tests has a source"))]
     pub const fn sourced<R: SourcedRequest>() -> Self {
         Self {
@@ -116,7 +120,7 @@ impl Types {
     }
 }
 
-/// Access to the schema of a type.
+/// Functions that return the name and the schema of a type.
 #[cfg(feature = "explain")]
 pub(crate) struct TypeSchema {
     pub name: fn() -> Cow<'static, str>,
@@ -137,7 +141,7 @@ impl TypeSchema {
     }
 }
 
-/// The checks of a request.
+/// Function that checks a request after it has been read.
 type Checks<'a, R> = &'a dyn Fn(&R) -> Result<Passed, Rejection>;
 
 #[cfg(feature = "stored")]

@@ -1,4 +1,4 @@
-//! Types that requests and statistics of several kinds have.
+//! Types that the requests and statistics of several kinds share.
 
 use plateau_archive::units::{ForceUnit, Unit};
 use plateau_mesh::DVec3;
@@ -9,7 +9,7 @@ use std::ops::Deref;
 /// A point `[x, y, z]` in the client's axes and unit.
 pub type Point = [f64; 3];
 
-/// Converts points of the wire to points of the geometry.
+/// Converts the points of a JSON request to the geometry's vectors.
 #[must_use]
 pub fn points(polyline: &[Point]) -> Vec<DVec3> {
     polyline.iter().map(|&point| DVec3::from_array(point)).collect()
@@ -33,7 +33,7 @@ pub struct AngleRange {
 }
 
 impl AngleRange {
-    /// The range in degrees of two angles in radians.
+    /// Converts a range of angles from radians to degrees.
     #[must_use]
     pub fn of_radians((min, max): (f64, f64)) -> Self {
         Self { min: min.to_degrees(), max: max.to_degrees() }

@@ -1,8 +1,8 @@
 //! Component schemas of requests and statistics, as the API document of the service has them.
 //!
-//! schemars makes them from the Rust types. They are then rewritten into the forms that client generators understand,
-//! without a change of meaning: shapes that occur often get names, an enumeration is a list of values, and a union
-//! whose parts have a tag names it.
+//! schemars makes them from the Rust types. They are then rewritten into forms that client generators understand,
+//! without a change of meaning: shapes that occur often get names, an enumeration becomes a list of values, and a union
+//! whose parts have a tag names that tag.
 //!
 //! | schemars writes | the document has | because otherwise |
 //! | --- | --- | --- |
@@ -41,12 +41,12 @@ pub fn statistics(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "anyOf": parts })
 }
 
-/// Returns the definitions that `add` gives to a generator, in the forms of the API document.
+/// Returns the definitions that `add` adds to a generator, rewritten into the forms of the API document.
 pub fn rewritten(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {
     definitions(settings.with_transform(plain), add)
 }
 
-/// Component name of a request that names its kind.
+/// Component name of a request with the member `kind`.
 pub const REQUEST_WITH_KIND: &str = "RequestWithKind";
 
 /// Returns the component name of a kind's request.
@@ -154,7 +154,7 @@ struct Shape {
     schema: fn() -> Value,
 }
 
-/// The named shapes. A shape comes after those that it contains.
+/// The named shapes. A shape comes after the shapes that it contains.
 const SHAPES: [Shape; 3] = [
     Shape {
         name: "Point",
@@ -180,7 +180,8 @@ const SHAPES: [Shape; 3] = [
 ];
 
 impl Shape {
-    /// Returns the schema without its description, as it stands inside other schemas before it gets a name.
+    /// Returns the schema without its description. In this form the shape occurs inside other schemas until they refer
+    /// to it by name.
     fn bare(&self) -> Map<String, Value> {
         let Value::Object(mut keywords) = (self.schema)() else { return Map::new() };
         keywords.remove("description");
@@ -188,7 +189,7 @@ impl Shape {
     }
 }
 
-/// Returns a union of components that are told apart by their `kind`.
+/// Returns the union of one component for each kind. The member `kind` of a value tells which component applies.
 #[must_use]
 pub fn by_kind(description: &str, component: impl Fn(Kind) -> String) -> Value {
     let path = |kind| format!("#/components/schemas/{}", component(kind));
@@ -202,19 +203,19 @@ pub fn by_kind(description: &str, component: impl Fn(Kind) -> String) -> Value {
     })
 }
 
-/// Returns the schema of a `kind` that has one value.
+/// Returns the schema of a member `kind` whose only value is this kind.
 #[must_use]
 pub fn only_kind(kind: Kind) -> Value {
     json!({ "type": "string", "enum": [kind.name()], "description": "Kind of the request." })
 }
 
-/// Returns the component name of a kind's request that names its kind.
+/// Returns the component name of a kind's request with the member `kind`.
 #[must_use]
 pub fn with_kind_component(kind: Kind) -> String {
     format!("{}WithKind", request_component(kind))
 }
 
-/// Adds the requests with a required `kind`, and their union.
+/// Adds a component for each kind's request with a required member `kind`, and the union of these components.
 fn with_kinds(components: &mut Map<String, Value>) {
     let name = with_kind_component;
     for &kind in Kind::ALL {

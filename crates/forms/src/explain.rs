@@ -1,10 +1,10 @@
 //! Explains why a JSON value does not satisfy a schema: the pointer to each wrong value, and a
 //! phrase that can follow the pointer, such as "must be a number". Values are never echoed.
 //!
-//! [`Schemas`] are made from the JSON Schemas of the API document, each when a value is first compared with it. They
-//! know the keywords that those use, and no others. In a union, the type of the JSON value decides which branch it is
-//! compared with. Objects of several kinds are told apart by the member that the keyword
-//! `discriminator` names. So all errors are those of one branch.
+//! [`Schemas`] compiles the JSON Schemas of the API document, each when a value is first compared with it. It supports
+//! the keywords that these schemas use, and no others. In a union, the type of the JSON value selects the branch with
+//! which the value is compared. Among several kinds of objects, the member that the keyword `discriminator` names
+//! selects the branch. Therefore all errors come from a single branch.
 
 use crate::rejection::{FieldError, MAX_ERRORS};
 use serde_json::{Map, Value};
@@ -13,7 +13,7 @@ use std::fmt;
 use std::sync::OnceLock;
 
 /// Schemas that refer to each other by their names. Each is compiled when it is first needed, because most values need
-/// few.
+/// only a few of them.
 #[derive(Debug)]
 pub struct Schemas<'a>(BTreeMap<&'a str, (&'a Value, OnceLock<Schema>)>);
 
@@ -32,11 +32,11 @@ enum Schema {
         count: Count,
     },
     Object(Object),
-    /// The schema of this name.
+    /// Reference to the schema with this name.
     Reference(String),
-    /// Branches for different types of JSON.
+    /// Branches, of which the JSON type of the value selects one.
     Union(Vec<Schema>),
-    /// Objects whose member `tag` says which schema they have.
+    /// Objects. The value of the member `tag` selects the schema.
     Tagged {
         tag: String,
         branches: Vec<(String, Schema)>,
@@ -164,7 +164,7 @@ impl Schema {
         }
     }
 
-    /// Returns a union. A union of names is a list of names.
+    /// Returns the union of some branches. If every branch is a list of names, the union is a single list of names.
     fn union(branches: Vec<Self>) -> Self {
         let names: Option<Vec<&[String]>> = branches
             .iter()
@@ -217,11 +217,12 @@ impl fmt::Display for Pointer<'_> {
     }
 }
 
-/// Longest name of an unknown member to which an error points. If the name is longer, the error points to the object.
+/// Length in bytes of the longest name of an unknown member to which an error points. If the name is longer, the error
+/// points to the object.
 const MAX_NAME: usize = 200;
 
 impl<'s> Schemas<'s> {
-    /// Takes schemas by their names.
+    /// Takes JSON Schemas by their names, and compiles none of them yet.
     #[must_use]
     pub fn new(schemas: &'s Map<String, Value>) -> Self {
         Self(schemas.iter().map(|(name, schema)| (name.as_str(), (schema, OnceLock::new()))).collect())
@@ -305,7 +306,7 @@ impl<'s> Schemas<'s> {
         }
     }
 
-    /// Returns whether a schema is for values of this type of JSON.
+    /// Returns whether a schema applies to values of this value's JSON type.
     fn takes(&self, schema: &Schema, value: &Value) -> bool {
         match self.resolved(schema) {
             Schema::Any => true,
@@ -331,7 +332,7 @@ impl<'s> Schemas<'s> {
             });
         }
         let wanted = self.levels(schema);
-        // A single element may just be wrong itself.
+        // A list with a single element is not judged as a whole, because only that element may be wrong.
         let lacks_level =
             values.len() > 1 && values.iter().all(|value| levels(value).is_some_and(|levels| levels + 1 < wanted));
         lacks_level.then(|| format!("lacks a level of brackets: it must be {}", form_of_list(wanted)))
@@ -387,13 +388,14 @@ impl<'s> Schemas<'s> {
         for name in object.required.iter().filter(|name| !members.contains_key(*name)) {
             errors.push(FieldError::new(Pointer::Member(&pointer, name).to_string(), "is required"));
         }
-        // An unknown member is mostly a wrong name of one that is counted.
+        // The number of members is not reported beside an unknown name, because that name is usually a misspelt known
+        // one.
         if let Some(detail) = object.violation(members.len()).filter(|_| !unknown) {
             errors.insert(before, FieldError::new(pointer.to_string(), detail));
         }
     }
 
-    /// Returns the phrase that names what a schema takes, for a value whose JSON type it does not take.
+    /// Returns the phrase that lists what a schema accepts, for a value of another JSON type or an unknown name.
     fn expected(&self, schema: &Schema) -> String {
         let (mut names, mut forms) = (Vec::new(), Vec::new());
         self.alternatives(schema, &mut names, &mut forms);
@@ -499,7 +501,7 @@ impl Object {
 
     /// Returns the text for a member that the object must not have.
     fn unknown(&self, name: &str) -> String {
-        /// Largest number of members of which all are listed.
+        /// Largest number of known members for which the text lists all of them.
         const LISTED: usize = 8;
         // People write edgeLength or edge-length for edge_length.
         let plain = |name: &str| name.replace(['_', '-', ' '], "").to_lowercase();
@@ -517,7 +519,8 @@ impl Object {
     }
 }
 
-/// Returns the number of characters to insert, delete or replace in one text to reach the other.
+/// Returns the Levenshtein distance of two texts: the least number of characters to insert, delete or replace in one
+/// text to reach the other.
 pub fn edit_distance(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();
@@ -541,7 +544,7 @@ fn levels(value: &Value) -> Option<usize> {
     }
 }
 
-/// Returns the phrase for a list with this number of levels of points.
+/// Returns the phrase for a list of points that is nested this many levels deep.
 fn form_of_list(levels: usize) -> &'static str {
     match levels {
         0 => "a list",

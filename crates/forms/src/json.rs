@@ -41,7 +41,7 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     })
 }
 
-/// Returns a description of bytes that are not JSON in plain UTF-8, by their first bytes.
+/// Recognises by its first bytes a body that is not plain UTF-8, and returns a description of its encoding.
 fn foreign_encoding(body: &[u8]) -> Option<&'static str> {
     Some(match body {
         [0xef, 0xbb, 0xbf, ..] => "begins with a byte order mark (BOM)",
@@ -52,7 +52,8 @@ fn foreign_encoding(body: &[u8]) -> Option<&'static str> {
     })
 }
 
-/// Returns the name of a NaN or an infinity at which the parser stopped, as Python and JavaScript write them.
+/// Returns the name of a number that is not finite, if the parser stopped at one. Python and JavaScript write such
+/// names.
 fn not_a_number(body: &[u8], end: usize) -> Option<&'static str> {
     // The parser stops at the first letter, or at the sign before it.
     let from = end.saturating_sub(2);
@@ -77,12 +78,12 @@ fn offset_of(body: &[u8], line: usize, column: usize) -> usize {
     (start + column).min(body.len())
 }
 
-/// Returns the JSON Pointer of the value at which the parser stopped. The body is read again, because tracking the
-/// place takes as long as reading.
+/// Returns the JSON Pointer of the value at which the parser stopped. The body is parsed again with tracking of the
+/// place only after an error, because tracking takes as long as parsing.
 fn stopped_at(body: &[u8]) -> String {
     let mut track = Track::new();
     let mut deserializer = serde_json::Deserializer::from_slice(body);
-    // The parser fails at the same place as before.
+    // The error itself is known: the parser fails at the same place as before.
     let _ = AnyValue.deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
     pointer(&track.path())
 }

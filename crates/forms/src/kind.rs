@@ -38,7 +38,7 @@ pub enum Units {
     Length,
     /// An object with `length` and `force`.
     LengthAndForce,
-    /// There is no such field: the source has its own units.
+    /// The request has no field `units`, because the result from which it begins has its own units.
     OfSource,
 }
 
@@ -80,7 +80,8 @@ impl Kind {
         self.0.summary
     }
 
-    /// Returns what this kind finds, as a part of a list.
+    /// Returns the result of this kind, as an item of the list with which the service introduces itself to a language
+    /// model.
     #[must_use]
     pub fn finds(self) -> &'static str {
         self.0.finds

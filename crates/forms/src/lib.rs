@@ -7,8 +7,8 @@
 //! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be
 //! (`explain`). Without the feature `explain` only the first wrong value is named.
 //!
-//! The crate knows no job, no store, no HTTP, no clock and no thread. The service, the command line and a web page are
-//! its hosts.
+//! The crate does not know about jobs, stores, HTTP, clocks or threads. These belong to its hosts: the service, the
+//! command line and a web page.
 
 #![forbid(unsafe_code)]
 // Code that several kinds or features share is unused in a build with a few of them.

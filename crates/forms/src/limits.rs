@@ -1,4 +1,4 @@
-//! How large a request may be, and the refusals of larger ones.
+//! Limits of the size of a request, and the refusals of larger requests.
 
 use crate::rejection::{FieldError, Rejection};
 
@@ -17,8 +17,9 @@ pub struct Limits {
     pub memory_bytes: u64,
 }
 
-/// Refuses bodies with too many values before they are parsed, because a value takes much more memory than its text.
-/// Points, normals and tangents with three coordinates each have twelve values per point.
+/// Refuses bodies with too many values before they are parsed, because a parsed value takes much more memory than its
+/// text. The number of commas stands for the number of values. A point with a normal and a tangent has twelve values:
+/// three arrays of three numbers each. The limit leaves a margin.
 ///
 /// # Errors
 /// Returns [`Rejection::TooLarge`].
@@ -31,7 +32,7 @@ pub fn refuse_too_many_values(body: &[u8], limits: &Limits) -> Result<(), Reject
     Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
 }
 
-/// Refuses a field with more than `most` entries. `what` says in the plural what is counted.
+/// Refuses a field with more than `most` entries. `what` is a plural noun for the entries, which the error contains.
 ///
 /// # Errors
 /// Returns [`Rejection::TooLarge`] at the field.

@@ -4,7 +4,7 @@ use plateau_mesh::error::Step;
 use plateau_mesh::{Error as GeometryError, InputError};
 use serde_json::Value;
 
-/// Number of errors of one body that are listed.
+/// Maximum number of errors that are listed for one body.
 pub const MAX_ERRORS: usize = 50;
 
 /// One offending value of a body. Values are never echoed.
@@ -72,8 +72,8 @@ impl Rejection {
         self
     }
 
-    /// Shortens each pointer that leads through a member that the body lacks to the first such member. The default of
-    /// that member is then the wrong value.
+    /// Truncates each pointer that leads through a member that the body lacks, so that it ends at the first missing
+    /// member. The default of that member is then the wrong value.
     pub(crate) fn placed_in(mut self, body: &Value) -> Self {
         if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {

@@ -36,7 +36,8 @@ impl Warning {
     pub const FAR_FROM_ZERO: &str = WarningCode::FarFromZero.name();
 }
 
-/// Schema of a warning's code, whose description lists the codes with their meanings. A later version may have more.
+/// Returns the schema of a warning's code. Its description lists the codes with their meanings. A later version may
+/// have more codes.
 fn code(_: &mut SchemaGenerator) -> Schema {
     let codes: String = WarningCode::ALL.iter().map(|code| format!("\n- `{code}`: {}.", code.meaning())).collect();
     json_schema!({ "type": "string", "description": format!("Stable name in snake case:\n{codes}") })
@@ -54,14 +55,14 @@ pub struct SolveError {
     pub errors: Vec<FieldError>,
 }
 
-/// Kinds of failures that are no [`Reason`] of a solver: the last part of an error's `type`, and its title.
+/// Kinds of failures that do not come from a [`Reason`] of a solver: the last part of an error's `type`, and its title.
 const FAILURES: &[(&str, &str)] = &[
     (SolveError::AUDIT_FAILED, "The figures of the result are not those of its mesh"),
     ("deadline", "The deadline passed"),
     ("invalid-geometry", "The geometry is invalid"),
 ];
 
-/// Returns the kinds of failures: the last part of an error's `type`, and its title.
+/// Returns every kind of failure: the last part of an error's `type`, and its title.
 pub fn failures() -> impl Iterator<Item = (String, &'static str)> {
     let of_solvers = Reason::ALL.iter().map(|reason| (reason.name().replace('_', "-"), reason.meaning()));
     FAILURES.iter().map(|&(kind, title)| (kind.to_owned(), title)).chain(of_solvers)

@@ -21,7 +21,7 @@ pub struct Request {
     pub memory_bytes: u64,
     /// True if solving takes at most about a millisecond.
     pub quick: bool,
-    /// Key of the result from which the request begins, if its kind has a source.
+    /// Key by which the host finds the result from which the request begins. `None` if the kind has no source.
     pub source: Option<Vec<u8>>,
     kind: Kind,
     input: Box<dyn SolverInput>,
@@ -32,8 +32,8 @@ pub struct Request {
 pub struct Accepted {
     pub request: Request,
     /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members,
-    /// and whether they write defaults out or leave them away. `Request::read_stored` reads it. Without the feature
-    /// `stored`, it is empty.
+    /// and whether they write or omit members with default values. `Request::read_stored` reads the text. It is empty
+    /// without the feature `stored`.
     pub text: Vec<u8>,
 }
 
@@ -49,8 +49,8 @@ fn explained(_: Kind, _: &Value) -> Option<Rejection> {
 }
 
 impl Request {
-    /// Reads the JSON of a request of a known kind. The members in `aside` are kept apart from it and returned as they
-    /// are.
+    /// Reads the JSON of a request of a known kind. The members that `aside` names are not part of the request and are
+    /// returned unchanged.
     ///
     /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](crate::json::parse) and
     /// [`Request::from_value`] then find every error.
@@ -150,8 +150,8 @@ impl Request {
         self.solve_and_count(signal, report).0
     }
 
-    /// Solves the request, and returns the largest amount of work between two looks at the signal too. A test holds it
-    /// below a bound.
+    /// Solves the request, and also returns the largest amount of work between two checks of the signal. A test
+    /// requires that this amount stays below a bound.
     #[doc(hidden)]
     pub fn solve_and_count(
         &self,
@@ -169,11 +169,11 @@ impl Request {
         (solve(), exec.largest_work_between_looks())
     }
 
-    /// Keeps the part of this request's result that can follow a drag. Returns `None` for strips, lattices, nets and
-    /// tensile structures, and for the films that [`KeptFilm`] cannot move.
+    /// Keeps what is needed to move the result while the user drags points of this request. Returns `None` for strips,
+    /// lattices, nets and tensile structures, and for the films that [`KeptFilm`] cannot move.
     ///
     /// # Errors
-    /// Returns the cancel, or that the memory does not suffice.
+    /// Fails if the signal is a cancel, or if the memory does not suffice.
     ///
     /// [`KeptFilm`]: plateau_film::minimal_surface::KeptFilm
     pub fn keep(&self, result: &Archive, signal: &dyn Fn() -> Signal) -> Result<Option<Drag>, Unsolved> {
@@ -200,10 +200,10 @@ impl Request {
     }
 }
 
-/// A result that follows a drag.
+/// A result that moves while the user drags points of its request.
 ///
-/// The result at each place is a preview. A preview has the connectivity of the result from which the drag began, is
-/// corrected to a tolerance that the eye does not see, and is not audited.
+/// The result after each move is a preview. A preview has the connectivity of the result from which the drag began. It
+/// is corrected to a tolerance that the eye does not see, and is not audited.
 #[derive(Debug)]
 pub struct Drag {
     coordinates: CoordinateSystem,
@@ -211,12 +211,12 @@ pub struct Drag {
 }
 
 impl Drag {
-    /// Moves to the places that another request has, and returns the figures there. Returns `None` and leaves the
-    /// vertices as they are if that request differs in more than the places or if the mesh cannot follow. That request
-    /// has to be solved.
+    /// Moves the result to the positions of the points of another request, and returns the figures there. Returns
+    /// `None` and leaves the vertices as they are if that request differs in more than the positions, or if the mesh
+    /// cannot follow. That request has to be solved.
     ///
     /// # Errors
-    /// Returns the cancel.
+    /// Fails if the signal is a cancel.
     pub fn move_to(&mut self, request: &Request, signal: &dyn Fn() -> Signal) -> Result<Option<Moved>, Unsolved> {
         if request.coordinates != self.coordinates {
             return Ok(None);
@@ -226,7 +226,7 @@ impl Drag {
         Ok(moved.map_err(Error::from)?)
     }
 
-    /// Returns the vertices at the last place. The triangles are those of the result from which the drag began.
+    /// Returns the vertices after the last move. The triangles are those of the result from which the drag began.
     #[must_use]
     pub fn vertices(&self) -> Vec<DVec3> {
         self.kept.vertices()

@@ -1,4 +1,4 @@
-//! Comparison of values with the schemas of the API document, and schemas that stand alone.
+//! Validation of values against the schemas of the API document, and self-contained schemas of single types.
 
 use crate::components::{REQUEST_WITH_KIND, components, request_component};
 use crate::explain::Schemas;
@@ -34,7 +34,7 @@ fn standing_alone(root: impl FnOnce(SchemaGenerator) -> Schema) -> Map<String, V
     remove_unsigned_formats(&mut schema);
     match schema {
         Value::Object(schema) => schema,
-        // The schema of a type without conditions is `true`.
+        // The schema of a type that accepts every value is `true`.
         _ => Map::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! Results of requests, and what every kind needs to make one of a solver's result.
+//! Results of requests, and the helpers with which every kind makes its result from a solver's output.
 
 use crate::audit::comparison::{Audit, Fault};
 use crate::rejection::{FieldError, MAX_ERRORS};
@@ -21,11 +21,11 @@ pub struct Solved {
     pub archive: Archive,
     /// Whether the same request always gives this result. False if a deadline cut the solver short.
     pub reproducible: bool,
-    /// Only this module can make one, so that no result leaves without its audit.
+    /// Only this module can create an `Audited`, so that no result leaves without its audit.
     _audited: Audited,
 }
 
-/// Mark of a result that passed the audit.
+/// Marks a result that passed the audit.
 #[derive(Debug)]
 struct Audited;
 
@@ -39,15 +39,15 @@ pub(crate) struct Draft {
     pub reproducible: bool,
 }
 
-/// Number of unequal figures that a failure names.
+/// Maximum number of differing figures that the error of a failed audit lists.
 const NAMED_FAULTS: usize = 5;
 
 impl Draft {
-    /// Measures what the statistics state again from the arrays of the archive.
+    /// Measures every stated figure again from the arrays of the archive, and compares the two.
     ///
     /// # Errors
-    /// Fails with `audit-failed` if a figure is not equal.
-    /// Fails with the cancel that ended it.
+    /// Fails with `audit-failed` if a stated figure differs from the measured one, and with a cancel if the audit was
+    /// cancelled.
     pub fn audited(self, input: &dyn SolverInput, exec: &Execution) -> Result<Solved, Unsolved> {
         let faults = faults(&self.statistics, &self.warnings, &self.archive, input, exec).map_err(Error::from)?;
         let Self { statistics, warnings, archive, reproducible } = self;
@@ -68,10 +68,10 @@ impl Draft {
     }
 }
 
-/// Returns the stated figures that are not equal to those of the archive's arrays.
+/// Returns the stated figures that differ from those of the archive's arrays.
 ///
 /// # Errors
-/// The cancel that ended the audit.
+/// Fails if the audit was cancelled.
 pub(crate) fn faults(
     statistics: &str,
     warnings: &[Warning],
@@ -153,20 +153,20 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
     /// Compares every figure that the statistics state with the arrays of the result.
     fn audit(&self, audit: &mut Audit);
 
-    /// Keeps the part of a result that can follow a drag. Returns `None` if every request of this kind or with these
-    /// options is solved anew.
+    /// Keeps what is needed to move the result while the user drags points of the request. Returns `None` if a request
+    /// of this kind or with these options has to be solved anew after every change.
     ///
     /// # Errors
-    /// Returns the interruptions of `exec`, or that the memory does not suffice.
+    /// Fails if `exec` interrupts it, or if the memory does not suffice.
     fn keep(&self, _result: &Contents, _exec: &Execution) -> Result<Option<Box<dyn Kept>>, Error> {
         Ok(None)
     }
 }
 
-/// The part of a result that follows a drag.
+/// The mesh of a result, which can move while the user drags points of the request.
 pub(crate) trait Kept: std::fmt::Debug {
-    /// Moves to the places that another request has. Returns `None` and leaves the vertices as they are if that request
-    /// differs in more than the places or if the mesh cannot follow.
+    /// Moves the mesh to the positions of the points of another request. Returns `None` and leaves the vertices as they
+    /// are if that request differs in more than the positions, or if the mesh cannot follow.
     ///
     /// # Errors
     /// Returns the interruptions of `exec`.
@@ -176,16 +176,16 @@ pub(crate) trait Kept: std::fmt::Debug {
     fn vertices(&self) -> Vec<DVec3>;
 }
 
-/// Figures of a result that followed a drag.
+/// Figures of a result after it was moved by a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Moved {
     /// Area in the square of the request's unit.
     pub area: f64,
-    /// Residual, as that of the statistics.
+    /// Residual, defined as in the statistics.
     pub residual: f64,
 }
 
-/// Instruction to a solver, which the solver asks for regularly.
+/// The host's answer when a solver asks whether to go on. Solvers ask regularly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     Continue,
@@ -268,8 +268,8 @@ pub(crate) fn archive(contents: Contents) -> Result<Archive, Error> {
 /// Length of the longest arrow of a reaction, as a fraction of the radius of the mesh.
 const LONGEST_ARROW: f64 = 0.25;
 
-/// Returns an arrow for each support and its force on the structure, from the support in the direction of the force.
-/// The longest arrow has [`LONGEST_ARROW`] of the radius of the vertices.
+/// Returns one arrow for each support, which starts there and points along the force of the support on the structure.
+/// Lengths are proportional to the forces, and the longest is [`LONGEST_ARROW`] times the radius of the vertices.
 pub(crate) fn reactions(
     supports: Vec<(DVec3, DVec3)>,
     vertices: &[DVec3],

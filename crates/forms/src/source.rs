@@ -46,7 +46,7 @@ impl Source {
         &self.key
     }
 
-    /// Returns an estimate of the memory that the result takes.
+    /// Returns an estimate of the memory that the result takes, in bytes.
     #[must_use]
     pub fn memory_bytes(&self) -> u64 {
         let contents = self.archive.contents();
@@ -63,8 +63,8 @@ impl Source {
     }
 }
 
-/// The host's way to find the result of the job with an identifier. If there is none, the answer is the reason as a
-/// phrase without a subject, such as `is still running`.
+/// Function of the host that finds the result of the job with an identifier. If there is no result, it returns the
+/// reason as a phrase without a subject, such as `is still running`.
 pub type Find<'a> = &'a dyn Fn(&str) -> Result<Source, String>;
 
 /// Finds no source, for hosts without jobs.

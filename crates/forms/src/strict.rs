@@ -1,8 +1,9 @@
-//! Reads types as strictly as their schemas.
+//! Deserialises types as strictly as their schemas.
 //!
-//! serde's derived types accept more than their schemas: a struct may be an array of its fields, and the name of an
-//! enum's variant an object with one member. They accept less in one place: 2050.0 is an integer in JSON Schema, but
-//! not in serde. `Strict` wraps a deserializer, and everything below it, so that both agree.
+//! serde's derived implementations accept more than the schemas of their types: a struct may be an array of its fields,
+//! and a variant of an enum an object with one member. In one case they accept less: 2050.0 is an integer in JSON
+//! Schema, but not in serde. `Strict` wraps a deserializer, and every deserializer inside it, so that a type accepts
+//! exactly what its schema accepts.
 
 use crate::json::{self, AnyValue, integral};
 use crate::rejection::{FieldError, Rejection};
@@ -15,10 +16,11 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// Reads the JSON of an object, and the members in `aside` apart from it.
+/// Reads a `T` from the JSON of an object. The members that `aside` names are not part of the `T` and are returned
+/// separately.
 ///
 /// # Errors
-/// Fails if the text is not JSON, if an object repeats a key, or if `T` does not read the rest.
+/// Fails if the text is not JSON, if an object repeats a key, or if `T` refuses the other members.
 pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_json::Result<(T, Map<String, Value>)> {
     let mut deserializer = serde_json::Deserializer::from_slice(text);
     let mut taken = Map::new();
@@ -38,8 +40,8 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
 
 /// Reads a value that [`json::parse`] made, or returns `None` if `T` refuses it.
 pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
-    // Without `stored`, as in a web page, both readings share one reader, because a second reader of each type would
-    // make the module that is downloaded larger.
+    // Without `stored`, as in a web page, `value` and `refusal` share one deserializer, because a second one for each
+    // type would make the module that is downloaded larger.
     #[cfg(feature = "stored")]
     let read = T::deserialize(Strict(value)).ok();
     #[cfg(not(feature = "stored"))]
@@ -54,7 +56,7 @@ pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     FieldError::new(json::pointer(error.path()), "must have the form that the schema requires").into()
 }
 
-/// Visitor of an object that sets members aside. The others make a `T`.
+/// Visitor of an object that puts the members named in `aside` into `taken`, and makes a `T` from the others.
 struct Parts<'a, T> {
     aside: &'a [&'a str],
     taken: &'a mut Map<String, Value>,
@@ -72,7 +74,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<'_, T> {
     }
 }
 
-/// The members of an object that are not set aside.
+/// Access to the members of an object that are not set aside.
 struct Rest<'a, A> {
     entries: A,
     aside: &'a [&'a str],
@@ -99,8 +101,8 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Rest<'_, A> {
     }
 }
 
-/// A deserializer, or a part of one, that reads structs only from objects, names only from strings, and integers from
-/// every integral number.
+/// Wraps a deserializer or one of serde's parts of it. It reads structs only from objects, names only from strings, and
+/// integers from every integral number.
 pub(crate) struct Strict<T>(pub T);
 
 macro_rules! forward {
@@ -243,7 +245,7 @@ impl<'de, S: DeserializeSeed<'de>> DeserializeSeed<'de> for Strict<S> {
     }
 }
 
-/// Visitor of an enum whose variants are names.
+/// Visitor of an enum whose variants carry no data, so that each is a name in JSON.
 struct Name<V>(V);
 
 impl<'de, V: Visitor<'de>> Visitor<'de> for Name<V> {
@@ -256,8 +258,8 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for Name<V> {
     }
 }
 
-/// Implements `Deserialize` for a union. The JSON type of the value chooses the variant, because an untagged enum of
-/// serde copies the value and tries one variant after the other.
+/// Implements `Deserialize` for a union. The JSON type of the value selects the variant. serde's untagged enums are not
+/// used, because they copy the value and try one variant after the other.
 macro_rules! union {
     ($name:ident { $($of:ident: $variant:ident),+ }) => {
         impl<'de> serde::Deserialize<'de> for $name {

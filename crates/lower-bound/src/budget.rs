@@ -1,24 +1,25 @@
-//! The budget of a search: nominal seconds that are converted to work, and the sizes of the meshes that they afford.
+//! The budget of a search, in nominal seconds that stand for an amount of work, and the sizes of the meshes that it
+//! affords.
 
 use super::options::Options;
 
-/// Largest number of leaves of a mesh, relative to the mesh before.
+/// Largest growth of the number of leaves from one mesh to the next.
 pub(super) const GROWTH: f64 = 2.5;
-/// Largest growth, over several meshes, that is planned ahead.
+/// Largest growth of the number of leaves over several meshes that is planned ahead.
 const MOST_GROWTH: f64 = 100.0;
-/// Least growth for which a further mesh is made. A smaller growth gains less than further steps on the present mesh.
+/// Least growth for which a finer mesh is made. A smaller growth gains less than further steps on the present mesh.
 const LEAST_GROWTH: f64 = 1.15;
-/// Least number of steps on the finest mesh with up to [`FEW_LEAVES`] leaves, if the bound is half a percent below the
-/// film's area. With fewer steps its bound would stay below that of the mesh before. Each halving of the distance to
-/// the film's area adds a step, and so does each doubling of the leaves, because a large mesh starts farther from its
-/// optimum.
+/// Least number of Newton steps on the finest mesh, if it has at most [`FEW_LEAVES`] leaves and the bound is half a
+/// percent below the film's area. With fewer steps its bound would stay below that of the mesh before. Each halving of
+/// the distance to the film's area adds a step. Each doubling of the leaves adds a step too, because a large mesh
+/// starts farther from its optimum.
 pub(super) const STEPS: f64 = 6.0;
 pub(super) const FEW_LEAVES: f64 = 1e4;
-/// Number of steps that are planned on a mesh that is left for a finer one.
+/// Number of steps that are planned on a mesh that is not the finest.
 pub(super) const STEPS_BETWEEN: u32 = 4;
 /// Largest number of steps that are planned on the finest mesh.
 const MOST_STEPS_AHEAD: f64 = 24.0;
-/// Constrained tetrahedra of the largest mesh, and entries of its factor. They bound the memory by 1.2 GB.
+/// Largest number of constrained tetrahedra of a mesh, and of entries of its factor. They limit the memory to 1.2 GB.
 const MOST_LEAVES: f64 = 60e3;
 pub(super) const MOST_ENTRIES: f64 = 60e6;
 /// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates
@@ -29,10 +30,10 @@ const PREPARATION_RATE: f64 = 2e-5;
 const SOLVE_RATE: f64 = 8e-9;
 const ASSEMBLY_RATE: f64 = 6.5e-6;
 
-/// Exponents with which the entries of the factor grow with the number of leaves, without and with planes of symmetry.
+/// Exponents of the growth of the factor's entries with the number of leaves, without and with planes of symmetry.
 /// Between the last two meshes of 10 s they were 1.2 to 1.3 and 1.3 to 1.5. If the exponent is too small, the last mesh
-/// is too fine and its steps end short of its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries
-/// after 10 s were larger by a tenth in the mean, and by half at most.
+/// is too fine and its steps end before its optimum: with 1.3 in place of 1.5 the gaps of symmetrical boundaries after
+/// 10 s were larger by a tenth on average, and by half at most.
 pub(super) const FILL_POWERS: [f64; 2] = [1.3, 1.5];
 
 /// Size of the linear system of a mesh.
@@ -48,7 +49,7 @@ pub(super) struct Size {
 }
 
 impl Size {
-    /// The size to be expected of a mesh with `growth` times the leaves.
+    /// The expected size of a mesh with `growth` times as many leaves.
     pub fn grown(self, growth: f64) -> Self {
         let Self { entries, rows, leaves, fill_power } = self;
         Self {
@@ -59,12 +60,12 @@ impl Size {
         }
     }
 
-    /// Nominal seconds of a number of steps on the mesh, and of their preparation.
+    /// The cost of the preparation of a mesh and of a number of steps on it, in nominal seconds.
     pub fn price(self, steps: u32) -> f64 {
         PREPARATION_RATE * self.leaves + f64::from(steps) * self.step_price()
     }
 
-    /// Nominal seconds of a step.
+    /// The cost of a step, in nominal seconds.
     pub fn step_price(self) -> f64 {
         let Self { entries, rows, leaves, .. } = self;
         FACTORISATION_RATE * entries * entries / rows + SOLVE_RATE * entries + ASSEMBLY_RATE * leaves
@@ -75,11 +76,11 @@ impl Size {
 #[derive(Debug)]
 pub(super) struct Budget<'a> {
     pub options: &'a Options,
-    /// Area of the film. No bound exceeds it by more than rounding.
+    /// Area of the film. A bound exceeds it by rounding at most.
     pub film_area: f64,
-    /// Nominal seconds that were spent.
+    /// The budget spent so far, in nominal seconds.
     pub spent: f64,
-    /// Number of steps of Newton's method.
+    /// Number of Newton steps made so far.
     pub iterations: u32,
 }
 
@@ -93,12 +94,12 @@ impl<'a> Budget<'a> {
         bound * (1.0 + self.options.gap) >= self.film_area
     }
 
-    /// Area by which a bound is below the film's.
+    /// The film's area minus a bound, or zero if this is negative.
     pub fn missing(&self, bound: f64) -> f64 {
         (self.film_area - bound).max(0.0)
     }
 
-    /// Nominal seconds that are left.
+    /// The rest of the budget, in nominal seconds.
     pub fn left(&self) -> f64 {
         self.options.budget_s() - self.spent
     }
@@ -111,15 +112,15 @@ impl<'a> Budget<'a> {
     /// Returns the number of constrained leaves of the next mesh, or `None` if the rest of the budget affords no finer
     /// mesh. `size` and `bound` are those of the present mesh.
     ///
-    /// The finest mesh that the budget affords is found first, together with the meshes on the way to it. The next mesh
-    /// is the first of these, so that the budget does not end with a rest that is too small for one more mesh.
+    /// The finest affordable mesh is found first, together with the intermediate meshes. The next mesh is the first of
+    /// these. The budget therefore does not end with a remainder that is too small for one more mesh.
     pub fn next_leaves(&self, size: Size, bound: f64) -> Option<f64> {
         let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
         let steps = |leaves: f64| {
             let more = libm::log2(0.005 / missing).ceil().max(0.0) + libm::log2(leaves / FEW_LEAVES).ceil().max(0.0);
             (STEPS + more).min(MOST_STEPS_AHEAD) as u32
         };
-        // The growth is shared out evenly among the fewest meshes of which none grows by more than GROWTH.
+        // The growth is divided evenly among as few meshes as possible such that none grows by more than GROWTH.
         let meshes = |growth: f64| (libm::log(growth) / libm::log(GROWTH)).ceil().max(1.0);
         let is_affordable = |growth: f64| {
             let meshes = meshes(growth);

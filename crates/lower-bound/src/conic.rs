@@ -1,29 +1,29 @@
-//! The largest circulation of a field with |curl| <= 1 on one mesh, by an interior-point method.
+//! An interior-point method for the largest circulation of a field with |curl| <= 1 on one mesh.
 //!
-//! Let v be the curl of the field a at a vertex of a tetrahedron: a linear function of a. All these curls together are
-//! v = C a. The problem and its dual are
+//! Let v be the curl of the field a at a vertex of a tetrahedron, which is a linear function of a. All these curls
+//! together are v = C a. The problem and its dual are
 //!
 //! ```text
 //! maximise g·a under |v| <= 1,     minimise Σ t under -Cᵀ u = g, |u| <= t
 //! ```
 //!
-//! with a pair (t, u) for each v: the vectors -u are the dual surface, and t are their areas. Both (1, v) and (t, u)
-//! lie in the cone of vectors whose first coordinate is not less than the length of the other three. The method follows
-//! the central path on which their Jordan product is (μ, 0), by steps of Newton's method in the scaling of Nesterov and
-//! Todd, with Mehrotra's predictor and corrector (Andersen, Roos, Terlaky, *On implementing a primal-dual
-//! interior-point method for conic quadratic optimization*, 2003). Every iterate satisfies |v| < 1, so that each gives
-//! a bound, g·a / max |v|, and the best is kept. Once the dual constraint holds, the circulation is at most Σ (t + u·v)
-//! below the optimum of the mesh.
+//! with a pair (t, u) for each v. The vectors -u are the area vectors of the dual surface, and t are their areas. Both
+//! (1, v) and (t, u) lie in the cone of vectors whose first coordinate is not less than the length of the other three.
+//! On the central path their Jordan product is (μ, 0). The method follows the central path by Newton steps in the
+//! scaling of Nesterov and Todd, with Mehrotra's predictor and corrector (Andersen, Roos, Terlaky, *On implementing a
+//! primal-dual interior-point method for conic quadratic optimization*, 2003). Every iterate satisfies |v| < 1, so that
+//! each gives a bound, g·a / max |v|. The best bound is kept. Once the dual constraint holds, the circulation is at
+//! most Σ (t + u·v) below the optimum of the mesh.
 //!
-//! Where the directions of loops are free, the field must have no circulation around them. These linear constraints are
-//! part of every solution with the factorised matrix (`Factor::hold`).
+//! If the directions of some loops are free, the field must have no circulation around them. Every solution with the
+//! factorised matrix satisfies these linear constraints (`Factor::hold`).
 //!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it three or four times: for the predictor,
 //! the corrector, and corrections of its centrality (Gondzio, *Multiple centrality corrections in a primal-dual method
-//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central
-//! path. A finer mesh starts from an early iterate of the coarser one, because the last one lies at the cones'
-//! boundary. It is interpolated and centred (`recentre`). Newton's method on z (1 - |v|²) = μ with one multiplier z for
-//! each v needed about twice as many steps.
+//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size if they start near the central path.
+//! A finer mesh therefore starts from an early iterate of the coarser mesh, because the last iterate lies at the
+//! boundary of the cones. The iterate is interpolated and centred (`recentre`). An alternative, Newton's method on z (1
+//! - |v|²) = μ with one multiplier z for each v, needed about twice as many steps.
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
@@ -32,29 +32,30 @@ use glam::{DMat3, DVec4};
 use plateau_mesh::sparse::dot;
 use plateau_mesh::{DVec3, Execution};
 
-/// Longest step, as a fraction of the way to the boundary of a cone. Usual values are 0.9 to 0.99.
+/// Longest step, as a fraction of the step that reaches the boundary of a cone. Usual values are 0.9 to 0.99.
 const LARGEST_PART: f64 = 0.98;
-/// Largest |v| at the start on the first mesh. A start nearer to 1 needs more steps, because the first of them are
-/// short: 0.3 and 0.5 needed the same number, 0.8 a fifth more and 0.95 half as many more.
+/// Largest |v| at the start on the first mesh. A start nearer to 1 needs more steps, because its first steps are short:
+/// 0.3 and 0.5 needed the same number, 0.8 needed a fifth more and 0.95 half as many more.
 const START: f64 = 0.5;
-/// The next mesh starts from the first iterate whose gap is at most this fraction of the film's area. On four films
-/// fractions from 0.1 to 0.5 needed the same number of steps within two.
+/// The next mesh starts from the first iterate whose gap is at most this fraction of the film's area. On four films,
+/// the numbers of steps with fractions from 0.1 to 0.5 differed by at most two.
 const HANDED_ON: f64 = 0.1;
-/// Factor for the field of that iterate, so that no curl starts at the boundary of its cone.
+/// Factor by which the field of this iterate ([`HANDED_ON`]) is multiplied, so that no curl starts at the boundary of
+/// its cone.
 const PULLED_BACK: f64 = 0.95;
-/// Largest number of corrections of a direction. Two or three save a quarter to a third of the steps, one saves a
-/// tenth.
+/// Largest number of centrality corrections of a direction. Two or three save a quarter to a third of the steps, one
+/// saves a tenth.
 const CORRECTIONS: u32 = 2;
 /// Increase of the step length that a correction aims for.
 const LONGER: f64 = 0.3;
-/// The Jordan products that a corrected step may leave, as multiples of those on the central path.
+/// Range of the eigenvalues of the Jordan products after a corrected step, as multiples of the value on the central
+/// path.
 const SPREAD: [f64; 2] = [0.1, 10.0];
-/// Shortest step that is taken. Shorter steps come from a factor that has lost its accuracy.
+/// Shortest step that is taken. A shorter step shows that the factor has lost its accuracy.
 const SHORTEST_STEP: f64 = 1e-6;
-/// Work that one pass over the leaves counts for each leaf when it looks at the caller's signal, in the units of the
-/// assembly.
+/// Work per leaf of one pass over the leaves, as passed to [`Execution::look`], in the units of the assembly.
 const LEAF_WORK: usize = 4;
-/// Least μ of the corrector, as a fraction of the present μ.
+/// Least target μ of the corrector, as a fraction of the present μ.
 const LEAST_CENTERING: f64 = 1e-9;
 
 /// The field that gave the best bound so far.
@@ -64,7 +65,8 @@ pub(super) struct Best {
     pub field: Vec<f64>,
 }
 
-/// A vector in the space of the cone: a first coordinate, and three others whose length it bounds inside the cone.
+/// A vector in the space of the cone: a first coordinate and three others. Inside the cone the first coordinate bounds
+/// the length of the others.
 #[derive(Clone, Copy, Debug)]
 struct ConeVector {
     first: f64,
@@ -88,7 +90,7 @@ impl ConeVector {
         Self::new(self.first * by, self.rest * by)
     }
 
-    /// The square of the first coordinate minus those of the others: positive inside the cone.
+    /// The square of the first coordinate minus the squares of the others, which is positive inside the cone.
     fn norm(self) -> f64 {
         let length = self.rest.length();
         ((self.first - length) * (self.first + length)).max(f64::MIN_POSITIVE)
@@ -105,9 +107,10 @@ impl ConeVector {
         Self::new(first, (other.rest - self.rest * first) / self.first)
     }
 
-    /// The largest multiple of `step` that stays in the cone; infinite if every multiple does.
+    /// The largest factor t such that `self` + t `step` lies in the cone. Infinite if every positive t does.
     fn largest_step(self, step: Self) -> f64 {
-        // The smallest positive root of a t² + 2 b t + c = 0, which says that the norm vanishes.
+        // The factor is the smallest positive root of a t² + 2 b t + c = 0: the norm vanishes at the boundary of the
+        // cone.
         let a = step.first * step.first - step.rest.length_squared();
         let b = self.first * step.first - self.rest.dot(step.rest);
         let c = self.norm();
@@ -116,13 +119,13 @@ impl ConeVector {
             return f64::INFINITY;
         }
         let root = discriminant.sqrt();
-        // Of the two forms of the root, the form without cancellation is used.
+        // The root has two forms. The form without cancellation is used.
         let far = if b > 0.0 { if a < 0.0 { (b + root) / -a } else { f64::INFINITY } } else { c / (root - b) };
         if far > 0.0 { far } else { f64::INFINITY }
     }
 }
 
-/// The scaling of Nesterov and Todd of one cone: a symmetric matrix W with W x = W⁻¹ s.
+/// The Nesterov-Todd scaling of one cone: the symmetric matrix W with W x = W⁻¹ s.
 #[derive(Clone, Copy, Debug)]
 struct Scaling {
     /// W is this number times the matrix `[w₀, wᵀ; w, I + w wᵀ / (1 + w₀)]` of `vector` = (w₀, w), whose norm is 1.
@@ -165,7 +168,8 @@ impl Scaling {
         ConeVector::new(-first * along, s + rest * along).scaled(1.0 / (self.factor * self.factor))
     }
 
-    /// The change of the dual vector that belongs to a change of v, if the target is the boundary of the cones.
+    /// The change of the dual vector that Newton's method pairs with a change of v, if the target is the boundary of
+    /// the cones.
     fn dual_change(&self, dual: ConeVector, change: DVec3) -> ConeVector {
         dual.scaled(-1.0).plus(self.unapply_twice(change), -1.0)
     }
@@ -174,18 +178,18 @@ impl Scaling {
 /// A direction of Newton's method.
 #[derive(Debug)]
 struct Direction {
-    /// For each dual vector the part of its change that leads to a target inside the cone. Without it the target is the
-    /// boundary of the cones.
+    /// For each dual vector, the part of its change that leads to a target inside the cone. If this part is zero, the
+    /// target is the boundary of the cones.
     targets: Vec<[ConeVector; 4]>,
     field: Vec<f64>,
     curl: Vec<[DVec3; 4]>,
     dual: Vec<[ConeVector; 4]>,
-    /// Longest steps of the curl and of the dual vectors that stay in the cones.
+    /// The longest steps for which the curls and the dual vectors stay in the cones.
     far: f64,
     far_dual: f64,
 }
 
-/// Newton's method linearised at an iterate.
+/// The linearisation of Newton's method at an iterate.
 #[derive(Debug)]
 struct Linearisation<'a> {
     space: &'a Space,
@@ -220,8 +224,8 @@ impl Linearisation<'_> {
         Ok(Direction { targets, field, curl: change, dual: dual_changes, far, far_dual })
     }
 
-    /// Returns targets for a longer step than `direction` allows: where that step would leave a Jordan product outside
-    /// of [`SPREAD`], the target is the nearer end of that range.
+    /// Returns targets for a step that is longer than `direction` allows. If that step would move an eigenvalue of a
+    /// Jordan product outside [`SPREAD`], the target is the nearer end of that range.
     fn recentred(&self, direction: &Direction, target: f64) -> Vec<[ConeVector; 4]> {
         let [far, far_dual] = [direction.far, direction.far_dual].map(|far| (far + LONGER).min(1.0));
         let [low, high] = SPREAD.map(|times| times * target);
@@ -231,7 +235,7 @@ impl Linearisation<'_> {
             let s = scaling.unapply(ConeVector::new(1.0, self.curl[leaf][p] + direction.curl[leaf][p] * far));
             let x = scaling.apply(self.dual[leaf][p].plus(direction.dual[leaf][p], far_dual));
             let product = s.times(x);
-            // The eigenvalues of the product are corrected.
+            // Each eigenvalue of the product is corrected.
             let length = product.rest.length();
             let [most, least] = [length, -length].map(|by| correction(product.first + by));
             let by = ConeVector::new(0.5 * (most + least), product.rest.normalize_or_zero() * (0.5 * (most - least)));
@@ -241,11 +245,11 @@ impl Linearisation<'_> {
     }
 }
 
-/// Chooses the first coordinate t of every dual vector (t, u) so that the norms of (1, v) and (t, u) have the product
-/// that they have on the central path. The dual constraint concerns u only, so that it holds as before.
+/// Chooses the first coordinate t of every dual vector (t, u) so that the product of the norms of (1, v) and (t, u) is
+/// the same as on the central path. The dual constraint concerns only u, so that it is not affected.
 ///
-/// Interpolation to a finer mesh leaves some vectors almost at the boundary of their cone, and each of these would keep
-/// the first steps short.
+/// Without this, interpolation to a finer mesh leaves some vectors almost at the boundary of their cones. Each of these
+/// would keep the first steps short.
 fn recentre(curl: &[[DVec3; 4]], dual: &mut [[ConeVector; 4]]) {
     let mean = complementarity(curl, dual) / (4 * curl.len()) as f64;
     for (x, &v) in dual.iter_mut().flatten().zip(curl.iter().flatten()) {
@@ -268,13 +272,14 @@ pub(super) struct Level<'a> {
     dual: Vec<[ConeVector; 4]>,
     /// Σ (t + u·v).
     complementarity: f64,
-    /// Dual residual relative to its value at the start.
+    /// The residual of the dual constraint, relative to its value at the start.
     infeasibility: f64,
     film_area: f64,
     /// Whether rounding allows no further step.
     pub stalled: bool,
     pub best: Best,
-    /// The iterate from which the next mesh starts, once it was reached.
+    /// The iterate (field and dual vectors) from which the next mesh starts. `None` until it is reached
+    /// ([`HANDED_ON`]).
     central: Option<(Vec<f64>, Vec<[ConeVector; 4]>)>,
 }
 
@@ -288,8 +293,8 @@ fn complementarity(curl: &[[DVec3; 4]], dual: &[[ConeVector; 4]]) -> f64 {
 }
 
 impl<'a> Level<'a> {
-    /// Starts from the best field that the mesh carries, or from its central field and that field's dual vectors if
-    /// `warm`. `film_area` is an upper bound of the optimum.
+    /// Starts from the best field that the mesh carries. If `warm`, starts from the mesh's central field and its dual
+    /// vectors instead. `film_area` is an upper bound of the optimum.
     pub fn new(
         space: &'a Space,
         mesh: &BisectionMesh,
@@ -341,15 +346,16 @@ impl<'a> Level<'a> {
     }
 
     /// Upper bound of the distance from the circulation to the optimum of this mesh, once the dual constraint holds.
-    /// Until then it is an estimate: the film's area times the remaining fraction of the residual is added.
+    /// Before that it is an estimate, to which the remaining fraction of the dual residual times the film's area is
+    /// added.
     pub fn gap(&self) -> f64 {
         self.complementarity + self.infeasibility * self.film_area
     }
 
-    /// Makes one step of Newton's method. `storage` is the memory of the factor.
+    /// Makes one Newton step. `storage` is memory that the factorisation reuses.
     ///
     /// # Errors
-    /// The error of the factorisation, or an interruption, which leaves the iterate as it was.
+    /// The error of the factorisation, or an interruption. The iterate is then unchanged.
     pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
         let Self { space, form, curl, dual, .. } = &*self;
         exec.look((LEAF_WORK * curl.len()) as u64)?;
@@ -461,7 +467,7 @@ mod tests {
         }
         let inside = ConeVector::new(1.0, DVec3::new(0.1, 0.2, 0.3));
         assert_eq!(inside.largest_step(ConeVector::new(0.0, DVec3::ZERO)), f64::INFINITY);
-        // Along the cone's axis, and towards its tip.
+        // First along the axis of the cone, then towards its tip.
         assert_eq!(inside.largest_step(ConeVector::new(1.0, DVec3::ZERO)), f64::INFINITY);
         assert!((inside.largest_step(inside.scaled(-1.0)) - 1.0).abs() < 1e-12);
     }
@@ -479,7 +485,7 @@ mod tests {
         let change = DVec3::new(0.2, 0.1, -0.7);
         let twice = scaling.unapply(scaling.unapply(ConeVector::new(0.0, change)));
         assert!(same(scaling.unapply_twice(change), twice, 1.0));
-        // The Jordan quotient times the divisor.
+        // The Jordan product of the quotient and the divisor is the dividend.
         assert!(same(scaling.scaled.times(scaling.scaled.divide(s)), s, 1.0));
     }
 

@@ -2,8 +2,8 @@
 //! regular finite element mesh*, 1973).
 //!
 //! A plane cuts a set of tetrahedra into two parts by their centroids. The unknowns that belong to both parts are the
-//! separator. They are eliminated after all other unknowns of the set, and each part is cut again. On these meshes the
-//! factor has 0.5 to 0.7 times the entries that approximate minimum degree leaves, and takes 0.35 to 0.5 times the
+//! separator. They are eliminated after all other unknowns of the set. Then each part is cut again. On these meshes the
+//! factor has 0.5 to 0.7 times as many entries as with approximate minimum degree, and takes 0.35 to 0.5 times the
 //! work.
 
 use super::element::UNKNOWNS;
@@ -12,13 +12,14 @@ use plateau_mesh::{DVec3, Execution};
 
 /// Marks an unknown without a row, because the gauge fixes it.
 pub(super) const NONE: u32 = u32::MAX;
-/// Least size of a part, as a fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
-/// within 6%, and 0.4 gives 10% more.
+/// Least number of tetrahedra of a part, as a fraction of the set. Fractions of 0.1 to 0.3 give factors of the same
+/// size within 6%, and 0.4 gives 10% more entries.
 const LEAST_PART: f64 = 0.2;
-/// Largest set that is not cut any further, in tetrahedra. The order within so small a set hardly matters.
+/// Largest set that is not cut any further, in tetrahedra. The order within such a small set hardly matters.
 const WHOLE: usize = 2;
 
-/// The rows in their order of elimination. `rows_of` has the rows of each tetrahedron, or [`NONE`].
+/// The rows in their order of elimination. `rows_of` holds the rows of each tetrahedron, with [`NONE`] for unknowns
+/// without a row.
 ///
 /// # Errors
 /// An interruption by the caller.
@@ -36,7 +37,7 @@ pub(super) fn order(
         first: vec![NONE; rows],
         last: vec![0; rows],
     };
-    // The leaves along each axis; parts keep these orders, so that nothing is sorted again.
+    // The leaves, sorted along each axis. Parts keep these orders, so that nothing has to be sorted again.
     let sorted = [0, 1, 2].map(|axis| {
         let mut leaves: Vec<u32> = (0..rows_of.len() as u32).collect();
         let place = |leaf: u32| centroids[leaf as usize][axis];
@@ -64,15 +65,15 @@ pub(super) fn order(
     Ok(dissection.order)
 }
 
-/// The order so far.
+/// The state of the dissection: the part of the order that is known so far.
 #[derive(Debug)]
 struct Dissection<'a> {
     rows_of: &'a [[u32; UNKNOWNS]],
     order: Vec<u32>,
-    /// Number of rows that have no place yet. They come before the placed rows.
+    /// Number of rows that have no place in the order yet. They will come before the placed rows.
     left: usize,
     placed: Vec<bool>,
-    /// Positions of a row's first and last leaf in a set. Between two uses `first` is `NONE`.
+    /// For each row, the positions of its first and last leaf in a set. Between two uses every `first` is `NONE`.
     first: Vec<u32>,
     last: Vec<u32>,
 }
@@ -89,7 +90,7 @@ impl Dissection<'_> {
         }
     }
 
-    /// Places the rows of the leaves for which `chosen` holds, at the end of the places that are left.
+    /// Places the rows of the leaves for which `chosen` holds, at the end of the free places.
     fn place(&mut self, leaves: &[u32], chosen: impl Fn(&Self, usize) -> bool) {
         self.visit(leaves, |own, _, row| {
             if chosen(own, row) {
@@ -100,7 +101,7 @@ impl Dissection<'_> {
         });
     }
 
-    /// Places the rows that both parts have.
+    /// Places the rows of the separator, which belong to both parts.
     fn separate(&mut self, low: &[u32], high: &[u32]) {
         self.visit(low, |own, _, row| own.first[row] = 0);
         self.place(high, |own, row| own.first[row] == 0);
@@ -112,7 +113,8 @@ impl Dissection<'_> {
         });
     }
 
-    /// The axis and the number of leaves below the plane for which few rows separate two parts of similar size.
+    /// The best cut: the axis, and the number of leaves below the plane. The best cut has few rows in the separator and
+    /// parts of similar size.
     fn best_cut(&mut self, set: &[Vec<u32>; 3], exec: &Execution) -> Result<Option<(usize, usize)>, Interruption> {
         let count = set[0].len();
         let least = ((count as f64 * LEAST_PART) as usize).max(1);
@@ -127,7 +129,7 @@ impl Dissection<'_> {
                 }
                 own.last[row] = position;
             });
-            // Changes of the number of rows on both sides from one plane to the next.
+            // The change of the number of separator rows from one plane to the next.
             let mut change = vec![0i32; count + 1];
             for row in rows {
                 change[self.first[row] as usize + 1] += 1;

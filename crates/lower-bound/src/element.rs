@@ -1,23 +1,24 @@
-//! The finite element: Nédélec's element of second order, without its gradients of second order. Its curls are all
-//! vector fields that are linear on every tetrahedron, and have continuous normal components and no divergence.
+//! The finite element: Nédélec's element of second order, without its gradients of second order. The curls of its
+//! fields are exactly the vector fields that are linear on every tetrahedron, have continuous normal components, and
+//! have no divergence.
 //!
-//! A field has one unknown on each edge (its circulation) and two on each face. On an edge ij (i < j, by the vertices'
-//! numbers) the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi
-//! w_jk, which have no tangential component on any edge. The curl is linear on a tetrahedron, so |curl| is largest at
-//! one of its four vertices.
+//! A field has one unknown on each edge (its circulation) and two on each face. On an edge ij (i < j, by the numbers of
+//! the vertices) the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi. On a face ijk (i < j < k) the basis functions
+//! are λk w_ij and λi w_jk, which have no tangential component on any edge. The curl is linear on a tetrahedron, so
+//! that |curl| is largest at one of its four vertices.
 
 use super::bisection::{EDGES, FACES};
 use plateau_mesh::DVec3;
 
-/// Unknowns of a tetrahedron: six edges, then two of each of the four faces.
+/// Number of unknowns of a tetrahedron: first one for each of the six edges, then two for each of the four faces.
 pub(super) const UNKNOWNS: usize = 14;
 
-/// The order of a tetrahedron's four positions by the numbers of their vertices.
+/// How the numbers of a tetrahedron's vertices are ordered on its edges and faces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orientation {
-    /// For each of [`EDGES`] whether its first position has the smaller number.
+    /// For each of [`EDGES`], whether the vertex at its first position has the smaller number.
     pub ascending: [bool; 6],
-    /// For each of [`FACES`] its positions by ascending number.
+    /// For each of [`FACES`], its positions, sorted by the numbers of their vertices.
     pub faces: [[usize; 3]; 4],
 }
 
@@ -33,7 +34,8 @@ impl Orientation {
     }
 }
 
-/// ∇λi × ∇λj of all pairs of positions: an edge vector over six times the volume.
+/// The products ∇λi × ∇λj for all pairs of positions. Each is the vector of the opposite edge divided by six times the
+/// volume.
 pub(super) fn gradient_products(corners: [DVec3; 4]) -> [[DVec3; 4]; 4] {
     let [a, b, c, d] = corners;
     let scale = 1.0 / (b - a).cross(c - a).dot(d - a);
@@ -45,7 +47,7 @@ pub(super) fn gradient_products(corners: [DVec3; 4]) -> [[DVec3; 4]; 4] {
     products
 }
 
-/// Even permutations of the four positions that begin with each of [`EDGES`].
+/// For each of [`EDGES`], the even permutation of the four positions that begins with the edge.
 pub(super) const EVEN: [[usize; 4]; 6] =
     [[0, 1, 2, 3], [0, 2, 3, 1], [0, 3, 1, 2], [1, 2, 0, 3], [1, 3, 2, 0], [2, 3, 0, 1]];
 
@@ -69,14 +71,15 @@ pub(super) fn basis_curls(corners: [DVec3; 4], orientation: &Orientation) -> [[D
     curls
 }
 
-/// The two unknowns of a face, from the field's curl at its corners (in ascending order of number).
+/// The two unknowns of a face, computed from the field's curl at its corners. The corners are in the order of their
+/// numbers.
 pub(super) fn face_unknowns(corners: [DVec3; 3], curls: [DVec3; 3]) -> [f64; 2] {
     let double_area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     let [i, j, k] = curls.map(|curl| curl.dot(double_area));
     [(k - j) / 3.0, (i - j) / 3.0]
 }
 
-/// The integrals of the basis functions along a straight piece inside a tetrahedron, between two points given by their
+/// The integrals of the basis functions along a straight segment inside a tetrahedron. Its ends are given by
 /// barycentric coordinates.
 pub(super) fn integrals(from: [f64; 4], to: [f64; 4], orientation: &Orientation) -> [f64; UNKNOWNS] {
     let mut values = [0.0; UNKNOWNS];

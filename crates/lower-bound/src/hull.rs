@@ -1,42 +1,44 @@
-//! Half-spaces that contain the boundary, and the tetrahedra that lie beyond one of them.
+//! Half-spaces that contain the boundary, and the test whether a tetrahedron lies outside one of them.
 //!
-//! The nearest-point projection onto a convex set lengthens no curve. It maps a surface to one in the convex set with
-//! no more area, and leaves the boundary as it is if the boundary lies in the set. Therefore only surfaces in the
-//! intersection of the half-spaces matter, and |curl A| <= 1 is needed only in the tetrahedra that meet it. The others
-//! are 5 to 30% of all. They have no constraint, and the curl may have any length there.
+//! The nearest-point projection onto a convex set lengthens no curve. If the boundary lies in the set, the projection
+//! maps a surface to a surface in the set that has the same boundary and no more area. Therefore only surfaces in the
+//! intersection of the half-spaces matter, and |curl A| <= 1 is needed only in the tetrahedra that meet it. The other
+//! tetrahedra, 5 to 30% of all, are unconstrained: the curl may have any length there.
 
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 use std::f64::consts::PI;
 
-/// Number of directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
+/// Number of half-space directions that are spread evenly over the sphere, besides the axes and the normals of the
+/// loops.
 const DIRECTIONS: usize = 600;
-/// Distance by which a tetrahedron has to lie beyond a half-space, as a fraction of the boundary's size. It is far
-/// above the rounding errors of differences (they are rounded once), and far below the size of tetrahedra.
+/// Distance by which an unconstrained tetrahedron must lie outside a half-space, as a fraction of the boundary's size.
+/// It is far above the rounding errors of differences of coordinates (which are rounded once), and far below the size
+/// of the tetrahedra.
 const MARGIN: f64 = 1e-6;
-/// Rounding error of points and of their mirror images, in units of the largest coordinate's last place. It is added to
-/// the margin, and exceeds it where the boundary is small and far from the origin.
+/// Rounding error of points and of their mirror images, in units of the last place of the largest coordinate. It is
+/// added to the margin. For a small boundary far from the origin it exceeds the margin.
 const ROUNDED: f64 = 8.0;
 
-/// Number of products of a direction with a point between two looks at the caller's signal: about a millisecond of
-/// work.
+/// Number of scalar products of a direction and a point between two calls of [`Execution::look`], about a millisecond
+/// of work.
 const PRODUCTS_A_LOOK: usize = 400_000;
 
-/// Half-spaces around closed polygons.
+/// Half-spaces that contain closed polygons.
 #[derive(Debug)]
 pub(super) struct Hull {
     origin: DVec3,
-    /// Distance by which a tetrahedron has to lie beyond a half-space.
+    /// Distance by which an unconstrained tetrahedron must lie outside a half-space.
     pub margin: f64,
-    /// Outward directions d of length 1, each with a number that d·(x - origin) exceeds at every vertex x of a
-    /// tetrahedron beyond.
+    /// The outward unit direction d and the limit of each half-space. A tetrahedron lies outside if d·(x - origin)
+    /// exceeds the limit at each of its vertices x.
     half_spaces: Vec<(DVec3, f64)>,
 }
 
 impl Hull {
-    /// Finds half-spaces around `loops`. `normals` are further directions in which the hull is probably flat. With
-    /// planes of symmetry, `loops` must include the mirror images of the polygons. The mirror images of a tetrahedron
-    /// beyond a half-space then lie beyond mirror images of that half-space.
+    /// Finds half-spaces that contain `loops`. `normals` are further directions in which the hull is probably flat. If
+    /// there are planes of symmetry, `loops` must include the mirror images of the polygons. If a tetrahedron lies
+    /// outside a half-space, its mirror images then lie outside the mirror images of that half-space.
     ///
     /// # Errors
     /// An interruption by the caller.
@@ -48,7 +50,7 @@ impl Hull {
         let both = |normal: &DVec3| [normal.normalize_or_zero(), -normal.normalize_or_zero()];
         let flat = [DVec3::X, DVec3::Y, DVec3::Z];
         let flat = flat.iter().chain(normals).flat_map(both).filter(|&normal| normal != DVec3::ZERO);
-        // Points of equal area on the sphere, along a spiral with the golden angle.
+        // Directions that are spread evenly over the sphere, along a spiral with the golden angle.
         let golden_angle = PI * (3.0 - 5f64.sqrt());
         let spread = (0..DIRECTIONS).map(|k| {
             let z = 1.0 - (2 * k + 1) as f64 / DIRECTIONS as f64;
@@ -70,15 +72,15 @@ impl Hull {
         Ok(Self { origin, margin, half_spaces })
     }
 
-    /// The number of a half-space beyond which the whole tetrahedron lies.
+    /// The number of a half-space outside which the whole tetrahedron lies, or `None`.
     pub fn separating(&self, corners: &[DVec3; 4]) -> Option<usize> {
         let corners = corners.map(|corner| corner - self.origin);
         let beyond = |&(direction, reach): &(DVec3, f64)| corners.iter().all(|x| direction.dot(*x) > reach);
         self.half_spaces.iter().position(beyond)
     }
 
-    /// The directions of the half-spaces that have tetrahedra beyond them, and these tetrahedra, each with the
-    /// direction's number.
+    /// The directions of the half-spaces that have tetrahedra outside them, and these tetrahedra, each with the number
+    /// of its direction.
     pub fn beyond(&self, tetrahedra: &[[DVec3; 4]]) -> (Vec<DVec3>, Vec<[u32; 2]>) {
         let (mut directions, mut pairs) = (Vec::new(), Vec::new());
         let mut numbers = vec![None; self.half_spaces.len()];

@@ -1,7 +1,7 @@
-//! Interval arithmetic with outward rounding: every result contains the exact one.
+//! Interval arithmetic with outward rounding: every resulting interval contains the exact result.
 //!
-//! The five operations of IEEE 754 are correctly rounded, so the exact result lies between the neighbours of the
-//! rounded one.
+//! The five basic operations of IEEE 754 are correctly rounded. The exact result of an operation therefore lies between
+//! the two neighbours of the rounded result.
 
 use plateau_mesh::DVec3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -20,7 +20,7 @@ impl Interval {
     }
 
     fn around(low: f64, high: f64) -> Self {
-        // A NaN gives no information, so the interval has every number.
+        // A NaN gives no information, so that the interval must contain every number.
         if low.is_nan() || high.is_nan() {
             return Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
         }
@@ -45,7 +45,7 @@ impl Interval {
         Self { low: root.low.max(0.0), ..root }
     }
 
-    /// The interval times a number. The product is widened like every other one.
+    /// The interval times a number. The product is rounded outwards like every other result.
     pub fn times(self, factor: f64) -> Self {
         self * Self::exactly(factor)
     }
@@ -129,7 +129,7 @@ impl IntervalVector {
         a + b + c
     }
 
-    /// An upper bound of the length.
+    /// An upper bound of the vector's length.
     pub fn length_at_most(self) -> f64 {
         self.length_squared().sqrt().high
     }

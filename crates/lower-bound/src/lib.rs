@@ -1,4 +1,4 @@
-//! A proven lower bound of the area of *all* oriented surfaces with a given boundary, by duality. [`certify`] finds it.
+//! Proves a lower bound of the area of *all* oriented surfaces with a given boundary, by duality: see [`certify`].
 //!
 //! ```
 //! use plateau_lower_bound::{Options, certify};
@@ -14,40 +14,40 @@
 //! ```
 //!
 //! # The theorem
-//! Let Γ be closed polygons in a convex set H inside a box, and A a field on the box with |curl A| <= 1 in H. Every
-//! oriented surface S with boundary Γ has an area of at least ∮_Γ A·dl: inside H by Stokes' theorem, ∮_Γ A = ∫_S curl
-//! A·n <= area(S). A surface that leaves H does no better, because the nearest-point projection onto a convex set
-//! lengthens nothing: it maps S to a surface in H with the same boundary and no more area. The topology of S plays no
-//! part; "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with
-//! triple junctions are outside of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed
-//! in all tetrahedra except those that lie wholly outside one of the half-spaces and farther from its plane than a
-//! small margin.
+//! Let Γ be closed polygons in a convex set H inside a box, and A a field on the box with |curl A| <= 1 in H. Then
+//! every oriented surface S with boundary Γ has an area of at least ∮_Γ A·dl. For a surface inside H this follows from
+//! Stokes' theorem: ∮_Γ A = ∫_S curl A·n <= area(S). A surface that leaves H cannot have less area, because the
+//! nearest-point projection onto a convex set increases no length: it maps S to a surface in H with the same boundary
+//! and no more area. The topology of S does not matter; "surface" may be read as integral current. The theorem does not
+//! cover surfaces without an orientation (a Möbius film) and films with triple junctions. H is an intersection of
+//! half-spaces (`hull`). |curl A| <= 1 is imposed in all tetrahedra except those that lie wholly outside one of the
+//! half-spaces and farther from its plane than a small margin.
 //!
-//! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
-//! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
-//! tangential component can matter where Γ runs inside a face or an edge. Stokes' theorem therefore applies.
+//! A is piecewise polynomial with continuous tangential components (`element`). Mollification turns it into a smooth
+//! field. The curl of this smooth field is an average of values of norm at most 1. Its integral along Γ tends to that
+//! of A, because only the tangential component can matter where Γ runs inside a face or an edge. Stokes' theorem
+//! therefore applies.
 //!
 //! # The computation
-//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. A call takes
-//! these steps:
+//! Every A gives a bound. The largest bound is the solution of a convex problem, which is dual to the problem of least
+//! area. A call of [`certify`] takes these steps:
 //!
-//! 1. Where the boundary has planes of symmetry, A is needed only on one side of each, and the box ends there
+//! 1. If the boundary has planes of symmetry, A is needed only on one side of each plane, and the box ends there
 //!    (`symmetry`).
-//! 2. The box is cut into tetrahedra by bisection (`bisection`), finer where the film lies. Tetrahedra beyond the
-//!    convex set are left unconstrained (`hull`).
+//! 2. The box is cut into tetrahedra by bisection (`bisection`), which are smaller near the film. Tetrahedra outside
+//!    the convex set are left unconstrained (`hull`).
 //! 3. A maximises ∮A under |curl A| <= 1 (`conic`). The multipliers of the constraint are the dual surface, and the
-//!    mesh is refined where that surface bends inside a tetrahedron (`search`). Meshes are nested: every mesh takes
-//!    over the best field of the mesh before, and an iterate near the central path to start from. The systems are
-//!    factorised in an order of nested dissection (`dissection`). The budget decides on the sizes of the meshes
-//!    (`budget`).
-//! 4. At the end |curl A| and ∮A are computed with outward rounding (`proof`, `rigorous`): the bound is a theorem about
-//!    the given polygons in f64.
+//!    mesh is refined where that surface bends inside a tetrahedron (`search`). Meshes are nested: each mesh starts
+//!    with the best field of the mesh before and with an iterate near the central path. The systems are factorised in
+//!    an order of nested dissection (`dissection`). The budget determines the sizes of the meshes (`budget`).
+//! 4. At the end |curl A| and ∮A are computed with outward rounding (`proof`, `rigorous`), so that the bound is a
+//!    theorem about the given polygons in f64.
 //!
 //! # Work instead of time
-//! This crate knows no clock. The budget in seconds is converted to work by fixed rates. The same arguments therefore
-//! give the same bytes with the same build on processors with the same vector instructions; on others the kernels of
-//! faer, which factorise the systems, round differently. Every such result is proven. A deadline of the caller only
-//! stops the search earlier.
+//! This crate uses no clock. The budget in seconds is converted to an amount of work by fixed rates. The same build
+//! therefore gives the same bytes for the same arguments on processors with the same vector instructions. On other
+//! processors the kernels of faer, which factorise the systems, round differently. The result is proven in any case. A
+//! deadline of the caller only stops the search earlier.
 
 #![forbid(unsafe_code)]
 
@@ -83,16 +83,16 @@ use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Error, Execution, Mesh};
 use search::{Samples, Search, refine_first_mesh};
 
-/// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
-/// bound, and shows where the bound has to be sharp.
+/// Proves a lower bound of the area of every oriented surface bounded by the loops. `film` is a surface that the loops
+/// bound; it shows where the bound should be sharp.
 ///
-/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for
-/// the loops' size that f64 has no digits left for the mesh, if the film has no area, or if its border does not run
-/// along the loops.
+/// With several loops the bound is the least over all their orientations. Returns `None` in three cases: the
+/// coordinates are so large compared with the size of the loops that f64 has no digits left for the mesh, the film has
+/// no area, or its border does not run along the loops.
 ///
 /// # Errors
-/// The [`Error::Input`] of [`check`]; [`Error::Interrupted`] on a cancel. A deadline ends the search with the bound
-/// that is proven so far.
+/// The [`Error::Input`] of [`check`], and [`Error::Interrupted`] if the caller cancels. A deadline ends the search with
+/// the bound that is proven so far.
 pub fn certify(
     loops: &[Vec<DVec3>],
     film: &Mesh,
@@ -145,8 +145,8 @@ pub fn certify(
     }))
 }
 
-/// Returns the first meshes, and for each orientation the number of its mesh: orientations with the same symmetries
-/// share one. `None` if f64 has no digits left for a mesh.
+/// Returns the first meshes, and for each orientation the number of its mesh. Orientations with the same symmetries
+/// share a mesh. `None` if f64 has no digits left for a mesh.
 fn boxes(orientations: &[Oriented]) -> Option<(Vec<BisectionMesh>, Vec<usize>)> {
     let mut meshes: Vec<BisectionMesh> = Vec::new();
     let mut mesh_of: Vec<usize> = Vec::with_capacity(orientations.len());
@@ -165,8 +165,8 @@ fn boxes(orientations: &[Oriented]) -> Option<(Vec<BisectionMesh>, Vec<usize>)> 
     Some((meshes, mesh_of))
 }
 
-/// Continues always the search whose bound is the least, because the least bound is the result, until the budget is
-/// spent or the gap is reached. A search with free loops is split into the two directions of the next free loop.
+/// Repeatedly continues the search with the least bound, because the least bound is the result, until the budget is
+/// spent or the gap is reached. A search with free loops is split into the two directions of its next free loop.
 /// Returns whether a deadline ended the work.
 fn raise_the_least_bound(
     searches: &mut Vec<Search>,
@@ -198,7 +198,7 @@ fn raise_the_least_bound(
     Ok(false)
 }
 
-/// The example of the README is compiled and run with the others.
+/// Compiles and runs the example of the README with the other documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,9 +1,9 @@
-//! Options of a search for a lower bound, and the checks of its input.
+//! The options of a search for a lower bound, and the check of its arguments.
 
 use plateau_mesh::error::InputError;
 use plateau_mesh::{DVec3, Error, Mesh, Place};
 
-/// Options of [`certify`](crate::certify). They are made from the defaults:
+/// The options of [`certify`](crate::certify). They are made by changing the defaults:
 ///
 /// ```
 /// let options = plateau_lower_bound::Options::default().with_gap(0.01).with_seconds(0.2);
@@ -11,9 +11,10 @@ use plateau_mesh::{DVec3, Error, Mesh, Place};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Options {
-    /// The search ends once the film's area is at most this fraction above the bound. Default: 0.005.
+    /// The search ends when the film's area exceeds the bound by at most this fraction of the bound. Default: 0.005.
     pub gap: f64,
-    /// Nominal seconds of one core, converted to work by fixed rates; at most [`MOST_SECONDS`] are used. Default: 2.
+    /// The budget in nominal seconds of one core, which fixed rates convert to work. At most [`MOST_SECONDS`] are used.
+    /// Default: 2.
     pub seconds: f64,
 }
 
@@ -42,11 +43,11 @@ impl Options {
     }
 }
 
-/// Largest number of loops whose orientations are searched one by one from the start: 32 orientations of six loops.
-/// With more loops the search begins with one bound for all orientations, and then directs one loop after the other
-/// where the bound is least.
+/// Largest number of loops whose orientations are searched one by one from the start: six loops have 32 orientations.
+/// With more loops the search begins with one bound for all orientations. It then fixes the direction of one loop after
+/// the other in the search with the least bound.
 pub(super) const MOST_DIRECTED: usize = 6;
-/// Largest number of searches at a time. It bounds the memory and the size of the proof.
+/// Largest number of simultaneous searches. It bounds the memory and the size of the proof.
 pub(super) const MOST_SEARCHES: usize = 64;
 /// Largest budget that is used, in nominal seconds.
 pub const MOST_SECONDS: f64 = 600.0;
@@ -54,8 +55,8 @@ pub const MOST_SECONDS: f64 = 600.0;
 /// Checks the arguments of [`certify`](crate::certify) before any work. The time is linear in their size.
 ///
 /// # Errors
-/// The [`Error::Input`] with which [`certify`](crate::certify) would begin: no loop, a loop of fewer than three points,
-/// a coordinate that is not a finite number, a triangle of a vertex that the film does not have, and options that are
+/// The [`Error::Input`] that [`certify`](crate::certify) would return: if there is no loop, a loop has fewer than three
+/// points, a coordinate is not a finite number, a triangle names a vertex that the film does not have, or an option is
 /// negative or not finite.
 pub fn check(loops: &[Vec<DVec3>], film: &Mesh, options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();

@@ -1,24 +1,25 @@
-//! Orientations of the boundary: the directions in which a surface can run along its loops.
+//! Orientations of the boundary: in which directions a surface runs along its loops.
 
 use super::symmetry::Mirrors;
 use plateau_mesh::plane::polygon::doubled_area_vector;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 
-/// The loops in one orientation, or in all orientations that differ in the directions of some loops.
+/// The loops in one orientation, or in a set of orientations in which the directions of some loops are left open.
 #[derive(Clone, Debug)]
 pub(super) struct Oriented {
     pub loops: Vec<Vec<DVec3>>,
-    /// The loops along the axes of the mesh.
+    /// The loops in the coordinates of the mesh.
     pub placed: Vec<Vec<DVec3>>,
     pub mirrors: Mirrors,
-    /// Numbers of the loops whose direction is left open. The field has no circulation around them, so that it bounds
-    /// the area in either direction.
+    /// Numbers of the free loops, whose direction is left open. The field has no circulation around them, so that it
+    /// bounds the area for either direction.
     pub free: Vec<usize>,
 }
 
 impl Oriented {
-    /// Every orientation in which the last loop has the film's own direction. In the first of them all loops have it.
+    /// Every orientation in which the last loop has the direction of the film's border. In the first of them all loops
+    /// have the direction of the border.
     pub fn all(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Vec<Self> {
         let with_pattern = |pattern: u32| {
             let reversed = |k: usize| own[k] == (pattern >> k & 1 == 1);
@@ -29,11 +30,11 @@ impl Oriented {
         (0..1 << (loops.len() - 1)).map(with_pattern).collect()
     }
 
-    /// All orientations together: loop 0 in the film's own direction, and the others free.
+    /// All orientations together: loop 0 has the direction of the film's border, and the other loops are free.
     pub fn open(loops: &[Vec<DVec3>], own: &[bool], place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Self {
         let mut oriented = Self::with(loops, |k| !own[k], place);
         oriented.mirrors = Mirrors::in_every_orientation(&oriented.placed, middle);
-        // The next loop to be directed stands last.
+        // The next loop whose direction will be fixed is last in the list.
         oriented.free = near_first(loops).into_iter().skip(1).rev().collect();
         oriented
     }
@@ -47,7 +48,8 @@ impl Oriented {
         Self { loops, placed, mirrors: Mirrors::default(), free: Vec::new() }
     }
 
-    /// Directs the next free loop, in its own direction and in the other one. `None` if no loop is free.
+    /// Fixes the direction of the next free loop, once in its present direction and once reversed. `None` if no loop is
+    /// free.
     pub fn split(mut self) -> Option<[Self; 2]> {
         let number = self.free.pop()?;
         let mut other = self.clone();
@@ -57,33 +59,33 @@ impl Oriented {
     }
 }
 
-/// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of
-/// constant curl gives: the area itself for plane polygons.
+/// The vector area: the integral of the unit normal over any surface that the loops bound. Its length is the bound that
+/// a field of constant curl gives. For plane polygons this is the area itself.
 pub(super) fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
     0.5 * loops.iter().map(|points| doubled_area_vector(points)).sum::<DVec3>()
 }
 
-/// For each loop whether the film's border runs along it in the loop's direction. `None` if the border does not run
-/// along a loop in either direction, so that bounds of the loops say nothing about the film.
+/// For each loop, whether the film's border runs along it in the loop's direction. `None` if the border does not run
+/// along a loop in either direction. Bounds for the loops then do not apply to the film.
 pub(super) fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Option<Vec<bool>> {
     let border = Border::of(film);
     let direction = |points: &Vec<DVec3>| [true, false].into_iter().find(|&forward| border.runs_along(points, forward));
     loops.iter().map(direction).collect()
 }
 
-/// Cosine of the largest angle between an edge of the border and the segment that it is a part of. Edges that begin at
-/// the same vertex and belong to other segments make larger angles. If they do not, the edge with the smallest angle is
-/// taken.
+/// Cosine of the largest angle between an edge of the border and the segment of which the edge is a part. Edges that
+/// begin at the same vertex and belong to other segments usually make larger angles. If several edges pass, the edge
+/// with the smallest angle is taken.
 const ALONG: f64 = 0.5;
 
-/// The boundary chain of a film: the sides of triangles that no other triangle has in the other direction.
+/// The border of a film: the directed sides of triangles whose opposite direction is no side of a triangle.
 struct Border<'a> {
     vertices: &'a [DVec3],
-    /// The vertices by the keys of their places.
+    /// The vertices, sorted by the keys of their positions.
     places: Vec<([u64; 3], u32)>,
-    /// The sides in order.
+    /// The sides, sorted by their first vertex.
     sides: Vec<[u32; 2]>,
-    /// The same sides, with the ends exchanged.
+    /// The same sides reversed, sorted by their first vertex.
     backwards: Vec<[u32; 2]>,
 }
 
@@ -101,8 +103,8 @@ impl<'a> Border<'a> {
         Self { vertices: &film.vertices, places, sides, backwards }
     }
 
-    /// Whether the sides lead from each point of a closed polygon to the next one. Points that are no vertices are left
-    /// out.
+    /// Whether the sides lead from each point of a closed polygon to the next point. Points of the polygon that are not
+    /// vertices of the film are skipped.
     fn runs_along(&self, points: &[DVec3], forward: bool) -> bool {
         let sides = if forward { &self.sides } else { &self.backwards };
         let is_vertex = |p: &DVec3| self.at(*p).next().is_some();
@@ -116,7 +118,7 @@ impl<'a> Border<'a> {
                 loop {
                     let Some(next) = self.towards(sides, here, target) else { return false };
                     here = next;
-                    // Every side is taken once at most.
+                    // Every side is taken at most once.
                     let Some(fewer) = left.checked_sub(1) else { return false };
                     left = fewer;
                     if position_key(self.vertices[here as usize]) == position_key(target) {
@@ -128,7 +130,7 @@ impl<'a> Border<'a> {
         self.at(start).any(leads_round)
     }
 
-    /// The vertices at a place.
+    /// The vertices at a position.
     fn at(&self, point: DVec3) -> impl Iterator<Item = u32> {
         let key = position_key(point);
         let first = self.places.partition_point(|place| place.0 < key);
@@ -146,8 +148,8 @@ impl<'a> Border<'a> {
     }
 }
 
-/// Returns the numbers of the loops, loop 0 first and then always the loop whose centre is nearest to the centres
-/// before it, because a surface that joins a few loops joins neighbours. The search directs the loops in this order.
+/// Returns the order in which the search fixes the directions of the loops. Loop 0 is first. Each following loop is the
+/// one whose centre is nearest to the centres before it, because a surface that joins a few loops joins neighbours.
 pub(super) fn near_first(loops: &[Vec<DVec3>]) -> Vec<usize> {
     let centre = |points: &Vec<DVec3>| points.iter().sum::<DVec3>() / points.len() as f64;
     let centres: Vec<DVec3> = loops.iter().map(centre).collect();

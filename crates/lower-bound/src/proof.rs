@@ -1,4 +1,4 @@
-//! From the best field of a search to its proof, and to the places where the bound is not tight.
+//! Turns the best field of a search into a proof, and finds the places where the bound is not tight.
 
 use super::bisection::{BEST, BisectionMesh};
 use super::bound::Field;
@@ -9,8 +9,8 @@ use super::space::Space;
 use super::symmetry::{self, Axes};
 use plateau_mesh::{DVec3, Mesh};
 
-/// Proves the bound of the best field on a mesh: scales it to |curl A| <= 1, and computes its circulation, both with
-/// outward rounding. `None` if rounding leaves no proof.
+/// Proves the bound of the best field on a mesh. Scales the field to |curl A| <= 1 and computes its circulation, both
+/// with outward rounding. `None` if rounding leaves no proof.
 pub(super) fn prove(mesh: &BisectionMesh, oriented: &Oriented, hull: &Hull, axes: Option<&Axes>) -> Option<Field> {
     let Oriented { loops, free, .. } = oriented;
     let space = Space::within(mesh, hull);
@@ -64,8 +64,8 @@ pub(super) fn slack(mesh: &BisectionMesh, film: &Mesh, hull: &Hull, axes: Option
     film.vertices.iter().zip(normals).map(slack_at).collect()
 }
 
-/// Scales a field so that interval arithmetic proves |curl A| <= 1, and returns whether it does. A field without a curl
-/// stays as it is.
+/// Scales a field so that interval arithmetic proves |curl A| <= 1. Returns whether that succeeded. A field whose curl
+/// is zero is not changed.
 pub(super) fn scale_to_one(space: &Space, field: &mut [f64]) -> bool {
     for margin in [1e-14, 1e-13, 1e-11, 1e-8] {
         let largest = rigorous::largest_curl(space, field);

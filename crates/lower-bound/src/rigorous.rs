@@ -1,17 +1,20 @@
-//! The bound as a theorem: upper bounds of |curl A| and a lower bound of ∮A, in interval arithmetic.
+//! Proves the bound in interval arithmetic, by an upper bound of |curl A| and a lower bound of ∮A.
 //!
-//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It
-//! is bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
+//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so that its values at the four vertices
+//! suffice. It is bounded in all constrained tetrahedra: those that meet the intersection of the half-spaces (`hull`).
 //!
 //! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Non-negative
 //! weights, not all zero, define an exact point: the weighted mean of the tetrahedron's vertices. Rounded coordinates
-//! therefore describe *another* polygon exactly. It follows the given one within rounding, and each of its pieces lies
-//! in one tetrahedron, where the integral has a closed form. Between two pieces only the coordinates at vertices that
-//! both tetrahedra have are kept, so that the end of the first is the start of the second. Between the two polygons
-//! lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
-//! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
-//! bounded too. If the mesh has axes of its own, the given polygon is known up to intervals, and the bound is divided
-//! by the largest factor by which the axes, which are perpendicular only up to rounding, can enlarge an area.
+//! therefore describe *another* polygon exactly. This rounded polygon follows the given polygon up to rounding. Each of
+//! its pieces lies in one tetrahedron, where the integral has a closed form. At the end of a piece, only the
+//! coordinates at vertices that belong to this and the next tetrahedron are kept, so that the end of the piece is
+//! exactly the start of the next.
+//!
+//! A strip of triangles lies between the two polygons. It is thinner than the distance between the polygons and every
+//! unconstrained tetrahedron; otherwise there is no bound. Because |curl A| <= 1 in the strip, the two circulations
+//! differ by at most the area of the strip, which is bounded too. If the mesh has axes of its own, the given polygon is
+//! known up to intervals. The axes are perpendicular only up to rounding, and the bound is divided by the largest
+//! factor by which they can enlarge an area.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};
@@ -20,7 +23,7 @@ use super::space::Space;
 use super::symmetry::{self, Axes};
 use plateau_mesh::DVec3;
 
-/// The values of a field at the unknowns of a leaf, in the order of the leaf.
+/// The values of a field at the unknowns of a leaf, in the leaf's order.
 fn local(space: &Space, field: &[f64], leaf: usize) -> [f64; UNKNOWNS] {
     space.unknowns[leaf].map(|unknown| field[unknown as usize])
 }
@@ -49,7 +52,7 @@ fn curl_numerators(
     orientation: &Orientation,
 ) -> [IntervalVector; 4] {
     let mut result = [IntervalVector::ZERO; 4];
-    // For each vertex the coefficient of ∇λi × ∇λj.
+    // For each vertex, the coefficients of the products ∇λi × ∇λj.
     let mut coefficients = [[[Interval::ZERO; 4]; 4]; 4];
     for (p, at) in coefficients.iter_mut().enumerate() {
         for (e, [a, b]) in EDGES.into_iter().enumerate() {
@@ -80,13 +83,14 @@ fn curl_numerators(
 #[derive(Clone, Copy, Debug)]
 struct Link {
     piece: Piece,
-    /// The given segment, along the axes of the mesh.
+    /// The given segment, in the coordinates of the mesh.
     segment: [IntervalVector; 2],
 }
 
-/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1,
-/// where the magnitude of that around `free` loops is subtracted. `None` if the rounded polygon is farther than
-/// `margin` from the given one. The field may have axes of its own.
+/// A lower bound of the area of all surfaces bounded by closed polygons. It is the circulation of a field with |curl|
+/// <= 1 around the directed loops, minus the magnitude of its circulation around the `free` loops. `None` if the
+/// rounded polygon is farther than `margin` from the given polygon. `axes` are the axes of the field, if they differ
+/// from those of the loops.
 pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,
@@ -126,15 +130,16 @@ pub(super) fn least_area(
     area.low.is_finite().then_some(area.low)
 }
 
-/// Makes the end of every piece and the start of the next one the same point. `None` if the end lies too far from the
-/// vertices that both leaves have.
+/// Makes the end of every piece and the start of the next piece the same point. `None` if this point is too far from
+/// the vertices that both leaves have in common.
 fn close(mesh: &BisectionMesh, links: &mut [Link]) -> Option<()> {
     for k in 0..links.len() {
         let next = (k + 1) % links.len();
         let (here, there) = (links[k].piece, links[next].piece);
         let (own, other) = (mesh.leaf_vertices(here.leaf as usize), mesh.leaf_vertices(there.leaf as usize));
         let (mut to, mut from) = ([0.0; 4], [0.0; 4]);
-        // A vertex of both leaves also belongs to both mirror images if it lies in the planes between them.
+        // A vertex of both leaves is a common vertex of their mirror images only if it lies in the planes between the
+        // images.
         let between = BisectionMesh::planes_between(here.flips, there.flips);
         for (i, vertex) in own.iter().enumerate() {
             if mesh.planes_at(*vertex) & between != between {
@@ -157,7 +162,7 @@ fn sum_of(at: [f64; 4]) -> Interval {
     at.into_iter().fold(Interval::ZERO, |sum, x| sum + Interval::exactly(x))
 }
 
-/// The integral along a straight piece between two weighted means of the vertices.
+/// The integral of the field along a straight piece, whose ends are weighted means of the tetrahedron's vertices.
 fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation: &Orientation) -> Interval {
     let (from_sum, to_sum) = (sum_of(from), sum_of(to));
     let from = from.map(|x| Interval::exactly(x) / from_sum);
@@ -178,7 +183,7 @@ fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation:
 }
 
 /// An upper bound of the area of the two triangles between a piece and the part of the given segment that it follows.
-/// `None` if the piece may be farther away than `margin`.
+/// `None` if the distance between them may exceed `margin`.
 fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
     let [origin, end] = link.segment;
     let along = end - origin;

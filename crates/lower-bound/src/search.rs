@@ -1,5 +1,5 @@
-//! The search for the best field of one orientation, on meshes that are refined from level to level, and its branches
-//! where the directions of loops are still free.
+//! The search for the best field of one orientation, on meshes that are refined from level to level. A search in which
+//! the directions of some loops are still free can be split into two searches.
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::budget::{Budget, FILL_POWERS, MOST_ENTRIES, Size};
@@ -13,23 +13,24 @@ use plateau_mesh::{DVec3, Error, Execution, Progress};
 
 /// Number of leaves of the first mesh.
 const FIRST_LEAVES: usize = 600;
-/// Largest number of steps on a mesh.
+/// Largest number of Newton steps on a mesh.
 const MOST_STEPS: u32 = 40;
-/// The search goes on to a finer mesh once the gap to the mesh's own optimum is at most this multiple of the gap to the
-/// film's area. This suffices to see where the dual surface bends.
+/// The search continues on a finer mesh when the gap to the mesh's own optimum is at most this multiple of the gap to
+/// the film's area. This accuracy suffices to see where the dual surface bends.
 const CONVERGED: f64 = 1.0;
-/// The same multiple where the budget allows no finer mesh, so that only steps can use the rest of it.
+/// The same multiple if the budget allows no finer mesh, so that only steps on this mesh can use the rest of the
+/// budget.
 const CONVERGED_AT_LAST: f64 = 0.03;
-/// Where directions are free, a mesh is left once the gap to its own optimum is at most this fraction of the bound. The
-/// searches of both directions begin with this bound.
+/// While directions are free, a mesh is left when the gap to its own optimum is at most this fraction of the bound. The
+/// searches for both directions begin with this bound.
 const CONVERGED_WHILE_FREE: f64 = 0.1;
-/// Fraction of the total bend of the dual surface that the leaves marked in one round of refinement have.
+/// The leaves marked in one round of refinement contain this fraction of the total bend of the dual surface.
 const MARKED_SHARE: f64 = 0.4;
 
-/// Parts of the film: a point each, along the axes of the mesh, and the part's area.
+/// Parts of the film, each given by a point in the coordinates of the mesh and the area of the part.
 pub(super) type Samples = [(DVec3, f64)];
 
-/// Area of the film in each leaf.
+/// The area of the film in each leaf.
 fn film_in_leaves(mesh: &BisectionMesh, film: &Samples) -> Vec<f64> {
     let mut areas = vec![0.0; mesh.leaf_count()];
     for &(point, area) in film {
@@ -38,7 +39,7 @@ fn film_in_leaves(mesh: &BisectionMesh, film: &Samples) -> Vec<f64> {
     areas
 }
 
-/// Bisects the largest leaves that hold a part of the film, until there are [`FIRST_LEAVES`].
+/// Bisects the largest leaves that contain a part of the film, until there are [`FIRST_LEAVES`] leaves.
 ///
 /// # Errors
 /// An interruption by the caller.
@@ -58,24 +59,24 @@ pub(super) fn refine_first_mesh(mesh: &mut BisectionMesh, film: &Samples, exec: 
     Ok(())
 }
 
-/// The search for one orientation, or for a bound of several ones.
+/// The search for a bound of one orientation, or of several orientations together.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     pub oriented: Oriented,
     pub mesh: BisectionMesh,
-    /// Circulation of the best field so far; at first that of a constant curl.
+    /// The circulation of the best field so far. At first this is a field of constant curl.
     pub bound: f64,
-    /// Size of the last system.
+    /// Size of the last linear system. `None` before the first level.
     size: Option<Size>,
-    /// Whether the mesh carries an iterate to start from.
+    /// Whether the mesh carries an iterate from which the next level can start.
     is_warm: bool,
     /// Whether no further level is possible.
     pub is_finished: bool,
 }
 
 impl Search {
-    /// Starts from a constant curl, or from no field where loops are free: a constant curl has a circulation around
-    /// them.
+    /// Starts from a field of constant curl. If loops are free, starts from the zero field instead, because a field of
+    /// constant curl has a circulation around the free loops.
     pub fn new(oriented: Oriented, mut mesh: BisectionMesh) -> Self {
         let mut bound = 0.0;
         if oriented.free.is_empty() {
@@ -86,15 +87,16 @@ impl Search {
         Self { oriented, mesh, bound, size: None, is_warm: false, is_finished: false }
     }
 
-    /// The searches for both directions of the next free loop, which begin with the field of this one. `None` if no
-    /// loop is free, this search has not run yet, or the budget is too small for both.
+    /// The searches for both directions of the next free loop, which begin with the field of this search. `None` if no
+    /// loop is free, if this search has not run yet, or if the budget is too small for both.
     pub fn split(&self, budget: &Budget) -> Option<[Self; 2]> {
         let affords_both = 2.0 * self.size?.price(1) <= budget.left();
         let orientations = self.oriented.clone().split().filter(|_| affords_both)?;
         Some(orientations.map(|oriented| Self { oriented, size: None, is_warm: false, ..self.clone() }))
     }
 
-    /// Refines the mesh if the budget allows for it, and iterates on the mesh. `storage` is the memory of the factor.
+    /// Runs one level: refines the mesh if the budget allows it, and iterates on the mesh. `storage` is memory that the
+    /// factorisations reuse.
     ///
     /// # Errors
     /// An interruption by the caller.
@@ -115,8 +117,8 @@ impl Search {
         exec.look(self.mesh.leaf_count() as u64)?;
         let mut space = Space::within(&self.mesh, hull);
         if !space.is_a_ball() {
-            // On the first mesh the constraint is imposed everywhere instead, because the curl of the starting field is
-            // constant and at most 1 everywhere.
+            // On the first mesh the constraint is imposed in all leaves instead. This is possible because the curl of
+            // the starting field is constant and at most 1 everywhere.
             self.is_finished = !is_first;
             if self.is_finished {
                 return Ok(());
@@ -153,7 +155,7 @@ impl Search {
     }
 }
 
-/// Makes steps until the optimum is near enough, the budget is spent, or a step fails.
+/// Makes Newton steps until the optimum is near enough, the budget is spent, or a step fails.
 fn iterate(
     level: &mut Level,
     system: &mut System,
@@ -176,7 +178,7 @@ fn iterate(
         match level.step(system, storage, exec) {
             Ok(()) => {}
             Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
-            // The best field so far proves its bound all the same.
+            // The best field so far still proves its bound.
             Err(Stop::Failed(_)) => break,
         }
         budget.spent += size.step_price();
@@ -193,8 +195,8 @@ fn iterate(
 }
 
 impl BisectionMesh {
-    /// Stores the two fields, and for the constrained leaves the dual surface and the dual vectors of the central
-    /// field.
+    /// Stores the two fields of `fields` on the mesh. For the constrained leaves, also stores the dual surface
+    /// (`currents`) and the dual vectors of the central field (`duals`).
     pub(super) fn carry(
         &mut self,
         space: &Space,
@@ -220,7 +222,8 @@ impl BisectionMesh {
 
     /// Bisects the leaves in which the dual surface bends most, until there are about as many leaves as asked for.
     fn refine(&mut self, leaves: usize, exec: &Execution) -> Result<(), Error> {
-        // Number of leaves that each marked leaf adds, because others are bisected with it.
+        // Number of leaves that each marked leaf adds. It exceeds 1, because other leaves are bisected with the marked
+        // one.
         let mut added = 2.0;
         while self.leaf_count() < leaves {
             exec.look(self.leaf_count() as u64)?;

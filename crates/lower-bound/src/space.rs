@@ -1,4 +1,5 @@
-//! The unknowns of a mesh, the curl as a linear map, and the circulation around the boundary as a linear form.
+//! The finite-element space of a mesh: its unknowns, the curl as a linear map, and the circulation around the boundary
+//! as a linear form.
 
 use super::bisection::{BisectionMesh, EDGES, VertexMap};
 use super::element::{self, Orientation, UNKNOWNS};
@@ -7,32 +8,34 @@ use plateau_mesh::DVec3;
 use plateau_mesh::disjoint_sets::DisjointSets;
 use plateau_mesh::topology::edge_key;
 
-/// Numbers of the unknowns, for one mesh: the edges first, then the faces.
+/// The unknowns of one mesh: first one for each edge, then two for each face.
 #[derive(Debug)]
 pub(super) struct Space {
     pub edges: Vec<[u32; 2]>,
     pub faces: Vec<[u32; 3]>,
-    /// For each leaf its unknowns: those of six edges, then pairs of the four faces.
+    /// For each leaf, the numbers of its unknowns: those of its six edges, then two for each of its four faces.
     pub unknowns: Vec<[u32; UNKNOWNS]>,
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is fixed: it belongs to no constrained leaf, or vanishes, or is an edge of a
-    /// spanning tree. The fixed values on the tree determine the gradient, which could be added to the field without a
-    /// change of its curl.
+    /// For each unknown, whether it is fixed. An unknown is fixed if it belongs to no constrained leaf, if it is zero
+    /// by symmetry, or if it is an edge of a spanning tree. Fixing the tree determines the gradient that could be added
+    /// to the field without changing its curl.
     pub gauge: Vec<bool>,
-    /// For each vertex the planes of symmetry on which it lies, a bit for each axis.
+    /// For each vertex, the planes of symmetry on which it lies, as a bit for each axis.
     planes: Vec<u8>,
-    /// The planes in which the field has no tangential component, because it changes its sign there.
+    /// The planes of symmetry in which the field has no tangential component, because the field changes its sign there.
+    /// A bit for each axis.
     odd_planes: u8,
-    /// Mirror images of the mesh, itself included.
+    /// Number of mirror images of the mesh, including the mesh itself.
     images: usize,
-    /// The leaves in which |curl A| <= 1 is imposed, in ascending order. Lists of curls have an entry for each of them.
+    /// The constrained leaves, in which |curl A| <= 1 is imposed, in ascending order. Lists of curls have one entry for
+    /// each of them.
     pub constrained: Vec<u32>,
 }
 
 impl Space {
-    /// The unknowns of the whole mesh, constrained everywhere.
+    /// The space of the whole mesh, constrained in all leaves.
     pub fn of(mesh: &BisectionMesh) -> Self {
         let leaves = mesh.leaf_count();
         let mut edge_numbers: VertexMap<[u32; 2], u32> = VertexMap::default();
@@ -80,7 +83,7 @@ impl Space {
         space
     }
 
-    /// The unknowns of the whole mesh, constrained only in the leaves that do not lie beyond one of the hull's
+    /// The space of the whole mesh, constrained only in the leaves that do not lie outside one of the hull's
     /// half-spaces.
     pub fn within(mesh: &BisectionMesh, hull: &Hull) -> Self {
         let mut space = Self::of(mesh);
@@ -90,13 +93,13 @@ impl Space {
         space
     }
 
-    /// Constrains the given leaves only, in ascending order.
+    /// Constrains only the given leaves, which must be in ascending order.
     pub(super) fn constrain(&mut self, leaves: Vec<u32>) {
         self.constrained = leaves;
         self.gauge = self.fixed_unknowns();
     }
 
-    /// The planes of symmetry in which an edge or a face lies.
+    /// The planes of symmetry in which an edge or a face lies, as a bit for each axis.
     fn planes_of(&self, vertices: &[u32]) -> u8 {
         vertices.iter().fold(u8::MAX, |planes, &vertex| planes & self.planes[vertex as usize])
     }
@@ -106,8 +109,8 @@ impl Space {
         self.planes_of(vertices) & self.odd_planes != 0
     }
 
-    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole
-    /// some fields without a curl are no gradients, so that the system would be singular.
+    /// Whether the constrained leaves and their mirror images together have the Euler characteristic of a ball. If they
+    /// surround a hole, some fields with zero curl are not gradients, and the system would be singular.
     pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
         let (edges, faces) = used.split_at(self.edges.len());
@@ -125,7 +128,7 @@ impl Space {
         vertices + faces == edges + self.images * self.constrained.len() + 1
     }
 
-    /// For each unknown whether a constrained leaf has it.
+    /// For each unknown, whether it belongs to a constrained leaf.
     fn used_unknowns(&self) -> Vec<bool> {
         let mut used = vec![false; self.count()];
         for &leaf in &self.constrained {
@@ -138,13 +141,13 @@ impl Space {
         self.edges.len() + 2 * self.faces.len()
     }
 
-    /// Marks the unknowns that belong to no constrained leaf, the unknowns that vanish, and the edges of a spanning
-    /// tree of the other vertices. Edges are taken by their numbers.
+    /// Marks the fixed unknowns: those that belong to no constrained leaf, those that are zero by symmetry, and the
+    /// edges of a spanning tree of the remaining vertices. The tree takes edges in the order of their numbers.
     fn fixed_unknowns(&self) -> Vec<bool> {
         let mut joined = DisjointSets::new(self.planes.len());
         let mut fixed: Vec<bool> = self.used_unknowns().into_iter().map(|used| !used).collect();
-        // The edges on which the field vanishes come first, because the potential of a gradient that may be added is
-        // constant along them.
+        // The edges on which the field vanishes come first, because the potential of the gradient is constant along
+        // them.
         for vanishing in [true, false] {
             for (e, edge @ &[a, b]) in self.edges.iter().enumerate() {
                 if fixed[e] || self.vanishes(edge) != vanishing {
@@ -162,7 +165,8 @@ impl Space {
         fixed
     }
 
-    /// Returns one of the two fields that the mesh carries.
+    /// Returns one of the two fields that the mesh carries: `which` is [`BEST`](super::bisection::BEST) or
+    /// [`CENTRAL`](super::bisection::CENTRAL).
     pub fn field(&self, mesh: &BisectionMesh, which: usize) -> Vec<f64> {
         let mut field: Vec<f64> = self.edges.iter().map(|edge| mesh.edges[edge].circulation[which]).collect();
         field.resize(self.count(), 0.0);
@@ -202,7 +206,7 @@ impl Space {
         self.constrained.iter().map(|&leaf| self.curl_in(leaf as usize, field)).collect()
     }
 
-    /// Adds the transposed curl of values at the vertices of every constrained leaf.
+    /// Applies the transposed curl to values at the vertices of every constrained leaf, and adds the result to `out`.
     pub fn transposed_curl(&self, values: impl Fn(usize, usize) -> DVec3, out: &mut [f64]) {
         for (k, &leaf) in self.constrained.iter().enumerate() {
             let leaf = leaf as usize;
@@ -216,7 +220,7 @@ impl Space {
         }
     }
 
-    /// The circulation of each basis function around closed polygons.
+    /// The circulation of each basis function around closed polygons: the coefficients of a linear form.
     pub fn circulation<'a>(&self, mesh: &BisectionMesh, loops: impl IntoIterator<Item = &'a Vec<DVec3>>) -> Vec<f64> {
         let mut form = vec![0.0; self.count()];
         for points in loops {

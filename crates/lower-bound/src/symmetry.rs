@@ -1,64 +1,65 @@
-//! Planes of symmetry of a boundary that are perpendicular to each other.
+//! Finds perpendicular planes of symmetry of a boundary.
 //!
-//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other
-//! direction (s = -1). The field s σ*A has the circulation of A and curls of the same lengths. The mean of A and s σ*A
-//! has the same circulation, and its curls are at most as long. The largest circulation is therefore reached by a field
-//! that is its own image. This field is known on both sides of the plane if it is known on one side. Where s = -1, its
-//! tangential component vanishes in the plane.
+//! A reflection σ at a plane of symmetry maps the boundary Γ to itself, either in the same direction (s = 1) or in the
+//! opposite direction (s = -1). The field s σ*A has the same circulation as A, and its curls have the same lengths. The
+//! mean of A and s σ*A also has this circulation, and its curls are at most as long. The largest circulation is
+//! therefore reached by a field that is its own image. This field is known on both sides of the plane if it is known on
+//! one side. If s = -1, its tangential component vanishes in the plane.
 //!
 //! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget
-//! affords finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the
-//! given boundary.
+//! affords a finer mesh. The proof does not rely on the symmetry: any field is allowed, and its circulation is computed
+//! around the given boundary.
 //!
-//! The planes are perpendicular to the axes of the mesh. If the boundary has more such planes in other directions, the
-//! mesh is turned to them ([`Axes`]). Other symmetries, like half turns, are not used.
+//! The planes are perpendicular to the axes of the mesh. If the boundary has more planes of symmetry in other
+//! directions, the mesh is rotated to them ([`Axes`]). Other symmetries, such as half turns, are not used.
 
 use super::interval::{Interval, IntervalVector};
 use glam::BVec3;
 use plateau_mesh::execution::Interruption;
 use plateau_mesh::{DVec3, Execution};
 
-/// Largest distance between a vertex and the mirror image of another one for which the two count as equal, as a
-/// fraction of the boundary's size. Coordinates of a few metres that were rounded to millimetres differ by as much. A
-/// symmetrical field bounds the area of half a film together with that of half its mirror image. If the symmetry holds
-/// only roughly, this sum is the film's area up to a term of second order.
+/// Largest distance, as a fraction of the boundary's size, at which a vertex and the mirror image of another vertex
+/// count as equal. The coordinates of boundaries of a few metres that were rounded to millimetres differ by this much.
+/// A symmetrical field bounds the area of half a film together with that of half its mirror image. If the symmetry
+/// holds only roughly, this sum is the film's area up to a term of second order.
 const TOLERANCE: f64 = 5e-4;
-/// Largest cosine between the normals of two planes that count as perpendicular. Normals are less accurate than points,
-/// and the axes are made perpendicular afterwards.
+/// Two planes count as perpendicular if the cosine between their normals is at most this. Normals are less accurate
+/// than points, and the axes are made perpendicular afterwards.
 const PERPENDICULAR: f64 = 1e-3;
-/// Largest number of points of a boundary whose planes of symmetry are searched in all directions, because the time can
-/// rise with the square of the number.
+/// Largest number of points of a boundary for which planes of symmetry are searched in all directions, because the time
+/// can increase with the square of the number.
 const MOST_POINTS: usize = 5_000;
 
 /// A plane of symmetry of a field, perpendicular to an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
-    /// 0, 1 or 2.
+    /// The number of the axis: 0, 1 or 2.
     pub axis: usize,
     /// The coordinate of the plane.
     pub at: f64,
-    /// The field on the other side is this number times the pull-back of the field: 1 or -1.
+    /// 1 or -1. The field on the other side of the plane is this number times the reflected field (its pull-back).
     pub sign: i8,
 }
 
-/// The planes of symmetry of an oriented boundary: for each axis whether the reflection at the plane through the middle
-/// maps the boundary to itself.
+/// The planes of symmetry of an oriented boundary: for each axis, whether the reflection at the perpendicular plane
+/// through the middle maps the boundary to itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Mirrors {
     /// The mean of all vertices, through which every plane of symmetry passes.
     pub middle: DVec3,
-    /// 1 if the boundary keeps its direction, -1 if it changes, 0 if the boundary is not symmetrical.
+    /// For each axis, 1 if the reflection keeps the boundary's direction, -1 if it reverses the direction, and 0 if the
+    /// boundary is not symmetrical.
     signs: [i8; 3],
 }
 
 impl Mirrors {
-    /// The symmetries of oriented closed polygons whose mean of all vertices is `middle`.
+    /// The symmetries of oriented closed polygons. `middle` is the mean of all their vertices.
     pub fn of(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
         Self::that(loops, middle, |_, _| true)
     }
 
-    /// The symmetries that closed polygons have in whichever direction each of them is traversed: every polygon is its
-    /// own image.
+    /// The symmetries of closed polygons that hold whatever the direction of each polygon is, because every polygon is
+    /// its own image.
     pub fn in_every_orientation(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
         Self::that(loops, middle, |number, image| image.on == number)
     }
@@ -79,18 +80,18 @@ impl Mirrors {
         BVec3::from_array(self.signs.map(|sign| sign != 0))
     }
 
-    /// The axes on whose planes the field changes its sign, a bit for each.
+    /// The axes at whose planes the field changes its sign, as a bit for each axis.
     pub fn odd(&self) -> u8 {
         (0..3).filter(|&axis| self.signs[axis] < 0).map(|axis| 1 << axis).sum()
     }
 
-    /// Number of mirror images of a place, itself included.
+    /// Number of mirror images of a point, including the point itself.
     pub fn images(&self) -> usize {
         1 << self.axes().bitmask().count_ones()
     }
 
-    /// The factor between the integral of the field along a curve and that along its mirror image; `flips` is -1 along
-    /// the axes that are reflected.
+    /// The factor between the integral of the field along a curve and that along its mirror image. `flips` is -1 for
+    /// each axis that is reflected, else 1.
     pub fn sign(&self, flips: DVec3) -> f64 {
         (0..3).filter(|&axis| flips[axis] < 0.0).map(|axis| f64::from(self.signs[axis])).product()
     }
@@ -107,7 +108,7 @@ impl Mirrors {
         })
     }
 
-    /// For each mirror image of a place -1 along the axes that are reflected, else 1.
+    /// The `flips` of each mirror image: -1 for each axis that is reflected, else 1.
     pub fn flips(&self) -> Vec<DVec3> {
         let mut flips = vec![DVec3::ONE];
         for axis in (0..3).filter(|&axis| self.signs[axis] != 0) {
@@ -116,14 +117,14 @@ impl Mirrors {
         flips
     }
 
-    /// The planes through a point.
+    /// The planes of symmetry. They all pass through `point`.
     pub fn planes(&self, point: DVec3) -> Vec<Mirror> {
         let mirror = |axis: usize| Mirror { axis, at: point[axis], sign: self.signs[axis] };
         (0..3).filter(|&axis| self.signs[axis] != 0).map(mirror).collect()
     }
 }
 
-/// The mean of all vertices: reflections of a symmetrical boundary leave it where it is.
+/// The mean of all vertices. A reflection that maps the boundary to itself does not move it.
 pub(super) fn middle(loops: &[Vec<DVec3>]) -> DVec3 {
     let start = loops[0][0];
     let (sum, count) = loops.iter().flatten().fold((DVec3::ZERO, 0.0), |(sum, n), &p| (sum + (p - start), n + 1.0));
@@ -138,23 +139,23 @@ fn tolerance(loops: &[Vec<DVec3>]) -> f64 {
 /// A plane through a point.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
-    /// Of length 1.
+    /// The unit normal.
     normal: DVec3,
     middle: DVec3,
 }
 
-/// The polygon on which the mirror image of a closed polygon lies: another one or the polygon itself.
+/// How the mirror image of a closed polygon lies on one of the polygons, which may be the polygon itself.
 #[derive(Clone, Copy, Debug)]
 struct Image {
     on: usize,
-    /// The vertex on which the image of the first vertex lies.
+    /// The vertex of that polygon on which the image of the first vertex lies.
     start: usize,
     /// 1 if the image has the direction of the polygon on which it lies, else -1.
     sign: i8,
 }
 
 impl Image {
-    /// The vertex on which the image of vertex k lies, of `count` vertices.
+    /// The vertex on which the image of vertex k lies. `count` is the number of vertices of the polygon.
     fn vertex(&self, k: usize, count: usize) -> usize {
         if self.sign > 0 { (self.start + k) % count } else { (self.start + count - k) % count }
     }
@@ -165,7 +166,7 @@ impl Plane {
         points.iter().map(|&p| p - self.normal * (2.0 * self.normal.dot(p - self.middle))).collect()
     }
 
-    /// The image of each closed polygon; `None` if there is an image that lies on none of them.
+    /// The image of each closed polygon. `None` if an image lies on none of the polygons.
     fn images(&self, loops: &[Vec<DVec3>], tolerance: f64) -> Option<Vec<Image>> {
         let image = |points: &Vec<DVec3>| {
             let reflected = self.reflected(points);
@@ -174,7 +175,7 @@ impl Plane {
         loops.iter().map(image).collect()
     }
 
-    /// The plane whose normal is the mean direction from vertices to their images.
+    /// The plane with an improved normal: the mean direction from the vertices to their images.
     fn improved(self, loops: &[Vec<DVec3>], images: &[Image], tolerance: f64) -> Self {
         let (mut sum, mut all) = (DVec3::ZERO, 0.0);
         for (points, image) in loops.iter().zip(images) {
@@ -189,7 +190,7 @@ impl Plane {
     }
 }
 
-/// Returns how the mirror image of a closed polygon lies on another polygon, if it lies on it.
+/// Returns how the mirror image of a closed polygon lies on the polygon with the number `on`, or `None` if it does not.
 fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Option<Image> {
     let count = points.len();
     if image.len() != count {
@@ -201,7 +202,8 @@ fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Opt
     candidates.into_iter().find(|candidate| lies_on(candidate))
 }
 
-/// A rectangular coordinate system: a point x has the products of the directions with x - origin as its coordinates.
+/// A rectangular coordinate system. The coordinates of a point x are the scalar products of the directions with x -
+/// origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     /// The point whose coordinates become zero.
@@ -210,13 +212,14 @@ pub struct Axes {
     pub directions: [DVec3; 3],
 }
 
-/// The coordinates of a point along `axes`, or the point itself if there are none.
+/// The coordinates of a point with respect to `axes`, or the point itself if `axes` is `None`.
 pub(super) fn place(axes: Option<&Axes>, point: DVec3) -> DVec3 {
     axes.map_or(point, |axes| axes.turn(point - axes.origin))
 }
 
 impl Axes {
-    /// Axes along which the boundary has more planes of symmetry than along the given ones, if there are any.
+    /// Finds axes that have more planes of symmetry perpendicular to them than the given coordinate axes have. `None`
+    /// if there are none.
     ///
     /// # Errors
     /// An interruption by the caller.
@@ -233,8 +236,8 @@ impl Axes {
         };
         let first = farthest(&|p| p.length_squared());
         let second = farthest(&|p| p.cross(first - middle).length_squared());
-        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or
-        // holds both points.
+        // For every plane of symmetry, one of three cases holds: it lies halfway between the first point and its image,
+        // it lies halfway between the second point and its image, or it contains both points.
         let tolerance = tolerance(loops);
         let between = |p: DVec3| {
             points().filter_map(move |q| {
@@ -260,18 +263,18 @@ impl Axes {
             return Ok(None);
         }
         let x = normals[0];
-        // With one plane only, the second axis points to the point that is farthest from the first one.
+        // If there is only one plane, the second axis points to the point that is farthest from the first axis.
         let y = normals.get(1).copied().unwrap_or_else(|| farthest(&|p| p.cross(x).length_squared()) - middle);
         let y = (y - x * x.dot(y)).try_normalize();
         Ok(y.map(|y| Self { origin: middle, directions: [x, y, x.cross(y)] }))
     }
 
-    /// A vector's components along the axes.
+    /// The components of a vector along the axes.
     pub(super) fn turn(&self, vector: DVec3) -> DVec3 {
         DVec3::from_array(self.directions.map(|axis| axis.dot(vector)))
     }
 
-    /// Intervals around the coordinates of a point.
+    /// Intervals that contain the coordinates of a point.
     pub(super) fn place_rigorously(&self, point: DVec3) -> IntervalVector {
         let from_origin = IntervalVector::exactly(point) - IntervalVector::exactly(self.origin);
         IntervalVector(self.directions.map(|axis| IntervalVector::exactly(axis).dot(from_origin)))
@@ -313,7 +316,7 @@ mod tests {
         assert_eq!(signs(&[ring(0.0)]), [-1, -1, 1]);
         assert_eq!(signs(&[ring(0.0), ring(1.0)]), [-1, -1, 1]);
         assert_eq!(signs(&[ring(0.0), reversed(ring(1.0))]), [-1, -1, -1]);
-        // The middle ring keeps its direction, and the others change theirs.
+        // The middle ring would keep its direction, while the other rings would change theirs.
         assert_eq!(signs(&[ring(0.0), ring(0.5), reversed(ring(1.0))]), [-1, -1, 0]);
         // This curve has half turns as symmetries, but no reflection.
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
@@ -322,7 +325,7 @@ mod tests {
         // Rounded coordinates keep their symmetry only up to the rounding.
         let rounded = |p: DVec3| (p * 1e3).round() * 1e-3;
         assert_eq!(signs(&[circle(24, |x, y| offset + rounded(DVec3::new(x, y, x * x)))]), [-1, -1, 0]);
-        // A regular polygon of 23 sides has one axis.
+        // In this position a regular polygon of 23 sides has only one coordinate plane of symmetry.
         assert_eq!(signs(&[circle(23, |x, y| DVec3::new(x, y, x * x))]), [0, -1, 0]);
     }
 
@@ -349,7 +352,7 @@ mod tests {
         assert_eq!(planes(&|x, y| DVec3::new(x, 2.0 * y, 0.0), 40), Some([-1, -1, 1]));
         assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 40), Some([-1, -1, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 23), Some([-1, 0, 0]));
-        // The first and the second point lie in the only plane of symmetry.
+        // The first and the second point lie in one plane of symmetry.
         assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, 2.0 * x * x), 12), Some([-1, -1, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, x * x + x), 12), Some([-1, 0, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(x, y, x * y * (2.0 + x)), 40), None);
@@ -357,7 +360,7 @@ mod tests {
         let found = axes_of(std::slice::from_ref(&rounded)).unwrap();
         let placed: Vec<DVec3> = rounded.iter().map(|&p| place(Some(&found), p)).collect();
         assert_eq!(Mirrors::of(&[placed], DVec3::ZERO).images(), 4);
-        // Nothing is gained where the given axes have as many planes.
+        // No axes are returned if the given axes have as many planes of symmetry.
         assert_eq!(axes_of(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
         assert!(axes_of(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());
     }

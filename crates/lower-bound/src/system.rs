@@ -1,4 +1,5 @@
-//! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
+//! The linear systems with the matrix Cᵀ W C and their factorisation. C is the curl, and W consists of a symmetric 3 ×
+//! 3 matrix for each vertex of a tetrahedron.
 
 use super::dissection::{self, NONE};
 use super::element::{self, UNKNOWNS};
@@ -9,32 +10,32 @@ use plateau_mesh::execution::Interruption;
 use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix, dot};
 use plateau_mesh::{DVec3, Error, Execution};
 
-/// The pattern of the matrix, its analysis, and the entries to which each tetrahedron adds.
+/// The pattern of the matrix, its symbolic factorisation, and the entries to which each tetrahedron contributes.
 #[derive(Debug)]
 pub(super) struct System {
-    /// For each unknown its row, or `NONE` if the gauge fixes the unknown.
+    /// For each unknown, its row, or `NONE` if the gauge fixes the unknown.
     row: Vec<u32>,
     rows: usize,
     pub(super) matrix: SymmetricMatrix,
     /// The rows in their order of elimination.
     #[cfg(test)]
     pub(super) order: Vec<u32>,
-    /// For each constrained leaf the positions of its entries in the matrix.
+    /// For each constrained leaf, the positions of its entries in the matrix.
     entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
     symbolic: Symbolic,
 }
 
-/// Number of leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
+/// Number of leaves that are assembled between two calls of [`Execution::look`], a few milliseconds of work.
 const LEAVES_A_LOOK: usize = 1_000;
 
-/// Number of rows whose pattern is built between two looks: a few milliseconds of work.
+/// Number of rows whose pattern is built between two calls of [`Execution::look`], a few milliseconds of work.
 const ROWS_A_LOOK: u32 = 5_000;
 
-/// A form counts as dependent on earlier ones if at most this fraction of its squared norm remains after they are
-/// projected out, in the inner product of the inverse matrix.
+/// A linear form counts as dependent on earlier forms if at most this fraction of its squared norm remains after they
+/// are projected out. The norm is that of the inverse matrix.
 const INDEPENDENT: f64 = 1e-12;
 
-/// The reason why there is no factor.
+/// Why a system has no factorisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stop {
     Interrupted(Interruption),
@@ -78,7 +79,7 @@ impl System {
                 rows += 1;
             }
         }
-        // The constrained leaves around each row.
+        // The constrained leaves that have each row.
         let mut start = vec![0u32; rows as usize + 1];
         let numbers = |&leaf: &u32| space.unknowns[leaf as usize].map(|unknown| row[unknown as usize]);
         let rows_of: Vec<[u32; UNKNOWNS]> = space.constrained.iter().map(numbers).collect();
@@ -140,7 +141,7 @@ impl System {
         })
     }
 
-    /// Entries of the factor.
+    /// Number of entries of the factor.
     pub fn factor_entries(&self) -> usize {
         self.symbolic.factor_entries()
     }
@@ -150,8 +151,8 @@ impl System {
         self.rows
     }
 
-    /// Assembles and factorises the matrix for the weights at the four vertices of each constrained leaf: symmetric
-    /// positive definite matrices.
+    /// Assembles and factorises the matrix. `weight` gives the symmetric positive definite matrix W at each of the four
+    /// vertices of each constrained leaf.
     pub fn factorise(
         &mut self,
         space: &Space,
@@ -197,13 +198,13 @@ pub(super) struct Factor<'a> {
     row: &'a [u32],
     factor: plateau_mesh::sparse::Factorisation<'a>,
     rows: usize,
-    /// Solutions for the held forms, orthonormal in the inner product of the matrix.
+    /// The solutions whose right-hand sides are the held forms, made orthonormal in the inner product of the matrix.
     held: Vec<Vec<f64>>,
 }
 
 impl Factor<'_> {
-    /// Makes the given linear forms vanish on all later solutions, which then minimise the quadratic function under
-    /// these constraints. Forms that depend on earlier ones change nothing.
+    /// Holds the given linear forms at zero: they vanish on all later solutions, which minimise the quadratic function
+    /// under these constraints. A form that depends on earlier ones changes nothing.
     pub fn hold(&mut self, forms: &[Vec<f64>], exec: &Execution) -> Result<(), Interruption> {
         for form in forms {
             exec.look(self.rows as u64)?;
@@ -218,13 +219,13 @@ impl Factor<'_> {
         Ok(())
     }
 
-    /// Solves for all unknowns; those that the gauge fixes are zero. An inaccurate solution is still usable as a
-    /// direction of Newton's method, because the step along it is limited to the cones.
+    /// Solves for all unknowns. Unknowns that the gauge fixes are zero. An inaccurate solution is still usable as a
+    /// direction of Newton's method, because the step along it is limited by the cones.
     pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
         self.project(self.solve_freely(right_hand_side), right_hand_side)
     }
 
-    /// The part of a solution on which the held forms vanish.
+    /// Projects a solution so that the held forms vanish on it.
     fn project(&self, mut solution: Vec<f64>, right_hand_side: &[f64]) -> Vec<f64> {
         for held in &self.held {
             let share = dot(held, right_hand_side);

@@ -21,7 +21,7 @@ fn ring() -> Vec<DVec3> {
         .collect()
 }
 
-/// A mesh of a ring with random leaves bisected, round after round.
+/// A mesh around a ring, in which random leaves are bisected in each of `rounds` rounds.
 fn random_mesh(rounds: usize, seed: &mut u64) -> BisectionMesh {
     let mut mesh = BisectionMesh::around(ring().into_iter(), Mirrors::default()).unwrap();
     for _ in 0..rounds {
@@ -92,7 +92,7 @@ fn bisection_leaves_the_field_as_it_is() {
         let curl = space.curl(&space.field(&mesh, which));
         let largest = curl.iter().flatten().map(|v| v.length()).fold(0.0, f64::max);
         for (nodal, curl) in mesh.nodal.iter().zip(&curl) {
-            // The interpolated curl is the curl of the values on the new edges and faces.
+            // The interpolated curl must equal the curl of the values on the new edges and faces.
             nodal.curl[which].iter().zip(curl).for_each(|(a, b)| assert!(a.distance(*b) < 1e-9 * largest));
         }
         assert!((circulation(&mesh, which) - before[which]).abs() < 1e-9 * before[which].abs().max(1.0));
@@ -119,7 +119,7 @@ fn integrals_and_curls_of_the_basis_obey_stokes() {
         let middle: [f64; 4] = std::array::from_fn(|p| triangle.iter().map(|at| at[p]).sum::<f64>() / 3.0);
         for unknown in 0..UNKNOWNS {
             let around: f64 = sides.iter().map(|side| side[unknown]).sum();
-            // The curl is linear, so its mean is its value at the middle.
+            // The curl is linear, so that its mean over the triangle is its value at the centroid.
             let mean = curls.iter().zip(middle).map(|(at, weight)| at[unknown] * weight);
             assert!((around - mean.sum::<DVec3>().dot(area)).abs() < 1e-12);
         }
@@ -163,8 +163,8 @@ fn a_traced_segment_is_covered_once() {
     }
 }
 
-/// A boundary that three reflections map to itself, of which two reverse its direction, and a mesh of one eighth of the
-/// box.
+/// A boundary that three reflections map to itself, and a mesh of one eighth of the box. Two of the reflections reverse
+/// the boundary's direction.
 fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, BisectionMesh) {
     let ellipse = |k: u32| TAU * f64::from(k) / 40.0;
     let ellipse = |z: f64| -> Vec<DVec3> {
@@ -188,7 +188,7 @@ fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, Bisectio
 fn a_segment_is_traced_through_the_mirror_images() {
     let (loops, mesh) = symmetrical_mesh(4, &mut 29);
     let all: Vec<DVec3> = loops.concat();
-    // Also chords through several planes at once.
+    // Some of these chords pass through several planes of symmetry.
     for (k, (&from, &to)) in all.iter().zip(all.iter().cycle().skip(27)).enumerate() {
         let pieces = mesh.trace(from, to);
         assert_eq!((pieces[0].range[0], pieces[pieces.len() - 1].range[1]), (0.0, 1.0));
@@ -203,7 +203,7 @@ fn a_segment_is_traced_through_the_mirror_images() {
     }
 }
 
-/// The field that is found on one eighth of the box proves, around the whole boundary, the bound that the search
+/// The field that is found on one eighth of the box must prove, for the whole boundary, the bound that the search
 /// states.
 #[test]
 fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
@@ -226,8 +226,8 @@ fn the_optimum_of_one_side_is_proven_for_the_whole_boundary() {
     let mut field = level.best.field.clone();
     assert!(scale_to_one(&space, &mut field));
     let proven = rigorous::least_area(&space, &mesh, &field, (&loops[..], &[]), None, 1e-7).unwrap();
-    // A constant curl proves the length of the vector area. The optimum is a little above that, because the ellipses
-    // are bent.
+    // A field of constant curl proves the length of the vector area. The optimum is a little larger, because the
+    // ellipses are bent.
     let ellipses = vector_area(&loops).length();
     assert!(proven > ellipses && proven < 1.05 * ellipses, "{proven} and {ellipses}");
     assert!((proven / level.best.bound - 1.0).abs() < 1e-9, "{proven} and {}", level.best.bound);
@@ -278,7 +278,7 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
     }
 }
 
-/// The leaf of every point of the convex hull is constrained, and a good part of the others is not.
+/// The leaf of every point of the convex hull must be constrained, and more than a tenth of all leaves must not be.
 #[test]
 fn leaves_that_meet_the_convex_hull_are_constrained() {
     use super::hull::Hull;
@@ -288,7 +288,7 @@ fn leaves_that_meet_the_convex_hull_are_constrained() {
     let space = Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[], &Execution::default()).unwrap());
     assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
     for k in 0..20_000 {
-        // Points of triangles between vertices of the ring, and of the ring itself.
+        // The points are vertices of the ring, and points of triangles between its vertices.
         let mut vertex = || points[(noise(&mut seed) * points.len() as f64) as usize];
         let (a, b, c) = (vertex(), vertex(), vertex());
         let (s, t) = (noise(&mut seed), noise(&mut seed));
@@ -312,7 +312,7 @@ fn leaves_apart_are_no_ball() {
     assert!(!is_a_ball(vec![0, other]));
 }
 
-/// Without the constraints beyond the hull the optimum can only be larger.
+/// Without the constraints outside the hull, the optimum must not be smaller.
 #[test]
 fn the_optimum_within_the_hull_is_not_below_that_in_the_box() {
     use super::conic::Level;
@@ -337,7 +337,7 @@ fn the_optimum_within_the_hull_is_not_below_that_in_the_box() {
     assert!(fewer < rows && within > in_box - 1e-6, "{within} with {fewer} rows for {in_box} with {rows}");
 }
 
-/// Nested dissection orders every row once, and better than approximate minimum degree.
+/// Nested dissection must order every row exactly once, and give a smaller factor than approximate minimum degree.
 #[test]
 fn dissection_leaves_a_small_factor() {
     use super::dissection::NONE;
@@ -352,7 +352,8 @@ fn dissection_leaves_a_small_factor() {
     assert!(system.factor_entries() < by_degree * 8 / 10, "{} and {by_degree}", system.factor_entries());
 }
 
-/// The iterate that a mesh hands on to a finer one is nearer to its optimum than the centre is, and leads there.
+/// The iterate that a mesh hands on to a finer mesh must be nearer to the optimum there than the usual start, and must
+/// lead to the optimum.
 #[test]
 fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     use super::conic::Level;
@@ -360,7 +361,7 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     let exec = Execution::default();
     let mut mesh = random_mesh(2, &mut 17);
     mesh.set_constant_curl(DVec3::Z);
-    // The gaps before each step, and the last state.
+    // Returns the gaps before each step, and the last state.
     let solve = |mesh: &BisectionMesh, warm: bool| {
         let space = Space::of(mesh);
         let form = space.circulation(mesh, &[ring()]);
@@ -387,7 +388,7 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     assert!((from_iterate - from_centre).abs() < 1e-5 && from_iterate > coarse);
 }
 
-/// Whatever the budget, the planned meshes use it up, and none grows more than it should.
+/// For every budget, the planned meshes must use nearly all of it, and none may grow by more than the largest growth.
 #[test]
 fn the_meshes_are_planned_for_the_whole_budget() {
     use super::Options;
@@ -397,7 +398,7 @@ fn the_meshes_are_planned_for_the_whole_budget() {
     {
         let options = Options::default().with_gap(0.0).with_seconds(seconds);
         let mut budget = Budget::new(&options, 1.0);
-        // The size of two rings.
+        // The size of the first system of two rings.
         let mut size = Size { entries: 240_000.0, rows: 3_240.0, leaves: 600.0, fill_power };
         let mut meshes = 1;
         budget.spent = size.price(STEPS_BETWEEN);
@@ -408,7 +409,7 @@ fn the_meshes_are_planned_for_the_whole_budget() {
             meshes += 1;
             budget.spent += size.price(STEPS_BETWEEN);
         }
-        // The finest mesh has more steps.
+        // The finest mesh has more steps than the others.
         let steps = (STEPS + libm::log2(size.leaves / FEW_LEAVES).ceil().max(0.0)) as u32;
         budget.spent += size.price(steps) - size.price(STEPS_BETWEEN);
         let used = budget.spent / seconds;

@@ -1,5 +1,5 @@
-//! Lower bounds of the area: never above a film's area, sharp on plane polygons, and confirmed by a program of its own
-//! in exact arithmetic.
+//! Tests of lower bounds of the area: they are never above a film's area, they are sharp on plane polygons, and a
+//! separate program confirms them in exact arithmetic.
 
 #[path = "../../film/tests/boundaries/mod.rs"]
 mod boundaries;
@@ -50,13 +50,13 @@ fn plane_polygons_have_their_own_area_as_bound() {
         assert!(found.area <= exact && found.area <= area * (1.0 + 1e-12));
         assert!(found.area >= 0.999 * exact, "{corners} corners: {} of {exact}", found.area);
         assert!(found.slack.iter().all(|&slack| slack < 0.01));
-        // Among them are a kite, a star without a symmetry besides that of its plane, and a regular polygon.
+        // The polygons are a kite, two stars whose only plane of symmetry is their own plane, and a regular polygon.
         assert_eq!(found.fields[0].mirrors.len(), [2, 1, 1, 3][k]);
     }
 }
 
-/// Closed curves of a few random waves; every third boundary has two of them, and every second one has one or two
-/// planes of symmetry, across the axes or in another direction.
+/// Closed curves of a few random waves. Every third boundary has two curves. Every second boundary has one or two
+/// planes of symmetry, perpendicular to the axes or in another direction.
 fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut noise = move || {
@@ -93,7 +93,7 @@ fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
                         };
                         point += even * cos + sine * sin;
                     }
-                    // Rounded, as coordinates in files are.
+                    // Some boundaries are rounded like coordinates in files.
                     if seed.is_multiple_of(4) { (turned(point) * 1e4).round() * 1e-4 } else { point }
                 })
                 .collect()
@@ -144,7 +144,7 @@ fn no_film_has_less_area_than_the_bound() {
         "films of {} boundaries of {count}: gaps {least:.3}%, median {median:.3}%, {largest:.3}%; largest at {worst:?}",
         gaps.len()
     );
-    // A bound that is always true but says nothing would be useless.
+    // A bound that is true but far below the area would be useless.
     assert!(median < 10.0, "median gap {median}%");
 }
 
@@ -159,7 +159,8 @@ fn two_rings_are_bounded_over_both_orientations() {
     assert!(found.area <= area && found.area > 0.9 * area, "{} of {area}", found.area);
 }
 
-/// Four pairs of near rings, far from each other, and discs over them that all turn one way.
+/// Four pairs of near rings, which are far from each other, and a disc over each ring. All discs have the same
+/// orientation.
 fn pairs_of_rings() -> (Vec<Vec<DVec3>>, Mesh) {
     let ring = |k: usize| -> Vec<DVec3> {
         let at = DVec3::new(3.0 * (k / 2) as f64, 0.0, 0.2 * (k % 2) as f64);
@@ -172,7 +173,8 @@ fn pairs_of_rings() -> (Vec<Vec<DVec3>>, Mesh) {
     (loops, Mesh::new(vertices, (0..8).flat_map(fan).collect()))
 }
 
-/// The eight discs have an area of 24. In other directions of the loops four annuli span them, with an area of 4.94.
+/// The eight discs have a total area of 24. For other directions of the loops, four annuli with a total area of 4.94
+/// span them.
 #[test]
 fn beyond_six_loops_the_bound_covers_every_orientation() {
     let (loops, film) = pairs_of_rings();
@@ -187,13 +189,13 @@ fn beyond_six_loops_the_bound_covers_every_orientation() {
         }
         let (confirmed, message) = check(&json(&found, 1.0, 1.0), &format!("eight-{seconds}"));
         assert!(confirmed, "{message}");
-        // Without its last field the document leaves orientations out.
+        // Without its last field the document does not cover all orientations.
         let mut partial = found.clone();
         partial.fields.pop();
         let (confirmed, message) = check(&json(&partial, 1.0, 1.0), &format!("partial-{seconds}"));
         assert!(!confirmed && (partial.fields.is_empty() || message.contains("is missing")), "{message}");
     }
-    // A field with a circulation around a loop that is said to be free proves less.
+    // If a loop with a circulation is declared free, the field proves less than the document claims.
     let mut found = bound(&loops, &film, 0.2);
     let field = found.fields.iter_mut().find(|field| !field.free_loops.is_empty()).expect("a field with free loops");
     field.free_loops.push(0);
@@ -211,7 +213,7 @@ fn a_film_whose_border_does_not_run_along_the_loops_has_no_bound() {
     assert_eq!(certify(&film), None);
     film.triangles.extend([[4, 6, 5], [4, 7, 6]]);
     assert_eq!(certify(&film).map(|bound| bound.fields.len()), Some(2));
-    // A corner left out: the border cuts it off.
+    // The border cuts off a corner of a loop.
     film.triangles.pop();
     assert_eq!(certify(&film), None);
 }
@@ -276,12 +278,12 @@ fn the_budget_limits_the_work_and_progress_never_falls() {
         let exec = Execution::new(&|| Signal::Continue, &report);
         let budget = options(0.0, seconds);
         let found = lower_bound::certify(&loops, &mesh, &budget, &exec).unwrap().unwrap();
-        // The first mesh is prepared whatever the budget is.
+        // The first mesh is prepared even if that exceeds the budget a little.
         assert!(found.seconds <= seconds + 0.05, "{} of {seconds}", found.seconds);
         let fractions = fractions.borrow();
         assert!(fractions.is_sorted() && fractions.iter().all(|fraction| (0.0..=1.0).contains(fraction)));
         assert_eq!(fractions.len(), found.iterations as usize);
-        // A few milliseconds of work lie between two looks.
+        // At most a few milliseconds of work may lie between two calls of `look`.
         assert!(exec.largest_work_between_looks() < 500_000, "{}", exec.largest_work_between_looks());
         bounds.push(found.area);
     }
@@ -341,7 +343,8 @@ fn check(certificate: &str, name: &str) -> (bool, String) {
     (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-/// The same budget affords more where the boundary is symmetrical, whatever the direction of its planes.
+/// With the same budget, the gap must be smaller if the boundary is symmetrical, whatever the direction of its planes
+/// is.
 #[test]
 fn planes_of_symmetry_sharpen_the_bound() {
     let saddle = |bend: f64| -> Vec<DVec3> {
@@ -373,7 +376,7 @@ fn planes_of_symmetry_sharpen_the_bound() {
     );
 }
 
-/// Far from the origin coordinates are coarse, and so is the place of a plane of symmetry.
+/// Far from the origin, coordinates are coarse, and the position of a plane of symmetry is too.
 #[test]
 fn symmetrical_boundaries_far_from_the_origin_are_proven() {
     let shift = DVec3::new(1e9, -2e9, 3e8);
@@ -394,13 +397,13 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     let found = bound(&loops, &mesh, 0.2);
     let (confirmed, message) = check(&json(&found, 1.0, 1.0), "true");
     assert!(confirmed, "{message}");
-    // A field that is scaled down too little, so that |curl A| exceeds 1.
+    // A field that is too large, so that |curl A| exceeds 1.
     let (confirmed, message) = check(&json(&found, 1.0 + 1e-12, 1.0), "curl");
     assert!(!confirmed && message.contains("|curl A|"), "{message}");
     // A bound that was rounded up.
     let (confirmed, message) = check(&json(&found, 1.0, 1.0 + 1e-12), "bound");
     assert!(!confirmed && message.contains("circulation"), "{message}");
-    // A tetrahedron that meets the boundary's hull is said to lie beyond a half-space.
+    // A tetrahedron that meets the hull of the boundary is declared to lie outside a half-space.
     let mut unbound = found.clone();
     let field = &mut unbound.fields[0];
     let beyond: Vec<u32> = field.unconstrained.iter().map(|pair| pair[0]).collect();
@@ -409,8 +412,8 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     field.unconstrained.push([within, 0]);
     let (confirmed, message) = check(&json(&unbound, 1.0, 1.0), "half-space");
     assert!(!confirmed && message.contains("does not lie beyond"), "{message}");
-    // The field of two rings is reflected at three planes. One reflection is said to keep the sign, or to lie
-    // elsewhere, or the field has a tangential component in its plane.
+    // The field of two rings is reflected at three planes. Three false documents follow: a reflection is declared to
+    // keep the sign, a plane is displaced, and the field has a tangential component in a plane.
     assert_eq!(found.fields[0].mirrors.iter().map(|mirror| mirror.sign).collect::<Vec<_>>(), [-1, -1, -1]);
     let mut turned = found.clone();
     turned.fields[0].mirrors[1].sign = 1;
@@ -427,13 +430,13 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     field.edge_values[edge] = 1e-300;
     let (confirmed, message) = check(&json(&tangential, 1.0, 1.0), "tangential");
     assert!(!confirmed && message.contains("tangential part"), "{message}");
-    // Axes that shrink the boundary.
+    // Axes that are too short, so that they shrink the boundary.
     let mut shrunk = found.clone();
     let directions = [DVec3::X * (1.0 - 1e-6), DVec3::Y, DVec3::Z];
     shrunk.fields[0].axes = Some(lower_bound::Axes { origin: DVec3::ZERO, directions });
     let (confirmed, message) = check(&json(&shrunk, 1.0, 1.0), "frame");
     assert!(!confirmed && message.contains("circulation"), "{message}");
-    // A tetrahedron left out.
+    // A document without one of the tetrahedra.
     let mut holed = found;
     holed.fields[0].tetrahedra.pop();
     let (confirmed, message) = check(&json(&holed, 1.0, 1.0), "hole");

@@ -1,8 +1,8 @@
-//! Boxes along the axes, of which trees over triangles and segments are made.
+//! Axis-aligned boxes, for bounding-volume trees over triangles and segments.
 
 use crate::DVec3;
 
-/// A box along the axes.
+/// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisBox {
     pub low: DVec3,
@@ -19,7 +19,7 @@ impl AxisBox {
         points.into_iter().fold(Self::EMPTY, |whole, p| Self { low: whole.low.min(p), high: whole.high.max(p) })
     }
 
-    /// The smallest box around both.
+    /// The smallest box around both boxes.
     #[must_use]
     #[inline]
     pub fn with(&self, other: &Self) -> Self {
@@ -32,7 +32,7 @@ impl AxisBox {
         0.5 * (self.low + self.high)
     }
 
-    /// The square of the diagonal.
+    /// The squared length of the diagonal.
     #[must_use]
     #[inline]
     pub fn size_squared(&self) -> f64 {
@@ -65,14 +65,14 @@ impl AxisBox {
             && other.low.z <= self.high.z
     }
 
-    /// The largest distance of two boxes along an axis; negative if they overlap.
+    /// The gap between two boxes along the axis where it is largest. Negative if the boxes overlap.
     #[must_use]
     #[inline]
     pub fn gap(&self, other: &Self) -> f64 {
         (self.low - other.high).max(other.low - self.high).max_element()
     }
 
-    /// The square of the distance of a point.
+    /// The squared distance between the box and a point.
     #[must_use]
     #[inline]
     pub fn distance_squared(&self, point: DVec3) -> f64 {

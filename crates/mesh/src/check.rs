@@ -1,4 +1,4 @@
-//! The check of every mesh that leaves a solver. Tests call it after every operation.
+//! The check that every solver's mesh must pass. Tests run it after every operation.
 
 use crate::Mesh;
 use crate::topology::{Defect, NONE, Topology};
@@ -7,7 +7,7 @@ impl Mesh {
     /// Checks that the mesh is an oriented manifold (with or without boundary) with finite coordinates and without
     /// isolated vertices.
     ///
-    /// It does not check the shape: [`measure`](crate::measure) counts degenerate and flipped triangles.
+    /// The shape of the triangles is not checked: [`measure`](crate::measure) counts degenerate and flipped triangles.
     ///
     /// # Errors
     /// The first [`Defect`] found.

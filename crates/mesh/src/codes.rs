@@ -1,8 +1,8 @@
-//! Names of warnings and of reasons for failures, which stay the same from version to version.
+//! Names of warnings and of reasons for failures. The names stay the same from version to version.
 
 use std::fmt;
 
-/// Declares an enumeration of names. The documentation of a variant is its meaning as text, too.
+/// Declares an enumeration of names. The documentation comment of a variant is also the text that `meaning` returns.
 macro_rules! names {
     ($(#[$attribute:meta])* $names:ident { $($(#[doc = $text:literal])+ $variant:ident = $name:literal,)+ }) => {
         $(#[$attribute])*
@@ -13,7 +13,7 @@ macro_rules! names {
         }
 
         impl $names {
-            /// All of them, in the order of their names.
+            /// All variants, in the order of their names.
             pub const ALL: &[Self] = &[$(Self::$variant),+];
 
             /// Returns the name in snake case.
@@ -49,7 +49,7 @@ macro_rules! names {
 }
 
 names! {
-    /// The fact of which a [`Warning`](crate::error::Warning) tells. Names are in snake case.
+    /// The kind of fact that a [`Warning`](crate::error::Warning) reports. Names are in snake case.
     WarningCode {
         /// A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
         ApexInside = "apex_inside",

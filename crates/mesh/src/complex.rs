@@ -1,6 +1,6 @@
-//! Connectivity of triangles whose edges have one, two or more triangles: sheets, the curves where they end or meet,
-//! and the points where such curves meet. No positions. A complex whose edges all have at most two triangles is a
-//! manifold: [`topology`](super::topology).
+//! Connectivity of triangles whose edges have one, two or more triangles. Finds the sheets, the curves where sheets end
+//! or meet, and the points where such curves meet. This module does not use positions. If every edge of a mesh has at
+//! most two triangles, the mesh is a manifold: see [`topology`](super::topology).
 
 use crate::disjoint_sets::DisjointSets;
 use std::collections::BTreeMap;
@@ -11,22 +11,25 @@ use std::fmt;
 pub struct Complex {
     /// Corners of each triangle, oriented alike within each sheet.
     pub triangles: Vec<[u32; 3]>,
-    /// The triangles of each sheet: those connected across edges of two triangles. Ascending.
+    /// The triangles of each sheet, in ascending order. Triangles belong to the same sheet if they are connected across
+    /// edges of two triangles.
     pub sheets: Vec<Vec<u32>>,
     /// The kind of each vertex.
     pub kinds: Vec<VertexKind>,
-    /// Every side of every triangle by its edge, sorted: (smaller end, larger end, 3 × triangle + corner).
+    /// Every side of every triangle as (smaller end, larger end, 3 × triangle + corner), sorted. The sides of an edge
+    /// are therefore next to each other.
     sides: Vec<(u32, u32, u32)>,
 }
 
 /// The position of a vertex in a complex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VertexKind {
-    /// On an edge of one triangle.
+    /// On the boundary: an edge of one triangle ends at the vertex.
     Boundary,
     /// Inside a sheet.
     Sheet,
-    /// Inside a junction, a curve of edges of three or more triangles, between these two neighbours on it.
+    /// Inside a junction, which is a curve of edges of three or more triangles each. The array holds the two neighbours
+    /// of the vertex on the junction.
     Junction([u32; 2]),
     /// A point where junctions meet.
     Point,
@@ -35,7 +38,7 @@ pub enum VertexKind {
 /// An edge with its triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge<'a> {
-    /// The smaller vertex first.
+    /// The ends of the edge, the smaller number first.
     pub ends: [u32; 2],
     sides: &'a [(u32, u32, u32)],
 }
@@ -72,7 +75,7 @@ pub enum ComplexDefect {
     SameCorners {
         /// The triangle's number.
         triangle: usize,
-        /// The number of the first such triangle.
+        /// The number of the first triangle with these corners.
         first: usize,
     },
     /// The sheet of a triangle cannot be oriented.
@@ -80,7 +83,7 @@ pub enum ComplexDefect {
         /// The triangle's number.
         triangle: usize,
     },
-    /// Sheets touch at a vertex without a junction.
+    /// Sheets touch at a vertex where no junction ends or passes.
     TouchingSheets {
         /// The vertex's number.
         vertex: u32,
@@ -117,7 +120,7 @@ impl fmt::Display for ComplexDefect {
 
 impl std::error::Error for ComplexDefect {}
 
-/// The sides of all triangles, each as its edge's ends and its half-edge, sorted.
+/// The sides of all triangles, each as the ends of its edge and the number of its half-edge, sorted.
 fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
     let side = |t: usize, k: usize| {
         let (a, b) = (triangles[t][k], triangles[t][(k + 1) % 3]);
@@ -136,7 +139,7 @@ pub fn has_junctions(triangles: &[[u32; 3]]) -> bool {
 }
 
 impl Complex {
-    /// Finds the sheets and turns triangles over until neighbours within a sheet agree. O(n log n).
+    /// Finds the sheets, and reverses triangles until all triangles of a sheet have the same orientation. O(n log n).
     ///
     /// # Errors
     /// The first [`ComplexDefect`].
@@ -157,7 +160,7 @@ impl Complex {
             }
         }
         let sides = sides(&triangles);
-        // For each side the other side of the same edge, if the edge has two triangles.
+        // For each side, the other side of the same edge if the edge has two triangles.
         let mut twin: Vec<Option<u32>> = vec![None; 3 * triangles.len()];
         let mut on_boundary = vec![false; vertex_count];
         let mut along: Vec<Vec<u32>> = vec![Vec::new(); vertex_count];
@@ -195,7 +198,7 @@ impl Complex {
             }
             kinds.push(kind);
         }
-        // The sides are collected again, because turning a triangle over renumbers its corners.
+        // The sides are collected again, because reversing a triangle renumbers its corners.
         let sides = self::sides(&triangles);
         Ok(Self { triangles, sheets, kinds, sides })
     }
@@ -206,14 +209,14 @@ impl Complex {
         self.sides.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).map(|sides| Edge { ends: [sides[0].0, sides[0].1], sides })
     }
 
-    /// The edges of three or more triangles, sorted.
+    /// The junction edges, which have three or more triangles each, sorted.
     #[must_use]
     #[inline]
     pub fn junctions(&self) -> Vec<[u32; 2]> {
         self.edges().filter(|edge| edge.count() > 2).map(|edge| edge.ends).collect()
     }
 
-    /// The curves along which sheets meet, each from end to end; a closed one ends with its first vertex.
+    /// The junctions, along which sheets meet, as curves from end to end. A closed curve ends with its first vertex.
     #[must_use]
     pub fn curves(&self) -> Vec<Vec<u32>> {
         let inside = |v: u32| matches!(self.kinds[v as usize], VertexKind::Junction(_));
@@ -253,7 +256,7 @@ impl Complex {
         self.kinds.len() as i64 - self.edges().count() as i64 + self.triangles.len() as i64
     }
 
-    /// Number of connected components; junctions connect their sheets.
+    /// Number of connected components. Sheets that meet at a junction belong to the same component.
     #[must_use]
     pub fn components(&self) -> usize {
         let mut sets = DisjointSets::new(self.kinds.len());
@@ -265,7 +268,7 @@ impl Complex {
     }
 }
 
-/// Turns triangles over until neighbours in a sheet agree, and returns the sheets.
+/// Reverses triangles until all triangles of a sheet have the same orientation, and returns the sheets.
 fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u32>>, ComplexDefect> {
     let original = triangles.to_vec();
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
@@ -284,7 +287,7 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
             for k in 0..3 {
                 let Some(other) = twin[3 * t + k] else { continue };
                 let (u, l) = (other as usize / 3, other as usize % 3);
-                // Neighbours agree if they run along the edge in opposite directions.
+                // Neighbours have the same orientation if they run along the edge in opposite directions.
                 let alike = original[t][k] == original[u][l];
                 let wanted = turned[t].map(|turned| turned != alike);
                 match turned[u] {
@@ -308,9 +311,11 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
     Ok(sheets)
 }
 
-/// For each vertex the number of groups of triangles around it that are connected across edges of two triangles.
+/// For each vertex, the number of its fans: groups of triangles around it that are connected across edges of two
+/// triangles.
 fn fans(triangles: &[[u32; 3]], twin: &[Option<u32>], vertex_count: usize) -> Vec<usize> {
-    // The corners of all triangles. Two triangles that share an edge share a corner at each of its ends.
+    // The members of the sets are the corners of all triangles. Two triangles that share an edge share a corner at each
+    // of its ends.
     let mut groups = DisjointSets::new(3 * triangles.len());
     for (side, other) in twin.iter().enumerate() {
         let Some(other) = other else { continue };

@@ -1,4 +1,4 @@
-//! Whether two films pass through each other, and where a segment passes through a film.
+//! Tests whether two films pass through each other, and finds where a segment passes through a film.
 
 use crate::film::Film;
 use crate::self_intersections::{passes_through, surfaces_cross};
@@ -12,11 +12,12 @@ pub fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool
     surfaces_cross((&first.vertices, first.triangles()), (&second.vertices, second.triangles()), exec)
 }
 
-/// Number of triangles between two looks at the signal.
+/// Number of triangles between two calls of [`Execution::look`].
 const LOOK: usize = 1 << 16;
 
-/// Returns a point of the first triangle through which a segment passes from one side to the other. A segment that ends
-/// on a triangle does not pass through it. The answer is exact, its place is rounded.
+/// Returns the point where a segment passes from one side of a triangle to the other, for the first such triangle in
+/// the list. A segment that ends on a triangle does not pass through it. Whether there is such a triangle is decided
+/// exactly; the point is rounded.
 ///
 /// # Errors
 /// The interruptions of `exec`.

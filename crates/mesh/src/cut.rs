@@ -1,4 +1,4 @@
-//! Closes a neck of three edges: cuts the surface along them and puts a triangle on each side.
+//! Closes a neck of three edges: cuts the surface along the edges and closes each side with a triangle.
 
 use crate::topology::{NONE, Topology, next, previous};
 
@@ -13,7 +13,7 @@ pub(crate) struct Cut {
     pub copied: [u32; 3],
 }
 
-/// The half-edges that leave a vertex to the left of a path through it.
+/// The outgoing half-edges of a vertex on the left of a path that passes through the vertex.
 struct Sector {
     half_edges: Vec<u32>,
     /// Whether the boundary runs through the sector.
@@ -21,10 +21,10 @@ struct Sector {
 }
 
 impl Topology {
-    /// Cuts the surface along the edges a-b, b-c and c-a, which no triangle spans, and closes each side with a
-    /// triangle. Each of the three vertices gets a copy with a new number. Where a vertex lies on the boundary, the
-    /// side with the boundary keeps the old number; elsewhere the left side does. `None`, without a change, if a-b-c
-    /// are not joined by edges of two triangles.
+    /// Cuts the surface along the edges a-b, b-c and c-a, which are not the edges of one triangle, and closes each side
+    /// with a triangle. Each of the three vertices gets a copy with a new number. If a vertex lies on the boundary, the
+    /// side with the boundary keeps the old number; otherwise the left side keeps it. Returns `None`, without a change,
+    /// unless a, b and c are joined by edges of two triangles each.
     pub(crate) fn cut(&mut self, cycle: [u32; 3]) -> Option<Cut> {
         let edge = |k: usize| self.half_edge(cycle[k], cycle[(k + 1) % 3]).filter(|&h| self.twin[h as usize] != NONE);
         let edges = [edge(0)?, edge(1)?, edge(2)?];
@@ -59,11 +59,11 @@ impl Topology {
         Some(Cut { left: left_cap, right: right_cap, copied: cycle })
     }
 
-    /// The sector to the left of the path that arrives along one half-edge and leaves along another.
+    /// The sector on the left of the path that arrives along one half-edge and leaves along another.
     fn sector_to_the_left(&self, arriving: u32, leaving: u32) -> Sector {
         let mut half_edges = vec![leaving];
         let mut h = leaving;
-        // Anticlockwise from the leaving half-edge to the triangle of the arriving one.
+        // The walk turns anticlockwise from the leaving half-edge to the triangle of the arriving half-edge.
         // Ends because a vertex has one fan: the walk meets the triangle or the boundary.
         while previous(h) != arriving {
             h = self.twin[previous(h) as usize];
@@ -86,7 +86,7 @@ impl Topology {
         Sector { half_edges, has_boundary }
     }
 
-    /// The triangles that are connected across edges with a triangle, this triangle first.
+    /// The triangles of a triangle's connected component, this triangle first. Triangles are connected across edges.
     pub(crate) fn component_of(&self, triangle: u32) -> Vec<u32> {
         let mut seen = vec![false; self.triangles.len()];
         seen[triangle as usize] = true;
@@ -104,7 +104,7 @@ impl Topology {
         component
     }
 
-    /// Takes out a whole component, with its vertices.
+    /// Removes a whole component with its vertices.
     pub(crate) fn remove_component(&mut self, triangles: &[u32]) {
         for &t in triangles {
             self.triangles[t as usize].into_iter().for_each(|v| self.outgoing[v as usize] = NONE);
@@ -127,7 +127,8 @@ mod tests {
         Topology::build(&triangles, (rings * n) as usize).unwrap()
     }
 
-    /// The same triangles built afresh, gaps apart: components, boundary loops, Euler characteristic.
+    /// Builds the topology again from the triangles that were not removed, and asserts that its vertices agree. Returns
+    /// the number of components, the boundary loops and the Euler characteristic.
     fn rebuilt(topology: &Topology) -> (usize, Vec<Vec<u32>>, i64) {
         let left: Vec<[u32; 3]> = topology.triangles().iter().copied().filter(|t| t[0] != NONE).collect();
         let fresh = Topology::build(&left, topology.outgoing.len()).unwrap();
@@ -150,8 +151,9 @@ mod tests {
 
     #[test]
     fn a_cut_that_touches_the_boundary_leaves_the_boundary_on_one_side() {
-        // A tube of three: the ring 3-4-5 beside the boundary ring 0-1-2. When vertex 3 has collapsed into the boundary
-        // vertex 0, the vertices 0, 4 and 5 are joined in pairs across the tube.
+        // A tube whose rings have three vertices each: the ring 3-4-5 is next to the boundary ring 0-1-2. After vertex
+        // 3 has collapsed into the boundary vertex 0, the vertices 0, 4 and 5 form a neck of three edges around the
+        // tube.
         for cycle in [[0, 4, 5], [5, 4, 0]] {
             let mut topology = tube(3, 4);
             topology.collapse(0, 3);

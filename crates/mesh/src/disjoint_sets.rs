@@ -1,11 +1,11 @@
 //! Disjoint sets of numbers (union-find with path halving).
 
-/// A partition of `0..count`. The smallest member of a set leads it.
+/// A partition of the numbers `0..count` into disjoint sets. The smallest member of a set is its leader.
 #[derive(Clone, Debug)]
 pub struct DisjointSets(Vec<u32>);
 
 impl DisjointSets {
-    /// Each number alone.
+    /// The partition in which each number is a set of its own.
     #[inline]
     pub fn new(count: usize) -> Self {
         Self((0..count as u32).collect())
@@ -14,7 +14,8 @@ impl DisjointSets {
     /// The smallest member of a number's set.
     #[inline]
     pub fn leader(&mut self, mut k: u32) -> u32 {
-        // Ends because a number that leads no set refers to a smaller one.
+        // At most as many steps as the set has members, because each number that is not a leader refers to a smaller
+        // one.
         while self.0[k as usize] != k {
             self.0[k as usize] = self.0[self.0[k as usize] as usize];
             k = self.0[k as usize];

@@ -1,18 +1,19 @@
-//! Changes of connectivity that keep a mesh an oriented manifold: flipping and collapsing edges, removing a vertex of
-//! three triangles, and regular subdivision. The module `cut` cuts a neck.
+//! Changes of connectivity that keep a mesh an oriented manifold: edge flips, edge collapses, removal of a vertex of
+//! three triangles, and regular subdivision. Cutting a neck is in the module `cut`.
 //!
-//! A triangle that a collapse takes out keeps its number, with [`NONE`] for its corners and its twins. A vertex that is
-//! merged into another keeps its number too, without a half-edge. `Film::close_gaps` renumbers what is left.
+//! A removed triangle keeps its number, with [`NONE`] for its corners and its twins. A vertex that is merged into
+//! another vertex keeps its number too, but has no outgoing half-edge. `Film::close_gaps` renumbers the remaining
+//! triangles and vertices.
 
 use crate::topology::{NONE, Topology, next, previous};
 
-/// The link condition (Dey, Edelsbrunner, Guha, Nekhayev, *Topology preserving edge contraction*, 1999): whether the
-/// edge between a and b may become a point, so that the mesh stays a manifold of the same topology.
+/// Whether the edge between a and b may be contracted to a point so that the mesh stays a manifold of the same
+/// topology: the link condition (Dey, Edelsbrunner, Guha, Nekhayev, *Topology preserving edge contraction*, 1999).
 ///
 /// 1. The edge has a triangle. An edge of two triangles does not join two boundary vertices.
-/// 2. The ends have no common neighbour but the corners opposite to the edge.
+/// 2. The ends have no common neighbour except the corners opposite the edge.
 /// 3. The mesh is not the surface of a tetrahedron, nor two triangles back to back.
-/// 4. No corner opposite to the edge is left without a triangle.
+/// 4. Each corner opposite the edge keeps at least one triangle.
 pub fn may_collapse(mesh: &Topology, a: u32, b: u32) -> bool {
     let corners = [(a, b), (b, a)].map(|(from, to)| mesh.half_edge(from, to).map(|h| mesh.opposite(h)));
     let keeps_form = match corners {
@@ -33,7 +34,7 @@ pub fn may_collapse(mesh: &Topology, a: u32, b: u32) -> bool {
 }
 
 impl Topology {
-    /// The triangles as they are now.
+    /// The corners of the triangles. Removed triangles have [`NONE`] for each corner.
     #[must_use]
     #[inline]
     pub fn triangles(&self) -> &[[u32; 3]] {
@@ -42,7 +43,7 @@ impl Topology {
 
     /// Returns a half-edge of each edge whose `key` is above 1, sorted by falling keys, then by number.
     pub fn ranked_edges(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
-        // A half-edge on the boundary has the largest number as its twin.
+        // The twin of a boundary half-edge is `NONE`, the largest number, so that this half-edge is always taken.
         let mut ranked: Vec<(f64, u32)> = (0..self.twin.len() as u32)
             .filter(|&h| self.twin[h as usize] > h)
             .map(|h| (key(h), h))
@@ -83,10 +84,11 @@ impl Topology {
         self.outgoing_half_edges(from).find(|&h| self.to(h) == to)
     }
 
-    /// The vertices that an edge joins with a vertex, each once.
+    /// The neighbours of a vertex, each once.
     #[inline]
     pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
-        // A boundary vertex has no half-edge to its last neighbour, which is the corner before it.
+        // No half-edge runs from a boundary vertex to its last neighbour. This neighbour is the corner before the
+        // vertex in its last triangle.
         self.outgoing_half_edges(vertex).flat_map(|h| {
             let last = self.twin[previous(h) as usize] == NONE;
             std::iter::once(self.to(h)).chain(last.then(|| self.opposite(h)))
@@ -100,15 +102,15 @@ impl Topology {
         self.outgoing_half_edges(vertex).count()
     }
 
-    /// Whether a triangle has been taken out.
+    /// Whether a triangle has been removed.
     #[must_use]
     #[inline]
     pub fn is_removed(&self, triangle: u32) -> bool {
         self.triangles[triangle as usize][0] == NONE
     }
 
-    /// Whether the edge has two triangles and its two opposite vertices are not joined yet, so that
-    /// [`flip`](Self::flip) keeps the mesh a manifold. Says nothing about shape.
+    /// Whether the edge has two triangles whose opposite vertices are not yet joined by an edge, so that
+    /// [`flip`](Self::flip) keeps the mesh a manifold. The shape of the triangles is not considered.
     #[must_use]
     #[inline]
     pub fn can_flip(&self, half_edge: u32) -> bool {
@@ -117,7 +119,8 @@ impl Topology {
 
     /// Replaces the edge a-b of the triangles (a, b, c) and (b, a, d) by the edge d-c: (d, c, a) and (c, d, b).
     ///
-    /// The half-edge keeps its index and then runs from d to c. Only where [`can_flip`](Self::can_flip) allows it.
+    /// The half-edge keeps its index and then runs from d to c. The flip must be allowed by
+    /// [`can_flip`](Self::can_flip).
     pub fn flip(&mut self, half_edge: u32) {
         let (h, g) = (half_edge, self.twin[half_edge as usize]);
         debug_assert!(self.can_flip(h));
@@ -127,14 +130,14 @@ impl Topology {
         let outside = [bc, ca, ad, db].map(|e| self.twin[e as usize]);
         self.set_corners(h, [d, c, a]);
         self.set_corners(g, [c, d, b]);
-        // Where each of the four outer half-edges stands now.
+        // The new index and the start of each of the four outer half-edges.
         let moved = [(previous(g), b), (next(h), c), (previous(h), a), (next(g), d)];
         for ((place, vertex), twin) in moved.into_iter().zip(outside) {
             self.twin[place as usize] = twin;
             if twin != NONE {
                 self.twin[twin as usize] = place;
             }
-            // A boundary vertex keeps its outgoing boundary half-edge; if that was one of the four, it has moved.
+            // A boundary vertex keeps its outgoing boundary half-edge. If it is one of the four, its index has changed.
             let before = self.outgoing[vertex as usize];
             if [h, g, bc, ca, ad, db].contains(&before) {
                 self.outgoing[vertex as usize] = place;
@@ -142,8 +145,8 @@ impl Topology {
         }
     }
 
-    /// Merges a vertex into a neighbour and takes out the triangles at their edge. Only where [`may_collapse`] allows
-    /// it.
+    /// Merges the vertex `merged` into its neighbour `kept`, and removes the triangles at their common edge. The
+    /// collapse must be allowed by [`may_collapse`].
     pub fn collapse(&mut self, kept: u32, merged: u32) {
         debug_assert!(may_collapse(self, kept, merged));
         let sides = [self.half_edge(kept, merged), self.half_edge(merged, kept)];
@@ -155,7 +158,8 @@ impl Topology {
         let mut outgoing = Vec::with_capacity(8);
         for side in sides.into_iter().flatten() {
             let corner = self.opposite(side);
-            // The edges from the corner to either end become one: the half-edges from the corner, and to it.
+            // The corner's edges to the two ends become one edge, with one half-edge that leaves the corner and one
+            // that arrives.
             let (leaving, arriving) = (self.twin[next(side) as usize], self.twin[previous(side) as usize]);
             self.take_out(side / 3);
             self.pair(leaving, arriving);
@@ -169,14 +173,15 @@ impl Topology {
         outgoing.into_iter().for_each(|(vertex, h)| self.set_outgoing(vertex, h));
     }
 
-    /// Replaces the three triangles around a vertex inside the mesh by one, and returns its number. Refuses other
-    /// vertices, and the surface of a tetrahedron.
+    /// Replaces the three triangles around an interior vertex by one triangle, and returns its number. Returns `None`
+    /// for any other vertex, and on the surface of a tetrahedron.
     pub(crate) fn remove_vertex_of_three(&mut self, vertex: u32) -> Option<u32> {
         let spokes: Vec<u32> = self.outgoing_half_edges(vertex).collect();
         if spokes.len() != 3 || self.is_boundary(vertex) {
             return None;
         }
-        // The spokes in anticlockwise order. They begin with the triangle of the smallest number, which stays.
+        // The half-edges from the vertex in anticlockwise order, beginning with the one in the triangle of the smallest
+        // number. That triangle's number is kept.
         let first = *spokes.iter().min()?;
         let second = self.twin[previous(first) as usize];
         let third = self.twin[previous(second) as usize];
@@ -205,14 +210,14 @@ impl Topology {
         self.triangles.len() as u32 - 1
     }
 
-    /// Takes a triangle out. The caller must update the twins of its neighbours and the outgoing half-edges of its
+    /// Removes a triangle. The caller must update the twins of its neighbours and the outgoing half-edges of its
     /// corners.
     pub(super) fn take_out(&mut self, triangle: u32) {
         self.triangles[triangle as usize] = [NONE; 3];
         self.twin[3 * triangle as usize..3 * triangle as usize + 3].fill(NONE);
     }
 
-    /// Makes two half-edges each other's twins; where one is [`NONE`], the other comes to lie on the boundary.
+    /// Makes two half-edges each other's twins. If one of them is [`NONE`], the other becomes a boundary half-edge.
     pub(super) fn pair(&mut self, h: u32, g: u32) {
         for (one, other) in [(h, g), (g, h)] {
             if one != NONE {
@@ -221,7 +226,8 @@ impl Topology {
         }
     }
 
-    /// Sets a vertex's outgoing half-edge: the one on the boundary, if turning anticlockwise from `half_edge` meets it.
+    /// Sets a vertex's outgoing half-edge: the boundary half-edge if turning anticlockwise from `half_edge` meets it,
+    /// otherwise `half_edge` itself.
     pub(super) fn set_outgoing(&mut self, vertex: u32, half_edge: u32) {
         let mut h = half_edge;
         // Ends because a vertex has one fan: the walk meets the boundary or comes back to its start.
@@ -234,11 +240,11 @@ impl Topology {
         self.outgoing[vertex as usize] = h;
     }
 
-    /// Splits every triangle into four at its edges' midpoints: the new topology, and for each new vertex the ends of
-    /// the edge that it halves.
+    /// Splits every triangle into four at the midpoints of its edges. Returns the new topology, and for each new vertex
+    /// the ends of the edge that it halves.
     ///
-    /// Old vertices keep their numbers, new ones follow. Triangle `t` becomes `4 t + k` at its corner `k` and `4 t + 3`
-    /// in the middle. O(n), without pairing half-edges afresh.
+    /// Old vertices keep their numbers, and the new vertices follow. Triangle `t` becomes the triangles `4 t + k` at
+    /// its corners `k` and the triangle `4 t + 3` in the middle. O(n), because the twins follow from the old twins.
     #[must_use]
     pub fn subdivided(&self) -> (Self, Vec<[u32; 2]>) {
         let old = self.outgoing.len() as u32;
@@ -253,7 +259,8 @@ impl Topology {
                 parents.push([self.from(h), self.to(h)]);
             }
         }
-        // The two halves of half-edge 3 t + k: from corner k to the midpoint, and on to the next corner.
+        // The two halves of half-edge 3 t + k: the first from corner k to the midpoint, the second from there to the
+        // next corner.
         let first_half = |h: u32| 3 * (4 * (h / 3) + h % 3);
         let second_half = |h: u32| 3 * (4 * (h / 3) + (h % 3 + 1) % 3) + 2;
         let mut triangles = Vec::with_capacity(4 * self.triangles.len());
@@ -285,7 +292,7 @@ impl Topology {
         (Self { twin, outgoing, triangles }, parents)
     }
 
-    /// The same triangles with vertex `v` as number `place[v]`, a permutation. O(n).
+    /// The same triangles with vertex `v` renumbered to `place[v]`. `place` must be a permutation. O(n).
     #[must_use]
     #[inline]
     pub fn renumbered(mut self, place: &[u32]) -> Self {
@@ -308,7 +315,7 @@ impl Topology {
     }
 }
 
-/// Turns all triangles over if they run against the boundary.
+/// Reverses the orientation of all triangles if it is opposite to that of the boundary polygon.
 #[inline]
 pub fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
     let edge = (boundary[0], boundary[1]);
@@ -358,7 +365,8 @@ mod tests {
         }
     }
 
-    /// Whether the half-edge structure, without its gaps, equals the structure that is built from its triangles.
+    /// Whether the half-edge structure, without its removed triangles, equals the structure that is built from its
+    /// triangles.
     fn is_sound(topology: &Topology) -> bool {
         let left: Vec<u32> = (0..topology.triangles().len() as u32).filter(|&t| !topology.is_removed(t)).collect();
         let triangles: Vec<[u32; 3]> = left.iter().map(|&t| topology.triangles()[t as usize]).collect();
@@ -427,8 +435,8 @@ mod tests {
         }
     }
 
-    /// Input: the corner 0 and the vertex 4 have the neighbour 3 in common, and two vertices stand in the triangle
-    /// between. When this collapse was allowed, two triangles stood on one another.
+    /// Input: the corner 0 and the vertex 4 have the common neighbour 3, and two vertices lie in the triangle between
+    /// the three. This collapse must be refused, because it would leave two triangles on the same three vertices.
     #[test]
     fn an_edge_whose_ends_share_a_neighbour_around_a_corner_stays() {
         let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [0, 5, 3], [5, 4, 6], [4, 3, 6], [5, 6, 3]];
@@ -449,8 +457,8 @@ mod tests {
         assert!(may(&fan, 5, 4, 0) && may(&fan, 5, 0, 1), "a spoke and a side of a fan");
     }
 
-    /// On random triangulations every collapse that the condition allows leaves a manifold of the same Euler
-    /// characteristic and number of boundary loops, and every one that it refuses does not.
+    /// On random triangulations, every collapse that the condition allows leaves a manifold of the same Euler
+    /// characteristic and number of boundary loops, and every collapse that it refuses does not.
     #[test]
     fn the_link_condition_is_what_rebuilding_says() {
         let mut topology = grid(4);
@@ -482,7 +490,7 @@ mod tests {
 
     #[test]
     fn a_flip_that_would_double_an_edge_is_refused() {
-        // The faces of a tetrahedron: every pair of vertices is joined already.
+        // The faces of a tetrahedron: every pair of vertices is already joined by an edge.
         let topology = Topology::build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], 4).unwrap();
         assert!((0..12).all(|h| !topology.can_flip(h)));
     }

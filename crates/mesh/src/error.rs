@@ -7,7 +7,7 @@ use std::fmt;
 /// A step of a [`Place`]: the name of a field or an index into a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// A field of this name.
+    /// The field of this name.
     Field(&'static str),
     /// The entry of this number, from 0.
     Index(usize),
@@ -15,7 +15,8 @@ pub enum Step {
 
 /// The place of a value in the input of a solver, for example `boundaries`, 0, 17.
 ///
-/// Fields are named like the arguments and options of this crate. A caller maps a place to its own names.
+/// Fields have the names of the solver's arguments and options. A caller translates a place to the names of its own
+/// input.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place(pub Vec<Step>);
 
@@ -51,7 +52,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A value that the solver cannot work with, and the reason. The value itself is not repeated.
+/// An input value that the solver cannot work with, and the reason. The value itself is not repeated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// The place of the value.
@@ -61,7 +62,7 @@ pub struct InputError {
 }
 
 impl InputError {
-    /// An error of the value at a place.
+    /// An error about the value at a place.
     pub fn new(place: Place, detail: impl Into<String>) -> Self {
         Self { place, detail: detail.into() }
     }
@@ -79,7 +80,7 @@ pub enum Error {
         reason: Reason,
         /// Description of the fault in the geometry, and what to try.
         detail: String,
-        /// The values that caused it, if they are known.
+        /// The input values that caused the failure, if they are known.
         places: Vec<InputError>,
     },
     /// The caller asked to stop, or its deadline passed before there was a valid mesh.
@@ -87,11 +88,11 @@ pub enum Error {
 }
 
 impl Error {
-    /// [`Error::Input`] with one value.
+    /// An [`Error::Input`] about one value.
     pub fn input(place: Place, detail: impl Into<String>) -> Self {
         Self::Input(vec![InputError::new(place, detail)])
     }
-    /// [`Error::NoResult`] without places.
+    /// An [`Error::NoResult`] without places.
     pub fn no_result(reason: Reason, detail: impl Into<String>) -> Self {
         Self::NoResult { reason, detail: detail.into(), places: Vec::new() }
     }
@@ -125,11 +126,11 @@ impl std::error::Error for Error {}
 /// A fact about the input or the result that the caller should know although the solve succeeded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
-    /// The fact, for programs.
+    /// The code of the fact, for programs to read.
     pub code: WarningCode,
-    /// Description of the fact.
+    /// Description of the fact, for people to read.
     pub detail: String,
-    /// Finite figures of the description, by name. Indices count from 0, and lengths are in the unit of the
+    /// Figures of the description, by name. All are finite. Indices count from 0, and lengths are in the unit of the
     /// coordinates.
     pub values: Vec<(&'static str, f64)>,
 }
@@ -149,7 +150,7 @@ impl Warning {
         self
     }
 
-    /// Adds a number of things or an index.
+    /// Adds a count or an index.
     #[must_use]
     pub fn with_count(self, name: &'static str, count: usize) -> Self {
         self.with(name, count as f64)
@@ -161,8 +162,8 @@ impl Warning {
         self.with("x", x).with("y", y).with("z", z)
     }
 
-    /// The warning that `count` points were merged with their neighbours, of the given directrix where there are
-    /// several polylines to choose from.
+    /// The warning that `count` points were merged with their neighbours. If the input has several directrices,
+    /// `directrix` is the number of the directrix with these points.
     pub fn merged_points(count: usize, directrix: Option<usize>) -> Self {
         let place = directrix.map_or(String::new(), |k| format!("directrix {k}: "));
         let merged = if count == 1 {
@@ -174,7 +175,8 @@ impl Warning {
         directrix.into_iter().fold(warning, |warning, k| warning.with_count("directrix", k))
     }
 
-    /// The warning that points were projected onto their plane, from which they were up to `distance` away.
+    /// The warning that points were projected onto their plane. `what` names the points, and `distance` is the largest
+    /// distance by which a point was moved.
     pub fn projected(what: &str, distance: f64) -> Self {
         let detail = format!(
             "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in \

@@ -1,9 +1,9 @@
-//! The cost of a solve, estimated before any of the work.
+//! The cost of a solve, estimated before it starts.
 
-/// The size of a solve, so that a service can price a request or refuse it before the work.
+/// The estimated size of a solve. A service can use it to price or refuse a request before any work is done.
 ///
-/// Each kind of surface has a function `estimate` that returns this type and says how exact its figures are. A figure
-/// is zero where the kind does not know it: only strips search grids.
+/// Each kind of surface has a function `estimate` that returns this type and documents how exact its figures are. A
+/// figure is zero if it does not apply to the kind of surface: only strips have grid cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
     /// Number of triangles of the result. It is not an integer, because a tiny edge length asks for more triangles than
@@ -11,6 +11,6 @@ pub struct Estimate {
     pub triangles: f64,
     /// Number of grid cells that the searches for strips visit.
     pub cells: u64,
-    /// Number of bytes of memory at the peak of the solve, with the result and one copy of the result for a file.
+    /// Peak memory of the solve in bytes, including the result and one copy of the result for a file.
     pub bytes: u64,
 }

@@ -1,9 +1,9 @@
-//! The channel between a solver and its caller: progress is reported, and a request to stop is received.
+//! The channel between a solver and its caller: the solver reports progress and receives requests to stop.
 
 use std::cell::Cell;
 use std::fmt;
 
-/// The request of the caller to a running solver.
+/// The caller's request to a running solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     /// Continue.
@@ -26,11 +26,11 @@ pub enum Interruption {
 /// The progress of a solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// 0 to 1, never falling within one solve.
+    /// The completed part of the solve, from 0 to 1. It never decreases within one solve.
     pub fraction: f64,
     /// The solver's phase: `initial_mesh`, `newton`, `strip`.
     pub phase: &'static str,
-    /// Number of iterations so far, as the phase counts them.
+    /// Number of iterations of the present phase so far.
     pub iteration: u64,
     /// The value of the objective, if it is known.
     pub objective_value: Option<f64>,
@@ -40,8 +40,8 @@ pub struct Progress {
 
 /// The channel between a solver and its caller.
 ///
-/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware, except during one sparse factorisation,
-/// and passes the amount of work since the last look. Hidden counters of looks and work let tests check this promise
+/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware, except during a sparse factorisation. It
+/// passes the amount of work since its last call. Hidden counters of calls and work let tests check this promise
 /// without a clock.
 pub struct Execution<'a> {
     signal: &'a dyn Fn() -> Signal,
@@ -57,12 +57,12 @@ impl fmt::Debug for Execution<'_> {
     }
 }
 
-/// Work that a pass of remeshing or a linear solve reports for each triangle: about the number of times that the pass
-/// visits a triangle.
+/// Work per triangle that a pass of remeshing or a linear solve passes to [`Execution::look`]: about the number of
+/// times that the pass visits each triangle.
 pub const WORK_PER_TRIANGLE: u64 = 20;
 
 impl<'a> Execution<'a> {
-    /// Makes an execution that calls `signal` at every look and passes progress to `report`.
+    /// Makes an execution that calls `signal` at every [`look`](Self::look) and passes progress to `report`.
     #[inline]
     pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
         Self { signal, report, work: Cell::new(0), largest_work: Cell::new(0), looks: Cell::new(0) }
@@ -92,12 +92,12 @@ impl<'a> Execution<'a> {
     }
 
     /// Runs a part of a solve. The progress of the part, from 0 to 1, is reported as an interval of the whole progress,
-    /// from the first number of `span` to the second. Its looks are counted here too.
+    /// from `span[0]` to `span[1]`. The work and looks of the part are added to the counters of this execution.
     pub fn part<R>(&self, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         self.section(None, span, work)
     }
 
-    /// The same as [`part`](Self::part) with every report under the name of one phase.
+    /// The same as [`part`](Self::part), but every report names this phase.
     pub fn part_as<R>(&self, phase: &'static str, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         self.section(Some(phase), span, work)
     }

@@ -1,20 +1,22 @@
-//! The working state of a solver: a mesh between its boundaries, and which of its vertices and edges are fixed.
+//! The working state of a solver: a mesh that spans given boundaries, and which of its vertices and edges are fixed.
 
 use crate::measure;
 use crate::topology::{Defect, NONE, Topology};
 use crate::{DVec3, Mesh};
 
-/// A mesh between its boundaries while a solver works on it. Positions are relative to the mean of the boundary points.
+/// A mesh that spans given boundaries, while a solver works on it. Positions are relative to the mean of the boundary
+/// points.
 ///
-/// The input points of the boundaries come first among the vertices. The numbers of the points that were added on the
-/// boundary depend on the kind of initial mesh.
+/// The input points of the boundaries are the first vertices. Points that were added on the boundary may have any later
+/// numbers, depending on the kind of initial mesh.
 #[derive(Clone, Debug)]
 pub struct Film {
     pub vertices: Vec<DVec3>,
     pub topology: Topology,
     /// Vertices that never move: the boundary, and points that the caller fixed.
     pub fixed: Vec<bool>,
-    /// Edges that must stay, each with its smaller vertex first, sorted. Boundary edges always stay and are not listed.
+    /// Edges that must not be removed or flipped, each with its smaller vertex first, sorted. Boundary edges always
+    /// stay and are not listed.
     pub locked: Vec<[u32; 2]>,
     /// The boundary loops, in the order and direction of the input.
     pub boundaries: Vec<Vec<u32>>,
@@ -48,7 +50,7 @@ impl Film {
         self.triangles().iter().map(|&t| 0.5 * measure::double_area_vector(self.corners(t)).length()).sum()
     }
 
-    /// Number of triangles whose normal points against the sum of their vertex normals.
+    /// Number of flipped triangles, whose normal points against the sum of their three vertex normals.
     #[inline]
     pub fn flipped_triangles(&self) -> usize {
         let normals = measure::normals(&self.vertices, self.triangles());
@@ -69,11 +71,11 @@ impl Film {
         !self.locked.is_empty() && self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
     }
 
-    /// Removes the triangles that were taken out and the vertices that lost their last triangle, and renumbers the
-    /// others in the same order. Fixed vertices stay in any case.
+    /// Deletes the triangles marked as removed and the vertices without a triangle, and renumbers the others in the
+    /// same order. Fixed vertices are always kept.
     ///
     /// # Errors
-    /// The defect, if the remaining triangles form no oriented manifold. The film is then as it was before.
+    /// The defect, if the remaining triangles do not form an oriented manifold. The film is then unchanged.
     #[inline]
     pub fn close_gaps(&mut self) -> Result<(), Defect> {
         let stays = |v: usize| self.fixed[v] || self.topology.outgoing[v] != NONE;
@@ -85,7 +87,7 @@ impl Film {
         self.topology = Topology::build(&triangles, kept.len())?;
         self.vertices = kept.iter().map(|&v| self.vertices[v]).collect();
         self.fixed = kept.iter().map(|&v| self.fixed[v]).collect();
-        // The boundaries and the locked edges have fixed vertices only, and those stay.
+        // The vertices of the boundaries and of the locked edges are fixed, and fixed vertices are kept.
         let own = self.boundaries.iter_mut().flatten().chain(self.locked.iter_mut().flatten());
         own.for_each(|v| *v = place[*v as usize]);
         Ok(())
@@ -102,7 +104,7 @@ impl Film {
         Mesh::new(self.vertices, triangles)
     }
 
-    /// The same film with vertex `v` as number `place[v]`.
+    /// The same film with vertex `v` renumbered to `place[v]`.
     #[inline]
     pub fn renumbered(self, place: &[u32]) -> Self {
         let moved = |v: u32| place[v as usize];
@@ -119,8 +121,8 @@ impl Film {
         Self { vertices, topology: self.topology.renumbered(place), fixed, locked, boundaries }
     }
 
-    /// For each vertex its number after the points that were added on the boundaries have been moved directly behind
-    /// the first `input_points` vertices. `None` if they are there already.
+    /// The renumbering that moves the points added on the boundaries directly behind the first `input_points` vertices:
+    /// the new number of each vertex. `None` if they are already there.
     #[inline]
     pub fn boundary_first(&self, input_points: usize) -> Option<Vec<u32>> {
         let added: Vec<u32> =

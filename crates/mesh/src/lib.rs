@@ -1,11 +1,11 @@
-//! The basis of the other crates: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
+//! The foundation of the other crates: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
 //!
-//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this one.
-//! It makes no promise of stability: a change that these crates need is made here, whoever else uses it. Parts that
-//! only these crates need are left out of the documentation.
+//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this crate.
+//! Its interface is not stable: it changes whenever one of these four crates needs a change. Parts that only these
+//! crates need are left out of the documentation.
 //!
 //! # Glossary
-//! - *Polyline*: points in order, `&[DVec3]`; a closed one does not repeat its first point.
+//! - *Polyline*: points in order, `&[DVec3]`. A closed polyline does not repeat its first point.
 //! - *Mesh*: an indexed, oriented triangle mesh ([`Mesh`]) in double precision. Connectivity ([`topology`]) never sees
 //!   positions; [`edit`] changes it; [`measure`] and [`check`] see both.
 //! - *Half-edge*: one side of an edge, in one triangle and with its direction ([`topology`]).
@@ -13,9 +13,9 @@
 //!   altitude is below 1e-10 of its longest edge.
 //!
 //! # Units and conventions
-//! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up
-//! axis. Results depend on the arguments only, and on no clock, thread pool, file or random source. The same arguments
-//! give the same bytes with the same build; where faer factorises a system, on processors with the same vector
+//! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. No code assumes metres or an up axis.
+//! Results depend only on the arguments, not on a clock, thread pool, file or random source. The same build gives the
+//! same bytes for the same arguments. If faer factorises a system, this holds only on processors with the same vector
 //! instructions.
 
 #![forbid(unsafe_code)]
@@ -59,17 +59,17 @@ pub use estimate::Estimate;
 pub use execution::{Execution, Interruption, Progress, Signal};
 pub use glam::{DVec2, DVec3};
 
-/// Triangles over vertices; counter-clockwise seen from the side that the normals point to.
+/// An indexed triangle mesh. Triangles run counter-clockwise, seen from the side to which the normals point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Positions.
     pub vertices: Vec<DVec3>,
-    /// For each triangle the numbers of its vertices.
+    /// For each triangle, the numbers of its vertices.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
-    /// A mesh of these vertices and triangles. Nothing is checked here; [`check`](Self::check) does that.
+    /// A mesh of these vertices and triangles. They are not checked here; see [`check`](Self::check).
     #[must_use]
     #[inline]
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
@@ -84,7 +84,7 @@ impl Mesh {
     }
 }
 
-/// The example of the README is compiled and run with the others.
+/// Compiles and runs the example of the README with the other documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -3,7 +3,7 @@
 use crate::topology::Topology;
 use crate::{DVec3, Mesh};
 
-/// An altitude below this fraction of the longest edge makes a triangle degenerate.
+/// A triangle is degenerate if its shortest altitude is below this fraction of its longest edge.
 pub const DEGENERATE_ALTITUDE: f64 = 1e-10;
 
 /// Minimum, mean, maximum and standard deviation (of the whole population) of a list of values.
@@ -25,7 +25,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The spread of these values; all zero for none.
+    /// The spread of these values. All figures are zero if there are no values.
     #[inline]
     pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
         let (count, sum, min, max) =
@@ -48,15 +48,15 @@ pub struct Quality {
     pub edge_lengths: Spread,
     /// Smallest and largest inner angle of a triangle, radians.
     pub angles: (f64, f64),
-    /// Number of triangles whose normal points against those of their vertices.
+    /// Number of triangles whose normal points against the sum of their three vertex normals.
     pub flipped_triangles: usize,
     /// Number of triangles whose shortest altitude is below 1e-10 of their longest edge.
     pub degenerate_triangles: usize,
 }
 
 impl Quality {
-    /// The quality of a mesh with these edge lengths and this number of flipped triangles, which depend on how its
-    /// sheets are oriented and where they meet.
+    /// Measures the quality of a mesh. The edge lengths and the number of flipped triangles are given by the caller,
+    /// because they depend on how the sheets of the mesh are oriented and where they meet.
     #[must_use]
     pub fn of(mesh: &Mesh, edge_lengths: &[f64], flipped_triangles: usize) -> Self {
         Self {
@@ -74,14 +74,15 @@ impl Quality {
     }
 }
 
-/// A power of two within a factor of two above a length; 1 for zero. Products and quotients by it are exact.
+/// A power of two above a length by a factor of at most two, or 1 if the length is zero. Multiplying and dividing by a
+/// power of two is exact.
 #[must_use]
 #[inline]
 pub fn power_of_two_above(length: f64) -> f64 {
     if length == 0.0 {
         return 1.0;
     }
-    // The exponent is limited to powers that are normal numbers together with their inverses.
+    // The exponent is limited so that the power and its inverse are both normal numbers.
     let exponent = (length.to_bits() >> 52) & 0x7ff;
     f64::from_bits((exponent + 1).clamp(23, 2023) << 52)
 }
@@ -142,7 +143,7 @@ pub fn angle(u: DVec3, v: DVec3) -> f64 {
     libm::atan2(u.cross(v).length(), u.dot(v))
 }
 
-/// The three inner angles in radians; 0 where an edge vanishes, never NaN.
+/// The three inner angles of a triangle in radians. An angle at an edge of length zero is 0, never NaN.
 #[must_use]
 #[inline]
 pub fn angles([a, b, c]: [DVec3; 3]) -> [f64; 3] {

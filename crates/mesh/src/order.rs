@@ -1,8 +1,8 @@
-//! Numbers in the order of `f64::total_cmp`, as heaps and sorted keys need them.
+//! Floating-point numbers with the order of `f64::total_cmp`, for heaps and sorting keys.
 
 use std::cmp::Ordering;
 
-/// A number with a total order. Numbers are equal if their bits are.
+/// A floating-point number with a total order. Two numbers are equal if and only if their bits are equal.
 #[derive(Clone, Copy, Debug)]
 pub struct TotalOrder(pub f64);
 

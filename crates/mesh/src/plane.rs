@@ -1,5 +1,5 @@
-//! Plane geometry that every kind of mesh is built from: the frame of a loop, how flat its points are, polygons,
-//! constrained Delaunay triangulations, and the search for the triangle that holds a point.
+//! Plane geometry for all kinds of meshes: the frame of a loop, the flatness of its points, polygons, constrained
+//! Delaunay triangulations, and point location in a triangulation.
 
 pub mod flatness;
 pub mod frame;

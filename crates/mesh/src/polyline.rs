@@ -1,25 +1,26 @@
-//! Polylines: points in order, open or closed (a closed one does not repeat its first point).
+//! Polylines: points in order, open or closed. A closed polyline does not repeat its first point.
 
 pub mod contact;
 
 use crate::DVec3;
 
-/// Coordinates beyond this could overflow where six lengths are multiplied, as in the square of an area times a length.
+/// Largest absolute coordinate that is accepted. Larger coordinates could overflow where six lengths are multiplied,
+/// for example in the square of an area times the square of a length.
 pub const LARGEST_COORDINATE: f64 = 1e50;
 
-/// A polyline whose neighbours are distinct points, and where each input point went.
+/// A polyline whose neighbouring points are distinct, and the mapping between its points and the input points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Merged {
-    /// The points that are left, in order.
+    /// The points that were kept, in order.
     pub points: Vec<DVec3>,
     /// `vertex_of[k]` is the index in `points` of input point `k`.
     pub vertex_of: Vec<usize>,
-    /// For each kept point the index of the (first) input point it came from.
+    /// For each kept point, the index of its input point: the first of those that were merged into it.
     pub source: Vec<usize>,
 }
 
 impl Merged {
-    /// Number of points that were merged away.
+    /// Number of input points that were merged into another point.
     #[must_use]
     #[inline]
     pub fn dropped(&self) -> usize {
@@ -27,14 +28,15 @@ impl Merged {
     }
 }
 
-/// Neighbours nearer than this fraction of the polyline's radius are one point. Sampling a closed curve with its end
-/// point repeats the first point up to rounding, about 1e-16 of the radius; an intended edge is far longer.
+/// Neighbouring points nearer than this fraction of the polyline's radius count as one point. If a closed curve is
+/// sampled including its end point, the last point repeats the first up to rounding, about 1e-16 of the radius. An
+/// intended edge is far longer.
 pub const SAME_POINT: f64 = 1e-9;
 
-/// Merges neighbours that are equal or nearer than [`SAME_POINT`] of the [`radius`] into the first of them, and on a
-/// closed polyline a last point that is as near to the first.
+/// Merges each run of neighbouring points that are equal or nearer than [`SAME_POINT`] times the [`radius`] into its
+/// first point. On a closed polyline, last points that are as near to the first point are merged into it.
 ///
-/// A point is compared with the last one that was kept, so that many small steps in a row add up to an edge. If all
+/// A point is compared with the last point that was kept, so that many small steps in a row add up to an edge. If all
 /// points are equal, one point is left.
 #[must_use]
 pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
@@ -61,7 +63,7 @@ pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
     Merged { points, vertex_of, source }
 }
 
-/// The largest distance of a point from the [`mean`]; zero for none.
+/// The largest distance of a point from the [`mean`] of the points. Zero if there are no points.
 #[must_use]
 #[inline]
 pub fn radius(points: &[DVec3]) -> f64 {
@@ -69,7 +71,7 @@ pub fn radius(points: &[DVec3]) -> f64 {
     points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max)
 }
 
-/// Length of the polyline, in its own unit; the closing segment counts on a closed one.
+/// The length of a polyline, in the unit of its coordinates. For a closed polyline it includes the closing segment.
 #[must_use]
 #[inline]
 pub fn length(points: &[DVec3], closed: bool) -> f64 {
@@ -80,19 +82,19 @@ pub fn length(points: &[DVec3], closed: bool) -> f64 {
     }
 }
 
-/// The bits of a point's coordinates, as a sortable key. Equal points have equal keys: -0 counts as 0.
+/// A key for sorting points: the bits of the coordinates. Equal points have equal keys, because -0 is turned into 0.
 #[must_use]
 #[inline]
 pub fn position_key(point: DVec3) -> [u64; 3] {
     (point + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
-/// The mean of the points; zero for none.
+/// The mean of the points. Zero if there are no points.
 #[must_use]
 #[inline]
 pub fn mean(points: &[DVec3]) -> DVec3 {
     let Some(&first) = points.first() else { return DVec3::ZERO };
-    // Sum offsets from the first point, so that an offset of 1e7 costs no digits.
+    // Differences from the first point are summed, so that points as far as 1e7 from the origin lose no digits.
     first + points.iter().map(|point| *point - first).sum::<DVec3>() / points.len() as f64
 }
 
@@ -145,8 +147,8 @@ mod tests {
         assert!(steps.iter().zip(&merged.vertex_of).all(|(step, &v)| merged.points[v].distance(*step) < 2.1e-9));
     }
 
-    /// Input: two last points on opposite sides of the first point, each near to it but not to the other. The entry of
-    /// the last but one in `vertex_of` referred to a point that had been removed.
+    /// Input: the last two points are on opposite sides of the first point, each near the first point but not near the
+    /// other. Both must refer to the first point in `vertex_of`, and not to a point that was removed.
     #[test]
     fn several_last_points_merge_into_the_first() {
         let near = |offset: f64| DVec3::new(1.0, offset, 0.0);

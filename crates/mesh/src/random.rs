@@ -15,7 +15,7 @@
 pub struct SplitMix64(u64);
 
 impl SplitMix64 {
-    /// The generator that starts at a seed.
+    /// A generator with the given seed.
     #[must_use]
     #[inline]
     pub fn new(seed: u64) -> Self {
@@ -32,19 +32,19 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
-    /// A whole number in `0..bound`, uniform up to a bias of `bound` / 2⁶⁴; 0 for the bound 0.
+    /// A random integer in `0..bound`, uniform up to a bias of `bound` / 2⁶⁴. Returns 0 if `bound` is 0.
     #[inline]
     pub fn below(&mut self, bound: usize) -> usize {
         ((u128::from(self.next_u64()) * bound as u128) >> 64) as usize
     }
 
-    /// A number in `[0, 1)` with 53 random bits.
+    /// A random number in `[0, 1)` with 53 random bits.
     #[inline]
     pub fn unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// A number in `[low, high)`.
+    /// A random number in `[low, high)`.
     #[inline]
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()

@@ -5,16 +5,16 @@
 //! without area are left out (their neighbours cover them). All decisions are exact: they use the adaptive predicates
 //! of `robust`.
 //!
-//! Most triangles are settled by `charts`: large parts of a surface that all face one direction provably do not
-//! intersect themselves. The other triangles are searched pair by pair.
+//! `charts` first settles most triangles: large parts of a surface that all face one direction provably do not
+//! intersect themselves. The remaining triangles, the suspects, are searched pair by pair.
 //!
-//! A bounding-volume hierarchy finds the pairs that may intersect: axis-aligned boxes first, then boxes along each
-//! node's own normal and longest edge (S. Gottschalk, M. C. Lin, D. Manocha, *OBBTree*, SIGGRAPH 1996), which keep long
-//! thin triangles apart. The triangles around one vertex meet there, and are most of the pairs whose boxes meet. They
+//! A bounding-volume hierarchy finds the pairs that may intersect. Each node has an axis-aligned box, and an oriented
+//! box along its own normal and longest edge (S. Gottschalk, M. C. Lin, D. Manocha, *OBBTree*, SIGGRAPH 1996), which
+//! separates long thin triangles. Most pairs whose boxes meet are pairs of triangles around one vertex. These triangles
 //! are settled together: if all of them face one direction and wind round the vertex at most once, their projection
-//! along that direction is one-to-one, and no two of them intersect. The triangles of a large fan that is not settled
-//! in this way are compared as the arcs that they cut out of a sphere around their common vertex (`fans`): their boxes
-//! all meet at that vertex, and their arcs do not.
+//! along that direction is one-to-one, and no two of them intersect. A large fan that is not settled in this way is
+//! searched by the arcs that its triangles cut out of a sphere around the common vertex (`fans`). The triangles' boxes
+//! all meet at that vertex, but most of their arcs do not meet.
 //!
 //! O(n log n) time for meshes whose triangles do not pile up, O(n) memory, deterministic.
 
@@ -39,33 +39,33 @@ use std::ops::ControlFlow;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 8 takes about the same time; a larger one needs less memory.
 const LEAF: usize = 4;
-/// Number of triangles of a patch, which are suspects all together or not at all. Two regular subdivisions of a
-/// triangle make 16.
+/// Largest number of triangles of a patch. The triangles of a patch are suspects all together or not at all. Two
+/// regular subdivisions of a triangle make 16 triangles.
 const PATCH: usize = 16;
 
-/// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without. At 4,000
-/// triangles charts save 10 to 45% of the time.
+/// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without charts. At
+/// 4,000 triangles charts save 10 to 45% of the time.
 const LEAST_CHARTED: usize = 2_500;
 
-/// Pairs of boxes, for each triangle, after which [`check`] gives up. Meshes that are embedded or cross themselves
-/// along curves take 10 to 60; only sheets that lie on each other in many layers take more.
+/// Number of pairs of boxes per triangle after which [`check`] gives up. Meshes that are embedded or cross themselves
+/// along curves take 10 to 60. Only sheets that lie on each other in many layers take more.
 const WORK_PER_TRIANGLE: u64 = 2000;
-/// Pairs of boxes that a check may look at whatever the size of the mesh.
+/// Number of pairs of boxes that a check may compare in addition, whatever the size of the mesh.
 const LEAST_WORK: u64 = 1 << 20;
 
-/// The report on the self-intersections of a mesh that leaves a solver.
+/// The result of checking a solver's mesh for self-intersections.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SelfIntersectionCheck {
-    /// Number of pairs of triangles that intersect; `None` if not all pairs were looked at.
+    /// Number of pairs of triangles that intersect. `None` if not all pairs were compared.
     pub pairs: Option<u64>,
-    /// Why not all pairs were looked at; `None` if all were.
+    /// Why not all pairs were compared. `None` if all were.
     pub skipped: Option<Skipped>,
 }
 
-/// Why a mesh was not checked for self-intersections, or not to the end.
+/// Why a check for self-intersections was not started or not completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Skipped {
-    /// It has more triangles than are checked.
+    /// The mesh has more triangles than the limit for this check.
     TooManyTriangles,
     /// The search was given up: too many pairs of triangles lie on each other.
     TooManyPairs,
@@ -85,11 +85,12 @@ impl Skipped {
     }
 }
 
-/// Checks a mesh that leaves a solver. The warning `self_intersections` says how many pairs of triangles intersect, and
-/// where.
+/// Checks a solver's mesh for self-intersections. If there are any, the warning `self_intersections` states the number
+/// of pairs of triangles that intersect, and the place of one of them.
 ///
 /// # Errors
-/// [`Interruption::Cancelled`]. A deadline that passes ends the check, and the mesh is still good.
+/// [`Interruption::Cancelled`]. If the deadline passes, the check ends without an error, because the mesh itself is
+/// still good.
 pub fn check(
     mesh: &Mesh,
     order: Order,
@@ -128,9 +129,9 @@ pub fn check(
 pub struct SelfIntersections {
     /// Number of pairs of triangles that intersect.
     pub pairs: u64,
-    /// False if the search used up its work before it had seen all pairs. Then `pairs` is a lower bound.
+    /// False if the search reached its limit of work before it had compared all pairs. Then `pairs` is a lower bound.
     pub complete: bool,
-    /// A point where two triangles meet: those with the lowest numbers among the pairs seen.
+    /// A point where two triangles meet. Among the pairs found, this is the pair with the lowest numbers.
     pub place: Option<DVec3>,
 }
 
@@ -156,7 +157,7 @@ pub fn self_intersections(
     intersections_among(vertices, &suspects, order, most_work, exec)
 }
 
-/// Finds the intersections of triangles with each other, without charts.
+/// Finds all intersections between the given triangles, pair by pair, without charts.
 fn intersections_among(
     vertices: &[DVec3],
     triangles: &[[u32; 3]],
@@ -177,7 +178,7 @@ fn intersections_among(
     let fans = fans::large(soup, &list, &stars);
     let leaves = Leaves { triangles: list, order, size: LEAF, margin: 0.0, visits: Visits::Pairs };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
-    // Pairs with the same label are settled by their star, or compared as a fan.
+    // Pairs with the same label need no comparison here: their star settles them, or they are compared as a fan below.
     let labels = tree.labels(|t| match fans.of(&soup.triangles[t as usize]) {
         NONE => largest_star(&soup.triangles[t as usize], &stars),
         centre => centre,
@@ -185,7 +186,7 @@ fn intersections_among(
     let same_star = |a: usize, b: usize| labels[a] != NONE && labels[a] == labels[b];
     let mut first = [NONE; 2];
     let mut visit = |a: u32, b: u32| {
-        // In the order of their numbers, so that the place depends on the pair alone.
+        // The triangles are compared in the order of their numbers, so that the place depends on the pair alone.
         let pair = [a.min(b), a.max(b)];
         let [one, other] = pair.map(|t| soup.triangles[t as usize]);
         if let Some(point) = meet(soup, one, other, &stars) {
@@ -201,7 +202,8 @@ fn intersections_among(
         most_work,
         same_star,
         |a, b| {
-            // A leaf may hold triangles of a fan and others, so pairs of the same fan are left out here one by one.
+            // A leaf may hold triangles of a fan together with others. Pairs of the same fan are therefore skipped here
+            // one by one.
             let [one, other] = [a, b].map(|t| fans.of(&soup.triangles[t as usize]));
             if one != NONE && one == other { ControlFlow::Continue(()) } else { visit(a, b) }
         },
@@ -214,8 +216,8 @@ fn intersections_among(
 
 /// Whether two surfaces pass through each other: an edge of one pierces the inside of a triangle of the other.
 ///
-/// Unlike [`self_intersections`], touching and lying in one plane do not count: two discs in a plane, one inside the
-/// other, do not cross.
+/// Touching and overlapping in one plane do not count, unlike in [`self_intersections`]: two discs in a plane, one
+/// inside the other, do not cross.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -232,7 +234,7 @@ pub fn surfaces_cross(
     let moved = second.1.iter().map(|triangle| triangle.map(|v| v + offset));
     let triangles: Vec<[u32; 3]> = first.1.iter().copied().chain(moved).collect();
     let soup = Soup::new(&vertices, &triangles, exec)?;
-    // Every triangle and every node has the number of its surface; a node with triangles of both has none.
+    // The label of a triangle is the number of its surface. A node with triangles of both surfaces has no label.
     let surface = |t: u32| u32::from(t as usize >= first.1.len());
     let triangles = soup.with_area();
     let leaves = Leaves { triangles, order: Order::Spatial, size: LEAF, margin: 0.0, visits: Visits::Pairs };
@@ -252,7 +254,7 @@ pub fn surfaces_cross(
     Ok(cross)
 }
 
-/// A point where two triangles meet beyond what they share.
+/// A point where two triangles meet outside their shared vertices and edge, or `None`.
 fn meet(soup: &Soup, one: [u32; 3], other: [u32; 3], stars: &[u32]) -> Option<DVec3> {
     let mut shared = [(0, 0); 3];
     let mut count = 0;
@@ -285,8 +287,8 @@ fn meet(soup: &Soup, one: [u32; 3], other: [u32; 3], stars: &[u32]) -> Option<DV
     }
 }
 
-/// The corner with the most triangles among those whose triangles cannot intersect, or [`NONE`]. All triangles of a
-/// large fan name its centre, so that the fan is settled as a whole.
+/// The corner with the largest star: the most triangles, none of which intersect each other. [`NONE`] if no corner has
+/// a settled star. All triangles of a large star choose its centre, so that the star is settled as a whole.
 fn largest_star(triangle: &[u32; 3], stars: &[u32]) -> u32 {
     let most = triangle.iter().copied().max_by_key(|&v| (stars[v as usize], std::cmp::Reverse(v)));
     most.filter(|&v| stars[v as usize] > 0).unwrap_or(NONE)
@@ -298,8 +300,8 @@ mod tests {
     use crate::random::SplitMix64;
     use std::f64::consts::TAU;
 
-    /// A net over a curve that may cross itself, with holes, noise, and vertices moved onto others. A coarse grid of
-    /// coordinates makes much of it touch.
+    /// A random grid of triangles swept from a curve that may cross itself, with holes, noise, and vertices merged with
+    /// others. If the coordinates are rounded to a coarse grid, many of the triangles touch.
     fn net(random: &mut SplitMix64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let (m, n) = (8 + random.below(40) as u32, 2 + random.below(8) as u32);
         let mut any = |low: f64, high: f64| random.between(low, high);
@@ -323,14 +325,15 @@ mod tests {
             }
         }
         if any(0.0, 1.0) < 0.3 {
-            // A vertex is shared by parts of the net that are far from each other.
+            // Two parts of the net that are far from each other share a vertex.
             let [one, other] = [0, 0].map(|_: u32| any(0.0, vertices.len() as f64) as u32);
             triangles.iter_mut().flatten().filter(|v| **v == one).for_each(|v| *v = other);
         }
         (vertices, triangles)
     }
 
-    /// The intersections of a mesh, which must be those of its suspects; and the number of suspects.
+    /// The self-intersections of a mesh and the number of suspects. Asserts that the suspects alone have the same
+    /// intersections.
     fn found_among_suspects(vertices: &[DVec3], triangles: &[[u32; 3]], size: usize) -> (SelfIntersections, usize) {
         let exec = Execution::default();
         let suspects = charts::suspects(vertices, triangles, Order::Spatial, size, &exec).unwrap();
@@ -388,9 +391,9 @@ mod tests {
         }
     }
 
-    /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself
-    /// at two vertices that start and end share. The end is tilted about the line between them, so that it passes
-    /// through the start.
+    /// A spiral ramp of a little more than one turn, whose end lies over its start. The polygon of its boundary crosses
+    /// itself at two vertices that the start and the end share. The end is tilted about the line between these
+    /// vertices, so that it passes through the start.
     #[test]
     fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
         let over = 8;
@@ -400,7 +403,8 @@ mod tests {
             let radius = 1.0 + f64::from(j) / f64::from(rows) + 0.5 * angle / TAU;
             DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), 0.0)
         };
-        // The start's side crosses the end's inner edge, and the start's outer edge the end's side.
+        // The first vertex is where the start's side crosses the end's inner edge, the second where the start's outer
+        // edge crosses the end's side.
         let shared = [[0, 2], [over, rows]];
         let [one, other] = shared.map(|[i, j]| place(i, j));
         let tilt = (other - one).cross(DVec3::Z).normalize();
@@ -460,7 +464,8 @@ mod tests {
         }
     }
 
-    /// A piece of a catenoid whose triangles are numbered along its rows, in families of sixteen, and at random.
+    /// A piece of a catenoid whose triangles are numbered in three ways: along its rows, in families of sixteen, and at
+    /// random.
     #[test]
     fn a_smooth_surface_has_no_suspects_in_whatever_order_its_triangles_are() {
         let (m, n) = (128, 64);
@@ -470,7 +475,7 @@ mod tests {
         };
         let vertices: Vec<DVec3> = (0..m * (n + 1)).map(place).collect();
         let rows = grid(m, n, |i, j| j * m + i % m);
-        // Cells of 4 by 2 have 16 triangles. The families follow each other at random.
+        // A family is a block of 4 by 2 cells, which has 16 triangles. The families follow each other in random order.
         let mut random = SplitMix64::new(7);
         let mut shuffled = |count: usize| {
             let mut order: Vec<usize> = (0..count).collect();
@@ -500,7 +505,8 @@ mod tests {
         }
     }
 
-    /// A disc with a pleat around its middle, of which one row of cells faces down. The pleat passes through itself.
+    /// A disc with a pleat around its middle. One row of cells of the pleat faces down, and the pleat passes through
+    /// itself.
     #[test]
     fn a_patch_faces_a_direction_only_if_all_its_triangles_do() {
         let profile = [
@@ -527,7 +533,7 @@ mod tests {
         }
     }
 
-    /// Holes that touch each other in vertices: the boundary passes through these twice.
+    /// A sheet with holes that touch each other at vertices, so that the boundary passes through these vertices twice.
     #[test]
     fn holes_that_touch_leave_a_chart() {
         let n = 24;
@@ -545,7 +551,7 @@ mod tests {
         }
     }
 
-    /// Two parallel sheets, tilted so that the boxes along the axes of their patches meet.
+    /// Two parallel sheets, tilted so that the axis-aligned boxes of their patches meet.
     #[test]
     fn patches_that_are_apart_are_no_suspects() {
         let n = 40;

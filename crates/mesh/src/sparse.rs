@@ -1,4 +1,5 @@
-//! Sparse symmetric linear systems: one pattern, many matrices, factorised as L D Lᵀ. The inertia is read off D.
+//! Sparse symmetric linear systems, factorised as L D Lᵀ. Matrices of the same pattern share one symbolic
+//! factorisation. The signs of D give the inertia.
 //!
 //! Everything runs on the calling thread ([`Par::Seq`]), so that results do not depend on the number of cores. Every
 //! solution is checked against its right-hand side before it is returned.
@@ -20,8 +21,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
-/// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (maximum norms) is refined once, and refused if the
-/// residual is still too large.
+/// Largest residual of an accepted solution, as a fraction of ‖A‖‖x‖ + ‖b‖ (maximum norms). A solution above it is
+/// refined once, and refused if its residual is still too large.
 const RESIDUAL_TOLERANCE: f64 = 1e-9;
 
 /// Why a linear system has no reliable solution.
@@ -37,15 +38,15 @@ pub enum LinearError {
     TooLarge,
 }
 
-/// The scalar product, summed in order.
+/// The scalar product of two vectors, summed in the order of the entries.
 #[must_use]
 #[inline]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// A sparse symmetric matrix. Both halves are stored, row by row. The diagonal comes first in its row; the other
-/// columns follow in any order.
+/// A sparse symmetric matrix. Both triangles are stored, row by row. The diagonal entry comes first in its row; the
+/// other entries of the row follow in any order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SymmetricMatrix {
     pub row_start: Vec<u32>,
@@ -124,16 +125,16 @@ impl Inertia {
     }
 }
 
-/// The symbolic part of a factorisation: the fill-reducing order and the pattern of L. It is valid for every matrix of
-/// one pattern.
+/// A symbolic factorisation: the fill-reducing order of the unknowns and the pattern of L. It is valid for every matrix
+/// of the same pattern.
 #[derive(Debug)]
 pub struct Symbolic {
     inner: SymbolicCholesky<u32>,
 }
 
 impl Symbolic {
-    /// Analyses a pattern. `order` gives the old index at each new position, a permutation. If it is `None`,
-    /// approximate minimum degree determines the order.
+    /// Analyses the pattern of a matrix. `order` is a permutation that gives the old index at each new position. If
+    /// `order` is `None`, the approximate minimum degree method determines it.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -184,7 +185,7 @@ impl Symbolic {
         self.factorise_into(matrix, Vec::new())
     }
 
-    /// Does the same as [`factorise`](Self::factorise) in the storage of an earlier factorisation
+    /// Does the same as [`factorise`](Self::factorise), but reuses the storage of an earlier factorisation
     /// ([`Factorisation::into_storage`]).
     ///
     /// # Errors
@@ -217,8 +218,8 @@ impl Symbolic {
         Ok(Factorisation { symbolic: self, matrix, values, inertia })
     }
 
-    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]). The result is not
-    /// checked; this is for preconditioners.
+    /// Applies the inverse of the matrix whose factor has the entries `values` ([`Factorisation::into_storage`]). The
+    /// result is not checked. This function is for preconditioners.
     #[inline]
     pub fn apply(&self, values: &[f64], right_hand_sides: &mut [f64]) {
         let n = self.inner.nrows();
@@ -236,7 +237,7 @@ impl Symbolic {
         );
     }
 
-    /// Signs of D. `None` if a pivot is zero or not finite.
+    /// Counts the signs of the pivots in D. `None` if a pivot is zero or not finite.
     fn inertia(&self, values: &[f64]) -> Option<Inertia> {
         let mut inertia = Inertia { negative: 0, positive: 0 };
         let mut is_regular = true;
@@ -309,7 +310,7 @@ impl Symbolic {
 struct Column<'a> {
     number: usize,
     pivot: f64,
-    /// The entries in the rows directly below the diagonal, without a gap.
+    /// The entries in the consecutive rows directly below the diagonal.
     next: &'a [f64],
     /// The rows of the other entries, and the other entries themselves.
     rows: &'a [u32],
@@ -324,7 +325,7 @@ impl Column<'_> {
     }
 }
 
-/// L D Lᵀ of one matrix.
+/// The factorisation L D Lᵀ of a matrix.
 #[derive(Debug)]
 pub struct Factorisation<'a> {
     symbolic: &'a Symbolic,
@@ -340,12 +341,13 @@ impl Factorisation<'_> {
         self.inertia
     }
 
-    /// Bound on the rounding errors of the factorisation: the diagonal of a matrix Δ with -Δ ≤ L D Lᵀ - A ≤ Δ. The
-    /// inertia is therefore that of A if no eigenvalue of A x = λ Δ x lies between -1 and 1.
+    /// Bound on the rounding errors of the factorisation: the diagonal entries of a matrix Δ with -Δ ≤ L D Lᵀ - A ≤ Δ.
+    /// If no eigenvalue λ of A x = λ Δ x lies between -1 and 1, the computed inertia is therefore that of A.
     ///
-    /// Each error is at most (k + 1) u times the entry of |L| |D| |Lᵀ|, where k is the largest number of terms of an
-    /// entry and u is half of [`f64::EPSILON`] (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, theorem
-    /// 10.3). The sum of a row bounds its share of the quadratic form. The bound is twice that.
+    /// Each entry of L D Lᵀ - A is at most (k + 1) u times the entry of |L| |D| |Lᵀ|, where k is the largest number of
+    /// terms of an entry and u is half of [`f64::EPSILON`] (Higham, *Accuracy and Stability of Numerical Algorithms*,
+    /// 2002, theorem 10.3). The sum of a row of these bounds is the row's entry of Δ, because it bounds the row's share
+    /// of the quadratic form. The returned bound is twice that sum.
     #[must_use]
     #[inline]
     pub fn rounding(&self) -> Vec<f64> {
@@ -366,8 +368,8 @@ impl Factorisation<'_> {
         self.values
     }
 
-    /// Overwrites `right_hand_sides` (column after column) with the solutions. Each solution is checked, and refined
-    /// once where needed.
+    /// Overwrites the right-hand sides, stored one after the other, with the solutions. Each solution is checked, and
+    /// refined once if its residual is too large.
     ///
     /// # Errors
     /// [`LinearError::Inaccurate`] if a solution is not finite or does not satisfy its system;
@@ -403,8 +405,8 @@ impl Factorisation<'_> {
         Ok(())
     }
 
-    /// Applies the factor once without the check. This is for preconditioners, whose errors the outer iteration
-    /// detects.
+    /// Solves with the factor once, without checking the solutions. This function is for preconditioners, whose errors
+    /// the outer iteration detects.
     #[inline]
     pub fn solve_unchecked(&self, right_hand_sides: &mut [f64]) {
         self.symbolic.apply(&self.values, right_hand_sides);
@@ -427,7 +429,7 @@ impl Factorisation<'_> {
 mod tests {
     use super::*;
 
-    /// The five-point Laplacian of a grid, shifted by `-shift`; its eigenvalues are known.
+    /// The five-point Laplacian of a square grid minus `shift` times the identity. Its eigenvalues are known.
     fn grid(side: usize, shift: f64) -> SymmetricMatrix {
         let mut matrix = SymmetricMatrix { row_start: vec![0], ..Default::default() };
         for k in 0..side * side {
@@ -456,7 +458,7 @@ mod tests {
 
     #[test]
     fn inertia_counts_the_eigenvalues_of_a_shifted_grid_in_both_storage_forms() {
-        // The small one is factorised simplicially, the large one by supernodes.
+        // The small matrix is factorised column by column, the large one by supernodes.
         for (side, simplicial) in [(6, true), (150, false)] {
             let symbolic = Symbolic::analyse(&grid(side, 0.0), None).unwrap();
             assert_eq!(matches!(symbolic.inner.raw(), SymbolicCholeskyRaw::Simplicial(_)), simplicial);
@@ -485,12 +487,13 @@ mod tests {
             let symbolic = Symbolic::analyse(&matrix, None).unwrap();
             let factorisation = symbolic.factorise(&matrix).unwrap();
             let rounding = factorisation.rounding();
-            // The entries of an indefinite matrix grow without pivoting, and the bound with them.
+            // Without pivoting, the entries of the factor of an indefinite matrix may grow, and the bound grows with
+            // them.
             assert!(shift > 0.0 || rounding.iter().sum::<f64>() < 1e-11 * matrix.absolute_row_sums().sum::<f64>());
             let order = symbolic.inner.perm().unwrap().arrays().0;
             for _ in 0..20 {
                 let x: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
-                // The quadratic form of L D Lᵀ: the sum of pivot times squared entry of Lᵀ x.
+                // The quadratic form of L D Lᵀ: the sum over the columns of the pivot times the squared entry of Lᵀ x.
                 let mut form = 0.0;
                 let at = |row: usize| x[order[row] as usize];
                 symbolic.visit_columns(&factorisation.values, |column| {
@@ -532,7 +535,7 @@ mod tests {
 
     #[test]
     fn an_inaccurate_solution_is_refused() {
-        // The factor of another matrix stands for a silently wrong factorisation.
+        // The factor of another matrix takes the place of a silently wrong factorisation.
         let (right, wrong) = (grid(8, 0.0), grid(8, 0.5));
         let symbolic = Symbolic::analyse(&right, None).unwrap();
         let values = symbolic.factorise(&wrong).unwrap().into_storage();

@@ -46,7 +46,7 @@ pub fn cylinder(n: usize, rings: usize, gap: f64) -> Film {
     Film::new(vertices, &triangles, vec![ring(0), ring(rings)]).expect("a cylinder is a manifold")
 }
 
-/// x = u cos v, y = u sin v, z = v over u 2..10, v -1..10 (Chen, Cai, Zheng).
+/// The helicoid x = u cos v, y = u sin v, z = v over u 2..10, v -1..10 (Chen, Cai, Zheng).
 pub fn helicoid(u: f64, v: f64) -> DVec3 {
     let (u, v) = (2.0 + 8.0 * u, -1.0 + 11.0 * v);
     DVec3::new(u * libm::cos(v), u * libm::sin(v), v)
@@ -60,7 +60,7 @@ pub fn catenoid(sector: f64, reach: f64) -> impl Fn(f64, f64) -> DVec3 {
     }
 }
 
-/// Moves the free vertices to the mean of their neighbours, again and again: the fair start that a solver is given.
+/// Moves each free vertex to the mean of its neighbours, `sweeps` times, to make a fair start for a solver.
 pub fn relax(film: &mut Film, sweeps: usize) {
     for _ in 0..sweeps {
         for v in 0..film.vertices.len() as u32 {
@@ -74,7 +74,7 @@ pub fn relax(film: &mut Film, sweeps: usize) {
     }
 }
 
-/// A k x k grid over the unit square, its inner vertices shaken, bent into a saddle of the given height.
+/// A k x k grid over the unit square, bent into a saddle of the given height, with its inner vertices moved at random.
 #[cfg(test)]
 pub(crate) fn shaken(k: usize, height: f64) -> Film {
     let at = |i: usize, j: usize| (i * (k + 1) + j) as u32;

@@ -1,18 +1,19 @@
-//! Connectivity of a triangle list: half-edge twins, boundary loops, components, Euler characteristic. No positions.
+//! Connectivity of a triangle list: half-edge twins, boundary loops, components, Euler characteristic. This module does
+//! not use positions.
 
 use std::fmt;
 
-/// "No half-edge": the twin of a half-edge on the boundary.
+/// Stands for a missing half-edge, such as the twin of a boundary half-edge.
 pub const NONE: u32 = u32::MAX;
 
-/// The ends of an edge, the smaller number first: its key whatever its direction.
+/// The key of an edge, which does not depend on its direction: the ends with the smaller number first.
 #[must_use]
 #[inline]
 pub fn edge_key([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Why a mesh is not a sound one: see [`Topology::build`] and [`Mesh::check`](crate::Mesh::check).
+/// A defect of a mesh. See [`Topology::build`] and [`Mesh::check`](crate::Mesh::check).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Defect {
     /// A triangle names a vertex that does not exist.
@@ -96,11 +97,11 @@ pub fn previous(half_edge: u32) -> u32 {
 }
 
 impl Topology {
-    /// Pairs the half-edges. O(n log n), deterministic.
+    /// Builds the connectivity of a triangle list by pairing the half-edges. O(n log n), deterministic.
     ///
     /// # Errors
-    /// The first defect: of the indices, then of the edges, then of the vertices. Isolated vertices are allowed here;
-    /// [`check`](crate::check) refuses them.
+    /// The first defect that is found. The indices are checked first, then the edges, then the vertices. Isolated
+    /// vertices are allowed here; [`check`](crate::check) refuses them.
     pub fn build(triangles: &[[u32; 3]], vertex_count: usize) -> Result<Self, Defect> {
         for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
             if [a, b, c].iter().any(|&v| v as usize >= vertex_count) {
@@ -124,7 +125,7 @@ impl Topology {
             start[v + 1] += start[v];
         }
         let mut cursor = start.clone();
-        // For each half-edge of a bucket its higher vertex and its number.
+        // The higher vertex and the number of each half-edge of a bucket.
         let mut bucket = vec![(0u32, 0u32); count];
         for h in 0..count {
             let (a, b) = ends(h);
@@ -186,8 +187,8 @@ impl Topology {
         self.from(next(half_edge))
     }
 
-    /// The outgoing half-edges of a vertex, clockwise. For a boundary vertex the first is its boundary half-edge. The
-    /// last edge of its fan has no outgoing half-edge; it is the incoming boundary half-edge.
+    /// The outgoing half-edges of a vertex, clockwise. For a boundary vertex the first one is its boundary half-edge.
+    /// The last edge of the fan of a boundary vertex has no outgoing half-edge, only the incoming boundary half-edge.
     #[inline]
     pub fn outgoing_half_edges(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.outgoing[vertex as usize];
@@ -212,7 +213,8 @@ impl Topology {
         h != NONE && self.twin[h as usize] == NONE
     }
 
-    /// Boundary loops as vertex lists in the direction of their triangles, by their smallest half-edge.
+    /// The boundary loops as lists of vertices, in the direction of the half-edges of their triangles. The loops are
+    /// sorted by their smallest half-edge.
     #[must_use]
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
         let mut seen = vec![false; self.twin.len()];
@@ -261,7 +263,7 @@ impl Topology {
         components
     }
 
-    /// Number of edges, boundary edges counted once.
+    /// Number of edges, including boundary edges.
     #[must_use]
     #[inline]
     pub fn edge_count(&self) -> usize {
@@ -269,7 +271,7 @@ impl Topology {
         (self.twin.len() - boundary) / 2 + boundary
     }
 
-    /// V - E + F over the vertices that belong to a triangle.
+    /// The Euler characteristic V - E + F, where V counts only the vertices that belong to a triangle.
     #[must_use]
     #[inline]
     pub fn euler_characteristic(&self) -> i64 {

@@ -1,18 +1,19 @@
-//! Self-intersections against a brute force that decides every pair of triangles with exact fractions.
+//! Compares the search for self-intersections with a brute-force method that decides every pair of triangles with exact
+//! fractions.
 
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::self_intersections::{Order, SelfIntersections, self_intersections, surfaces_cross};
 use plateau_mesh::{DVec3, Execution, Interruption, Signal};
 use std::cell::Cell;
 
-/// A whole number from `-reach` to `reach`.
+/// A random integer from `-reach` to `reach`.
 fn whole(random: &mut SplitMix64, reach: i64) -> i64 {
     random.below(2 * reach as usize + 1) as i64 - reach
 }
 
 type Vector = [i128; 3];
 
-/// A point with a common denominator, which is positive.
+/// A point with rational coordinates: `point` divided by the positive common denominator `over`.
 #[derive(Clone, Copy, Debug)]
 struct Fraction {
     point: Vector,
@@ -40,7 +41,7 @@ fn contains(triangle: [Vector; 3], at: Fraction) -> bool {
         && (0..3).all(|k| dot(n, cross(minus(triangle[(k + 1) % 3], triangle[k]), from(triangle[k]))) >= 0)
 }
 
-/// Every point that can be a corner of the intersection of two triangles.
+/// All points that can be a corner of the intersection of two triangles.
 fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
     let mut found: Vec<Fraction> = one.iter().chain(&other).map(|&point| Fraction { point, over: 1 }).collect();
     // Points where an edge of one triangle passes through the plane of the other.
@@ -55,7 +56,7 @@ fn candidates(one: [Vector; 3], other: [Vector; 3]) -> Vec<Fraction> {
             }
         }
     }
-    // Points where two edges in one plane meet.
+    // Points where two edges that lie in one plane meet.
     for k in 0..3 {
         for l in 0..3 {
             let (p, q, r, s) = (one[k], one[(k + 1) % 3], other[l], other[(l + 1) % 3]);
@@ -115,7 +116,7 @@ fn found(vertices: &[DVec3], triangles: &[[u32; 3]], order: Order) -> SelfInters
     self_intersections(vertices, triangles, order, u64::MAX, &Execution::default()).unwrap()
 }
 
-/// Any triangles over a few points: everything touches, overlaps, repeats.
+/// Random triangles over a few points, many of which touch, overlap or repeat others.
 fn soup(random: &mut SplitMix64) -> Whole {
     let count = 6 + random.below(20);
     let reach = 1 + random.below(6) as i64;
@@ -124,7 +125,7 @@ fn soup(random: &mut SplitMix64) -> Whole {
     Whole { vertices, triangles }
 }
 
-/// A net of squares, bent and folded: mostly embedded, or crossing itself in places.
+/// A net of squares, bent and folded, which is mostly embedded and may cross itself in places.
 fn net(random: &mut SplitMix64) -> Whole {
     let (m, n) = (2 + random.below(5) as i64, 2 + random.below(5) as i64);
     let (noise, lift) = (random.below(4) as i64, random.below(12) as i64);
@@ -195,8 +196,8 @@ fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
             _ => strip(&mut random),
         };
         let expected = mesh.brute_force();
-        // The mesh is checked as it is; reflected, scaled and moved without rounding; and with every vertex stored
-        // twice.
+        // The mesh is checked in three forms: as it is, then reflected, scaled and moved without rounding, and with
+        // every vertex stored twice.
         let points = mesh.points();
         let moved: Vec<DVec3> = points.iter().map(|p| DVec3::new(-p.z, p.x, p.y) * 0.125 + 1e6).collect();
         let twice: Vec<DVec3> = points.iter().chain(&points).copied().collect();
@@ -212,7 +213,7 @@ fn the_tree_and_the_brute_force_agree_on_a_thousand_meshes() {
         }
         if expected == 0 { without[kind] += 1 } else { with[kind] += 1 }
     }
-    // Each kind has meshes of both sorts.
+    // Each kind has meshes with intersections and meshes without.
     assert!(without.iter().chain(&with).all(|&count| count > 15), "{without:?} {with:?}");
 }
 
@@ -251,8 +252,8 @@ fn the_arcs_of_a_large_fan_find_the_pairs_of_the_brute_force() {
     assert!(without > 5 && with > 20, "{without} {with}");
 }
 
-/// A flat sheet, and a wavy one at a distance above it. The wavy one is moved sideways too, so that no edge of it lies
-/// above an edge of the flat one.
+/// A flat sheet, and a wavy sheet at a distance above it. The wavy sheet is also moved sideways, so that none of its
+/// edges lies above an edge of the flat sheet.
 fn two_planes(distance: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let n = 60u32;
     let mut vertices = Vec::new();
@@ -323,7 +324,7 @@ fn a_large_fan_and_a_long_strip_take_little_more_than_linear_work() {
         work(&vertices, &triangles)
     };
     assert!(spiral(20_000) < 2.0 * spiral(1_000) + 10.0, "{} {}", spiral(1_000), spiral(20_000));
-    // A ramp that winds twice, its bridges slanted: a thousand times as long as wide.
+    // A ramp of about two turns with slanted bridges, a thousand times as long as wide.
     let ramp = |count: u32| {
         let rail = |radius: f64, turn: f64| -> Vec<DVec3> {
             let angle = |k: u32| 12.0 * f64::from(k) / f64::from(count);

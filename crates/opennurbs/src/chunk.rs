@@ -1,7 +1,9 @@
-//! Chunks: a code, a length and that many bytes, all little-endian. Chunks lie in chunks.
+//! Reads and writes chunks. A chunk is a code, a length, and as many bytes as the length says, all little-endian.
+//! Chunks may contain chunks.
 //!
-//! If a code has the bit [`CHECKED`], the last four bytes are the CRC-32 of the chunk's own bytes, which leaves out
-//! those of the chunks inside it. A code with the bit [`SHORT`] has a number in place of the length, and no bytes.
+//! If a code has the bit [`CHECKED`], the last four bytes of the chunk are the CRC-32 of its own bytes, without the
+//! bytes of the chunks inside it. A chunk whose code has the bit [`SHORT`] has a number in place of the length, and no
+//! bytes.
 
 use super::Defect;
 
@@ -14,15 +16,15 @@ const CHECKSUM_BYTES: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct Reader<'a> {
     rest: &'a [u8],
-    /// Bytes of this chunk before the current run, without those of inner chunks.
+    /// CRC-32 of this chunk's own bytes before the current run. `None` if the chunk has no checksum.
     checksum: Option<crc32fast::Hasher>,
-    /// Bytes since the last inner chunk, of which `rest` is the end.
+    /// The current run: the bytes since the last inner chunk. `rest` is the end of this slice.
     run: &'a [u8],
     expected: u32,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads bytes that are in no chunk.
+    /// Returns a reader of bytes without a checksum.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { rest: bytes, checksum: None, run: bytes, expected: 0 }
     }
@@ -53,8 +55,8 @@ impl<'a> Reader<'a> {
         if code == wanted { Ok(chunk) } else { Err(Defect::Structure("an unexpected chunk")) }
     }
 
-    /// Checks the checksum after everything in this chunk was read. Bytes of later versions may follow, and count as
-    /// this chunk's own.
+    /// Checks the checksum after everything in this chunk was read. Bytes of later versions of the format may be left.
+    /// They count as this chunk's own bytes.
     pub(super) fn finish(mut self) -> Result<(), Defect> {
         self.rest = &[];
         self.end_run();
@@ -104,7 +106,7 @@ impl<'a> Reader<'a> {
         Ok(u32::from_le_bytes(self.array()?))
     }
 
-    /// Reads a number of items.
+    /// Reads the number of items of a list, which is stored as an i32.
     pub(super) fn count(&mut self) -> Result<usize, Defect> {
         let count = i32::from_le_bytes(self.array()?);
         usize::try_from(count).map_err(|_| Defect::Structure("a negative count"))
@@ -114,7 +116,7 @@ impl<'a> Reader<'a> {
         Ok(f64::from_le_bytes(self.array()?))
     }
 
-    /// Reads a version in one byte and returns its minor part.
+    /// Reads a version, which is one byte, and returns its minor part. Fails if the major part is another one.
     pub(super) fn version(&mut self, class: &str, major: u8) -> Result<u8, Defect> {
         let version = self.u8()?;
         if version >> 4 == major {

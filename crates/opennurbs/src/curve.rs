@@ -1,18 +1,19 @@
-//! Curves, and polylines that keep within a tolerance of them.
+//! Curves, and their approximation by polylines within a tolerance.
 
 use super::Defect;
 use plateau_mesh::DVec3;
 use std::f64::consts::FRAC_PI_4;
 
-/// Largest number of times that a Bézier piece is halved. A piece is then a billionth of the curve's, which no
-/// tolerance that a double can hold needs.
+/// Largest number of times that a Bézier curve is halved. A piece is then a billionth of the curve. No tolerance that
+/// makes sense in f64 needs smaller pieces.
 const MAX_HALVINGS: u32 = 30;
-/// Default tolerance as a fraction of the diagonal of the curve's box. A circle gets 64 points.
+/// Default tolerance as a fraction of the diagonal of the curve's box. A circle gets 60 chords if it is an arc, and 64
+/// if it is a NURBS curve of four quarters.
 const DEFAULT_TOLERANCE: f64 = 1.0 / 2000.0;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Curve {
-    /// Straight pieces, of which there may be one.
+    /// Straight segments, at least one.
     Polyline(Vec<DVec3>),
     Arc(Arc),
     Nurbs(Nurbs),
@@ -37,11 +38,11 @@ pub struct Nurbs {
     degree: usize,
     /// Knots without the first and the last, as openNURBS has them: points + degree - 1.
     knots: Vec<f64>,
-    /// Points times their weights, and the weights.
+    /// Homogeneous control points: the coordinates times the weight, and the weight.
     points: Vec<[f64; 4]>,
 }
 
-/// Points of a curve, of which there may be at most a given number.
+/// Collects the points of a polyline along a curve, of which there may be at most `max_points`.
 struct Sampler {
     points: Vec<DVec3>,
     tolerance: f64,
@@ -68,7 +69,8 @@ impl Curve {
         DEFAULT_TOLERANCE * (high - low).length()
     }
 
-    /// Calls `see` with points whose box contains the curve.
+    /// Calls `see` with points whose box contains the curve. Only the box of an arc may be slightly too small, because
+    /// nine points of the arc stand for it.
     fn for_each_bound(&self, see: &mut impl FnMut(DVec3)) {
         match self {
             Self::Polyline(points) => points.iter().for_each(|&point| see(point)),
@@ -91,7 +93,8 @@ impl Arc {
 }
 
 impl Nurbs {
-    /// Checks a NURBS curve. Knots leave out the first and the last, and points are multiplied by their weights.
+    /// Checks a NURBS curve. `knots` lacks the first and the last knot. The coordinates in `points` are multiplied by
+    /// the weights.
     ///
     /// # Errors
     /// Returns [`Defect::Unusable`] if a number is not finite, a weight is not positive, or the knots decrease or leave
@@ -134,7 +137,7 @@ impl Nurbs {
     }
 }
 
-/// Returns the point of a product with its weight.
+/// Returns the point for homogeneous coordinates: the coordinates divided by their weight.
 fn place([x, y, z, weight]: [f64; 4]) -> DVec3 {
     DVec3::new(x, y, z) / weight
 }
@@ -159,7 +162,8 @@ impl Sampler {
             Curve::Nurbs(nurbs) => self.nurbs(nurbs),
             Curve::Poly(curves) => {
                 for (number, curve) in curves.iter().enumerate() {
-                    // The first point of each further curve is the last one that is there already.
+                    // Each further curve begins at the last point so far. That point is removed, because the curve adds
+                    // it again.
                     if number > 0 {
                         self.points.pop();
                     }
@@ -221,9 +225,9 @@ fn halved(mut row: Vec<[f64; 4]>) -> (Vec<[f64; 4]>, Vec<[f64; 4]>) {
     (left, row)
 }
 
-/// Returns an upper bound of the share that the inner control points have in any point of a Bézier curve. The ends have
-/// the rest, and lie on the chord. The curve is therefore not farther from its chord than the farthest control point
-/// times this share.
+/// Returns an upper bound of the share that the inner control points have together in any point of a Bézier curve. The
+/// end points have the rest, and lie on the chord. The distance of the curve from its chord is therefore at most that
+/// of the farthest control point times this bound.
 fn inner_share(piece: &[[f64; 4]]) -> f64 {
     let degree = piece.len() - 1;
     let weight = |point: &[f64; 4]| point[3];

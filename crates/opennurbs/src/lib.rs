@@ -34,7 +34,7 @@ pub struct Mesh {
     pub faces: Vec<[u32; 4]>,
 }
 
-/// Codes that begin a chunk.
+/// Codes of chunks.
 mod code {
     pub(super) const OBJECT: u32 = 0x0002_7ffa;
     pub(super) const CLASS_ID: u32 = 0x0002_fffb;

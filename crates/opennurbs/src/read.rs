@@ -7,7 +7,7 @@ use super::{Defect, Mesh, Object, class, code};
 use plateau_mesh::DVec3;
 use std::io::Read as _;
 
-/// Number of polycurves that may lie in each other. Rhino itself removes such nesting.
+/// Largest depth of polycurves inside polycurves. Rhino itself removes such nesting.
 const MAX_DEPTH: usize = 8;
 /// Largest degree of a NURBS curve. Rhino's own limit is 11.
 const MAX_DEGREE: usize = 32;
@@ -68,7 +68,8 @@ fn polyline_curve(data: &mut Reader<'_>) -> Result<Curve, Defect> {
     data.version("polyline curve", 1)?;
     let count = data.count()?;
     let points: Vec<DVec3> = data.items(count, 24)?.map(|bytes| finite(vector(bytes))).collect::<Result<_, _>>()?;
-    // The parameters of the points and the dimension follow, and change nothing in space.
+    // The parameters of the points and the dimension follow. They are not read, because they do not change the curve in
+    // space.
     if points.len() < 2 { Err(Defect::Unusable("has fewer than two points")) } else { Ok(Curve::Polyline(points)) }
 }
 
@@ -80,10 +81,10 @@ fn line_curve(data: &mut Reader<'_>) -> Result<Curve, Defect> {
 fn arc_curve(data: &mut Reader<'_>) -> Result<Curve, Defect> {
     data.version("arc", 1)?;
     let [centre, x, y, _] = [point(data)?, point(data)?, point(data)?, point(data)?];
-    // The plane's equation.
+    // The plane's equation is skipped.
     data.bytes(32)?;
     let radius = data.f64()?;
-    // Three points of the circle.
+    // Three points of the circle are skipped.
     data.bytes(72)?;
     let angles = [data.f64()?, data.f64()?];
     let unit = |vector: DVec3| (vector.length() - 1.0).abs() < 1e-6;
@@ -151,9 +152,9 @@ fn mesh(data: &mut Reader<'_>, max_points: usize) -> Result<Mesh, Defect> {
     if vertices > max_points {
         return Err(Defect::TooLarge(max_points));
     }
-    // Domains, scales, boxes, and whether the mesh is closed.
+    // Domains, scales, boxes, and whether the mesh is closed: all are skipped.
     data.bytes(80 + 64 + 4)?;
-    // Meshing parameters and four curvature statistics.
+    // Meshing parameters and four curvature statistics are skipped.
     for _ in 0..5 {
         if data.u8()? != 0 {
             data.chunk_of(code::ANONYMOUS)?;
@@ -164,7 +165,7 @@ fn mesh(data: &mut Reader<'_>, max_points: usize) -> Result<Mesh, Defect> {
         return Err(Defect::Unusable("is a mesh without faces"));
     }
     let single = Buffer::next(data)?;
-    // Normals, texture coordinates, curvatures and colours.
+    // Normals, texture coordinates, curvatures and colours are skipped.
     for _ in 0..4 {
         Buffer::next(data)?;
     }
@@ -226,7 +227,7 @@ fn read_faces(data: &mut Reader<'_>, vertices: usize, faces: usize) -> Result<Ve
     data.items(faces, 4 * index_bytes)?.map(face).collect()
 }
 
-/// A buffer that has not been decompressed.
+/// A buffer whose bytes have not been decompressed yet.
 struct Buffer<'a> {
     length: usize,
     checksum: u32,
@@ -239,7 +240,7 @@ enum Content<'a> {
 }
 
 impl<'a> Buffer<'a> {
-    /// Reads over a buffer.
+    /// Reads the next buffer without decompressing its bytes.
     fn next(data: &mut Reader<'a>) -> Result<Self, Defect> {
         let length = data.u32()? as usize;
         if length == 0 {
@@ -259,7 +260,7 @@ impl<'a> Buffer<'a> {
         Ok(Self { length, checksum, content })
     }
 
-    /// Returns the bytes, which must be `wanted` bytes.
+    /// Returns the decompressed bytes. Fails if their number is not `wanted`.
     fn bytes(self, wanted: usize) -> Result<Vec<u8>, Defect> {
         if self.length != wanted {
             return Err(Defect::Structure("a mesh with a wrong number of coordinates"));
@@ -268,7 +269,7 @@ impl<'a> Buffer<'a> {
             Content::Raw(bytes) => bytes.to_vec(),
             Content::Deflated(bytes) => {
                 let mut inflated = Vec::new();
-                // A byte more than wanted shows that there is too much.
+                // At most one byte more than wanted is decompressed, which shows that there are too many.
                 let mut limited = flate2::read::ZlibDecoder::new(bytes).take(wanted as u64 + 1);
                 limited.read_to_end(&mut inflated).map_err(|_| Defect::Structure("compressed bytes are damaged"))?;
                 inflated

@@ -7,8 +7,8 @@ use plateau_mesh::DVec3;
 /// Value that openNURBS stores for a coordinate that is not known.
 const UNSET: f64 = -1.234_321_012_343_21e308;
 
-/// Returns a polyline curve as an object. Its parameter is the number of the point. A closed curve repeats its first
-/// point.
+/// Returns a polyline curve as an object. The parameter at each point is the number of the point. A closed curve
+/// repeats its first point.
 #[must_use]
 pub fn polyline_curve(points: &[DVec3]) -> Vec<u8> {
     object(class::POLYLINE_CURVE, |out| {
@@ -113,7 +113,7 @@ fn buffer(out: &mut Writer, bytes: &[u8]) {
     }
 }
 
-/// Writes the mapping of no texture: version 1.1, no identifier, no mapping's checksum, and the identity.
+/// Writes an empty texture mapping: version 1.1, no identifier, no checksum of a mapping, and the identity matrix.
 fn texture_mapping(out: &mut Writer) {
     out.u32(1);
     out.u32(1);

@@ -1,7 +1,7 @@
 //! The functions that JavaScript calls, and the functions that the module calls in JavaScript.
 //!
-//! Bytes go in through [`plateau_input`], which returns where to write them, and come out as an address and a length.
-//! An address holds until the next call, because memory may move then.
+//! Bytes go in through [`plateau_input`], which returns the address at which JavaScript writes them. They come out as
+//! an address and a length. An address is valid until the next call, because memory may move then.
 
 // WebAssembly exports and imports functions by their names, and Rust counts both as unsafe: another item of the program
 // could have the same name, and nothing checks what an imported function does.

@@ -1,4 +1,5 @@
-//! A session: one request after the other, the files of the last result, and its previews while it is dragged.
+//! A session solves one request after the other. It makes files of the last result, and previews of it while the user
+//! drags points.
 
 use plateau_archive::Archive;
 use plateau_archive::formats::{MeshFormat, PatternFormat};
@@ -13,8 +14,8 @@ use plateau_mesh::DVec3;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-/// Limits of one request: the defaults of the service, apart from the memory. A module has at most 4 GiB of memory, so
-/// half of them are left to the request, the result and its files.
+/// Limits of one request. They are the defaults of the service, apart from the memory. A WebAssembly module has at most
+/// 4 GiB of memory. Solving may take half of it, and the other half is left to the request, the result and its files.
 pub const LIMITS: Limits = Limits {
     points: 200_000,
     triangles: 2_000_000,
@@ -49,7 +50,7 @@ pub struct Session {
     moved: Option<Vec<DVec3>>,
 }
 
-/// Whether the last result can follow a drag.
+/// Whether the last result can move while the user drags points. This is unknown until the first drag.
 #[derive(Debug, Default)]
 enum Following {
     #[default]

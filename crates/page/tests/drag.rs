@@ -1,4 +1,4 @@
-//! A session whose last result follows a drag.
+//! Tests of a session whose last result moves while the user drags points.
 
 use plateau_forms::solved::Signal;
 use plateau_page::session::{Ending, Session};
@@ -12,7 +12,7 @@ fn solve(session: &mut Session, request: &str) -> (Ending, Value) {
     (ending, serde_json::from_slice(session.answer()).unwrap_or_default())
 }
 
-/// A square of 4 x `side` points whose corner 2 is raised by `height`, as a request.
+/// Returns the request for a square boundary of 4 x `side` points whose corner 2 is raised by `height`.
 fn square(side: usize, height: f64, triangles: usize) -> String {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [1.0, 1.0, height], [0.0, 1.0, 0.5]];
     let boundary: Vec<[f64; 3]> = (0..4 * side)

@@ -1,5 +1,5 @@
-//! Compares the solver of ruled strips on one core with a plain scalar loop, which fills a table of f64 and a table of
-//! back pointers of one byte each. Path recovery and allocation are included on both sides.
+//! Benchmark of the solver of ruled strips on one core against a plain scalar loop. The loop fills a table of f64 and a
+//! table of back pointers of one byte each. Both sides include path recovery and allocation.
 //!
 //! `cargo bench -p plateau-ruled-surface --bench ruled_surface` measures; with `-- --record` it prints one JSON line a
 //! case for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the
@@ -51,7 +51,8 @@ fn rings(m: usize, n: usize) -> [Vec<DVec3>; 2] {
     [side(m, 0.0, 0.0), side(n, 1.0, 0.8)]
 }
 
-/// The baseline: minimal area over a table of f64 with one byte a back pointer, cell after cell.
+/// The baseline: minimal area by a loop over all cells, with a table of f64 and a back pointer of one byte for each
+/// cell.
 fn scalar_area(p: &[DVec3], q: &[DVec3]) -> Vec<[u32; 2]> {
     let (m, n) = (p.len(), q.len());
     let mut table = vec![0.0f64; m * n];
@@ -130,8 +131,8 @@ fn measure(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Returns the processor time of this thread in seconds, which leaves other processes out. Where Linux does not provide
-/// it, returns the seconds since `started`.
+/// Returns the processor time of this thread in seconds, so that other processes do not affect the measurement. Where
+/// Linux does not provide it, returns the seconds since `started`.
 fn now(started: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let used = text.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());

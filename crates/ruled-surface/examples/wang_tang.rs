@@ -12,14 +12,15 @@ use std::fmt::Write;
 struct Example {
     name: &'static str,
     closed: bool,
-    /// The objective that their figure of the example is about.
+    /// The objective that Wang and Tang's figure of this example shows.
     objective: Objective,
     secondary: Option<Secondary>,
     directrices: Vec<Vec<DVec3>>,
     normals: Option<Vec<Vec<DVec3>>>,
 }
 
-/// Points of a curve at equal parameters, to six decimals, so that the printed requests carry the same numbers.
+/// Points of a curve at equal steps of the parameter. Coordinates are rounded to six decimals, so that the printed
+/// requests have the same numbers.
 fn curve(count: usize, from: f64, to: f64, at: impl Fn(f64) -> [f64; 3]) -> Vec<DVec3> {
     (0..count)
         .map(|k| from + (to - from) * k as f64 / (count - 1) as f64)

@@ -83,8 +83,9 @@ use strip::search::{SolvedStrips, solve_all};
 /// Q-step (p_i, q_{j+1}, q_j). If normals are given, the faces agree with them; with caps, the faces point outwards.
 /// Among equal paths the predecessor by P-step is preferred, and on closed strips the smallest start.
 ///
-/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) times the
-/// directrix's radius, are merged (warning `merged_points`). Results do not depend on the processor's vector width.
+/// Neighbouring points are merged (warning `merged_points`) if they are equal, or nearer than
+/// [`SAME_POINT`](plateau_mesh::polyline::SAME_POINT) times the directrix's radius. Results do not depend on the
+/// processor's vector width.
 ///
 /// # Errors
 /// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e50, or options do not fit
@@ -176,19 +177,19 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
 /// Estimates the cost of [`solve`] for directrices with these numbers of points, to which `options.sampling` is
 /// applied. O(directrices).
 ///
-/// The triangles are those of the strips, without caps. The number of cells is exact for open strips; a closed strip
-/// may need fewer or somewhat more. The memory is an upper bound.
+/// The number of triangles leaves out caps. The number of cells assumes that every search on an open strip visits the
+/// whole grid; searches that leave out cells need fewer (see [`estimate_for`]). A closed strip may need fewer or
+/// somewhat more. The memory is an upper bound.
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
     stack::estimate::estimate(&sampled, options)
 }
 
-/// Estimates the cost for these directrices: an open strip of least area counts only the cells of the corridor to which
-/// its search keeps, often a thousandth of its grid. Other strips count as in [`estimate`].
+/// Estimates the cost of [`solve`] for these directrices. An open strip of least area counts only the cells of the
+/// corridor within which it is searched for, often a thousandth of its grid. Other strips count as in [`estimate`].
 ///
-/// Finding the corridors takes about the time that the search itself takes, 0.3 s at most for 50,000 points on either
-/// side.
+/// Finding the corridors takes about as long as the search itself: at most 0.3 s for 50,000 points on either side.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].

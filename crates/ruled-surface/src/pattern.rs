@@ -23,7 +23,7 @@ pub struct FlatPattern {
     pub self_overlap: bool,
     /// The width of the widest strip, in the caller's unit.
     pub width: f64,
-    /// The heights of all strips together, in the caller's unit.
+    /// The sum of the heights of all strips, in the caller's unit.
     pub height: f64,
 }
 
@@ -38,9 +38,9 @@ impl FlatPattern {
         }
     }
 
-    /// The flat pattern of the open surface that these bridges span. The bridges are pairs of `vertices` from first to
-    /// last, one strip after another, as [`solve`](crate::solve) gives them; the pattern then equals that of `solve` to
-    /// the bit.
+    /// Returns the flat pattern of the open surface that these bridges span. The bridges are pairs of indices into
+    /// `vertices`. They run from the first to the last of each strip, one strip after another, as
+    /// [`solve`](crate::solve) returns them. The pattern then equals that of `solve` to the bit.
     ///
     /// # Errors
     /// [`Error::Input`] at `bridges` if they are not those of strips, at `directrices` for what [`Strip::new`] refuses;
@@ -69,7 +69,8 @@ impl FlatPattern {
     }
 }
 
-/// The bridges of a stack of open strips, strip by strip. Neighbouring bridges of one strip share an end point.
+/// Splits the bridges of a stack of open strips into those of each strip. Neighbouring bridges of one strip share an
+/// end point.
 pub fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
     bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
 }

@@ -1,4 +1,5 @@
-//! A stack of directrices, every neighbouring pair of which is one strip: input, directions, the welded mesh, warnings.
+//! A stack of directrices, in which every neighbouring pair bounds one strip: input, directions, the welded mesh,
+//! warnings.
 
 pub(crate) mod assemble;
 pub(crate) mod caps;

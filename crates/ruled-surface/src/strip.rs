@@ -19,8 +19,8 @@ use statistics::{CoupledValues, Statistics};
 pub struct Strip(pub(crate) Rails);
 
 impl Strip {
-    /// Makes a strip between two directrices. An open directrix has one or more points, a closed one three or more, or
-    /// one. At most one of the two is a single point.
+    /// Makes a strip between two directrices. An open directrix has at least one point. A closed one has at least three
+    /// points, or a single one. At most one of the two directrices is a single point.
     ///
     /// # Errors
     /// [`Error::Input`], at `directrices`, `tangents` or `normals`, if lengths do not fit or values are not finite or
@@ -55,8 +55,8 @@ impl Strip {
         Ok(path)
     }
 
-    /// Returns the figures of any triangulation of this strip. `objective_value` and `secondary_value` are not set. If
-    /// normals are given, the normal variation is that of the better winding.
+    /// Returns the figures of any triangulation of this strip, given as a path. `objective_value` and `secondary_value`
+    /// are not set. If normals are given, the normal variation is that of the better winding.
     ///
     /// # Errors
     /// [`Error::Input`] at `path` if it is not a path of this strip; [`Error::Interrupted`].

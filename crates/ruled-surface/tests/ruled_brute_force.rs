@@ -1,4 +1,5 @@
-//! Every objective against every triangulation of thousands of small strips, valued by the papers' own formulas.
+//! Compares the optimum of every objective with all triangulations of thousands of small strips. The triangulations are
+//! evaluated by the papers' own formulas.
 
 mod ruled;
 
@@ -10,7 +11,7 @@ fn given<'a>(points: &'a [plateau_mesh::DVec3], normals: &'a [plateau_mesh::DVec
     Given { points, tangents: None, normals: Some(normals) }
 }
 
-/// The cost that a goal gives a triangulation: less is better, the count first.
+/// The cost of a triangulation for a goal: first a count, then a value. The smaller cost is better.
 type Measure = fn(&Values) -> (f64, f64);
 
 const GOALS: [(Objective, Option<Secondary>, Measure); 8] = [
@@ -56,7 +57,7 @@ fn check(case: &Case) {
             "{} {secondary:?} gives {count} {value}, best is {least:?}: {case:?}",
             objective.name(),
         );
-        // The solver's own figures of the path agree with the literal ones.
+        // The figures that the solver reports for the path agree with the papers' formulas.
         let (figures, coupled) = strip.statistics(&path, 0.0, &execution).unwrap();
         let literal = case.evaluate(&walked, &convex);
         let pairs = [
@@ -109,7 +110,7 @@ fn lopsided_closed_strips_do_too() {
     }
 }
 
-/// Minimal area over every start of a closed strip, each by a plain table.
+/// Least area of a closed strip over all starts. For each start, a table over the whole grid gives the least area.
 fn area_of_every_start(case: &Case) -> f64 {
     let (p, q) = (&case.p, &case.q);
     let (m, n) = (p.len(), q.len());
@@ -139,7 +140,7 @@ fn closed_strips_of_some_size_reach_the_best_of_every_start() {
         let style = [Style::Anywhere, Style::Sensible, Style::Integer][k % 3];
         let mut case = random_case(&mut random, style, true, 40);
         if style == Style::Sensible {
-            // Around an axis, as contours are.
+            // The points are wrapped around an axis, so that the rails become contours.
             for (rail, z) in [(&mut case.p, 0.0), (&mut case.q, 1.0)] {
                 let count = rail.len() as f64;
                 for (k, point) in rail.iter_mut().enumerate() {

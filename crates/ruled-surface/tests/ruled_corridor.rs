@@ -33,7 +33,7 @@ fn a_square_whose_bridges_all_lean_forward_is_cheaper_by_p_first() {
     assert!(seen[0] > 20_000 && seen[1] > 20_000, "{seen:?}");
 }
 
-/// The least area by a plain table over the whole grid.
+/// Least area of an open strip, from a table over the whole grid.
 fn least_area(p: &[DVec3], q: &[DVec3]) -> f64 {
     let mut row = vec![f64::INFINITY; q.len()];
     for i in 0..p.len() {
@@ -46,7 +46,7 @@ fn least_area(p: &[DVec3], q: &[DVec3]) -> f64 {
     row[q.len() - 1]
 }
 
-/// A polyline of `count` points: waves of the given height, steps of unequal length, and `jagged` noise.
+/// Returns a polyline of `count` points with waves of the given height, unequal steps, and noise of the size `jagged`.
 fn directrix(random: &mut Random, count: usize, offset: DVec3, height: f64, jagged: f64) -> Vec<DVec3> {
     let waves: Vec<(DVec3, f64)> =
         (1..6).map(|k| (random.vector(1.0) * height / f64::from(k), random.between(-1.0, 1.0) * 3.0)).collect();
@@ -83,7 +83,7 @@ fn nothing_is_lost_by_keeping_to_the_corridor() {
         let least = least_area(&p, &q);
         assert!((reached - least).abs() <= 1e-12 * least, "case {case}: {reached}, least {least}");
     }
-    // The corridors must leave out cells, or the comparison above shows nothing.
+    // The corridors must leave out cells; otherwise the comparison above shows nothing.
     assert!(3 * visited[0] < 2 * whole[0], "{visited:?} of {whole:?}");
 }
 

@@ -30,8 +30,8 @@ fn five_hundred_pairs() -> Vec<Pair> {
     (0..500).map(|k| if k % 10 < 7 { open_pair(&mut random) } else { closed_pair(&mut random) }).collect()
 }
 
-/// `Direction::Auto` leaves a pair of known direction alone and turns it back if one of its rails was reversed,
-/// whatever the objective. With `Direction::AsGiven` only the reversed pair is reported.
+/// For pairs of known direction, `Direction::Auto` reverses a rail exactly if one of the two was reversed before,
+/// whatever the objective. With `Direction::AsGiven` only the reversed pairs get the warning.
 #[test]
 fn of_500_pairs_with_a_known_direction_none_is_reversed_wrongly() {
     for (k, Pair { name, closed, rails: [p, q] }) in five_hundred_pairs().into_iter().enumerate() {
@@ -56,7 +56,7 @@ fn of_500_pairs_with_a_known_direction_none_is_reversed_wrongly() {
     }
 }
 
-/// The bow-tie has the smaller area of the two ways, but it folds by 169 degrees.
+/// If the second rail is reversed, the strip is a bow-tie: its area is the smaller one, but it folds by 169 degrees.
 #[test]
 fn rails_side_by_side_are_not_folded_into_a_bow_tie() {
     let rail = |count: usize, from: DVec3, to: DVec3| -> Vec<DVec3> {
@@ -139,7 +139,8 @@ fn a_direction_does_not_depend_on_place_size_order_or_start() {
     assert!(seen.iter().all(|&count| count > 0), "{seen:?}");
 }
 
-/// Two straight rails that cross at a right angle in the plan: neither way folds more, and all ends are equally near.
+/// Two nearly straight rails that cross at a right angle in the plan. Neither direction folds more than the other, and
+/// all ends are equally near.
 #[test]
 fn the_objective_decides_where_nothing_else_does() {
     let rail = |a: DVec3, b: DVec3| (0..=10).map(|k| a.lerp(b, f64::from(k) / 10.0)).collect::<Vec<_>>();
@@ -224,7 +225,7 @@ fn contours_without_a_common_side_are_compared_by_their_strips() {
     }
 }
 
-/// The comparison of all objectives is that of the chosen direction, and weighted sums and normals go with it.
+/// The comparison of all objectives, weighted sums and normals all follow the direction that was chosen.
 #[test]
 fn comparisons_normals_and_weights_go_with_the_direction() {
     let mut random = SplitMix64::new(3);

@@ -21,7 +21,7 @@ fn options((objective, secondary): (Objective, Option<Secondary>), closed: bool)
     Options { objective, secondary, closed, ..Options::default() }
 }
 
-/// Length to the power of which an objective's value scales.
+/// Exponents of the unit of length in the value of the objective and in that of the secondary objective.
 fn dimension(objective: Objective, secondary: Option<Secondary>) -> [i32; 2] {
     let own = match objective {
         Objective::MinimalArea => 2,
@@ -35,7 +35,7 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1e-3)
 }
 
-/// Whole multiples of 2^-20, so that an offset of 1e7 costs no digit.
+/// Rounds coordinates to whole multiples of 2^-20, so that an offset of 1e7 loses no digit.
 fn on_a_grid(points: &[DVec3]) -> Vec<DVec3> {
     points.iter().map(|p| (*p * 1_048_576.0).round() / 1_048_576.0).collect()
 }
@@ -84,7 +84,8 @@ proptest! {
             for (what, got, size, tolerance) in others {
                 let expected = plain[0] * size.powi(power[0]);
                 prop_assert!(close(got[0], expected, tolerance), "{what} {goal:?}: {got:?} {plain:?}");
-                // The coupled curvature variation charges the step that enters a bridge: it has a direction.
+                // The coupled curvature variation counts the step that enters a bridge, so it depends on the direction
+                // of the path.
                 if !(directed && what == "reversed") {
                     let expected = plain[1] * size.powi(power[1]);
                     prop_assert!(close(got[1], expected, tolerance), "{what} {goal:?}: {got:?} {plain:?}");
@@ -472,7 +473,7 @@ fn odd_inputs_are_answered_or_refused_but_never_break() {
         [by(bent(8), f64::MIN_POSITIVE / 16.0, 0.0), line(3)],
         [returning, bent(9).into_iter().rev().collect()],
     ];
-    // Refused: a closed polygon of two points, and coordinates beyond the largest. Everything else has an answer.
+    // A closed polygon of two points and coordinates beyond the largest are refused. Every other input has a solution.
     let is_refused = |k: usize, closed: bool| [11, 12].contains(&k) || (k == 2 && closed);
     for (k, rails) in corpus.iter().enumerate() {
         for closed in [false, true] {

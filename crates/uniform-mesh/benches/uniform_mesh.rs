@@ -1,9 +1,10 @@
-//! Compares the time of uniform meshes of a square with that of spade, a Delaunay triangulation. Ours makes 1,000 to
-//! 1,000,000 nodes and measures the mesh; spade is given these nodes and only triangulates. Both run on one core.
+//! Compares the time to make uniform meshes of a square with the time of spade, a Delaunay triangulation. Our solver
+//! makes 1,000 to 1,000,000 nodes and measures the mesh. Spade is given these nodes and only triangulates them. Both
+//! run on one core.
 //!
-//! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion; with `-- --record` it prints one
-//! JSON line a case for `benches/results.jsonl` instead (the fastest of several runs; `ratio` is relative to spade's
-//! time in the same run). `-- --case OBJECTIVE NODES` meshes once and prints the number of nodes of the result;
+//! `cargo bench -p plateau-uniform-mesh --bench uniform_mesh` measures with criterion. With `-- --record` it prints one
+//! JSON line per case for `benches/results.jsonl` instead (the fastest of several runs; `ratio` is relative to spade's
+//! time in the same run). With `-- --case OBJECTIVE NODES` it makes one mesh and prints its number of nodes;
 //! `benches/uniform_mesh_peers.py` compares the processor time of this with Triangle's.
 
 use criterion::{BenchmarkId, Criterion};
@@ -13,8 +14,8 @@ use spade::{DelaunayTriangulation, Point2, Triangulation};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Returns a square whose mesh with edges of length 1 has about `nodes` nodes. The densities are measured, in nodes per
-/// unit of area.
+/// Returns a square whose mesh with the target edge length 1 has about `nodes` nodes. The densities, in nodes per unit
+/// of area, are measured.
 fn square(nodes: usize, objective: Objective) -> Domain {
     let density = match objective {
         Objective::FewestNodes => 0.68,
@@ -34,7 +35,7 @@ fn delaunay(points: Vec<Point2<f64>>) -> usize {
     triangulation.num_inner_faces()
 }
 
-/// The fastest run, in seconds.
+/// The time of the fastest run, in seconds.
 fn fastest<R>(runs: usize, mut work: impl FnMut() -> R) -> f64 {
     let once = |_| {
         let start = Instant::now();

@@ -1,10 +1,11 @@
-//! Share of the check for self-intersections in the time of a whole solve: films, strips, uniform meshes.
+//! Measures which share of the time of a whole solve the check for self-intersections takes, for films, strips and
+//! uniform meshes.
 //!
 //! `cargo run --release -p plateau-uniform-mesh --example self_intersection_cost` prints the table of
-//! `docs/VALIDATION.md`. With a number behind `--` it leaves out the meshes of more triangles than that. Times are
-//! processor times of this process (on Linux; elsewhere elapsed time), the least of three runs, of one from half a
-//! million triangles on. The check is timed on the finished mesh, and repeated on small ones, because the clock ticks
-//! every few milliseconds.
+//! `docs/VALIDATION.md`. A number after `--` leaves out the meshes with more triangles than that. Times are processor
+//! times of this process (on Linux; elsewhere elapsed times), the least of three runs, or of one run for half a million
+//! triangles or more. The check is timed on the finished mesh, and repeated on small meshes, because the clock ticks
+//! only every few milliseconds.
 
 use plateau_film::minimal_surface;
 use plateau_mesh::self_intersections::{Order, self_intersections};
@@ -18,14 +19,14 @@ fn circle(points: usize, place: impl Fn(f64) -> DVec3) -> Vec<DVec3> {
     (0..points).map(|k| place(TAU * k as f64 / points as f64)).collect()
 }
 
-/// Processor time of this process in seconds, from a start on.
+/// Processor time of this process in seconds. If it is not available, the time since `start`.
 fn processor_seconds(start: Instant) -> f64 {
     let spent = std::fs::read_to_string("/proc/self/schedstat").ok();
     let nanoseconds = spent.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
-/// Prints a row: the least times of a solve and of a check of its mesh.
+/// Prints a row of the table: the least times of a solve and of a check of its mesh.
 fn row(name: &str, triangles: usize, order: Order, solve: impl Fn() -> Mesh) {
     let start = Instant::now();
     let (mut whole, mut check, mut pairs, mut count) = (f64::INFINITY, f64::INFINITY, 0, 0);
@@ -83,7 +84,7 @@ fn main() {
         let strip = |rails: &[Vec<DVec3>; 2], closed: bool| {
             solve(rails, &Options { closed, ..Options::default() }, &Execution::default()).expect("a strip").mesh
         };
-        // A helix around its axis, whose fans face no direction.
+        // A strip between a helix and its axis. Its fans have no direction that all their triangles face.
         let axis: Vec<DVec3> = (0..3).map(|k| DVec3::X * (5.0 * f64::from(k))).collect();
         let at = |k: u32| 10.0 * f64::from(k) / 7_499.0;
         let helix = (0..7_500).map(|k| DVec3::new(at(k), (3.0 * at(k)).cos(), (3.0 * at(k)).sin())).collect();

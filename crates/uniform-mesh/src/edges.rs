@@ -5,8 +5,8 @@ use plateau_mesh::error::Error;
 use plateau_mesh::topology::{NONE, Topology};
 use plateau_mesh::{DVec3, Mesh};
 
-/// Returns the connectivity of a mesh that this crate made. A defect would be a fault of this crate; it is reported as
-/// an error, so that no caller gets the mesh.
+/// Returns the connectivity of a mesh that this crate made. A defect would be a bug of this crate. It is reported as an
+/// error, so that no caller receives the mesh.
 ///
 /// # Errors
 /// [`Error::NoResult`] (`invalid_mesh`).
@@ -24,7 +24,7 @@ pub(super) fn edges(topology: &Topology) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// Lengths of the edges between vertices that stand `at` these places.
+/// Lengths of the edges. `at` gives the position of a vertex.
 pub(super) fn lengths(edges: &[[u32; 2]], at: impl Fn(u32) -> DVec3) -> Vec<f64> {
     edges.iter().map(|&[a, b]| at(a).distance(at(b))).collect()
 }

@@ -1,28 +1,28 @@
 //! Uniform meshes: triangulations whose edges (the members of a latticed roof) have as few lengths as possible.
 //!
-//! N. Katoh, M. Ohsaki, Y. Xu, *A uniform triangle mesh generation of curved surfaces*. Given a length ℓ, every edge is
-//! to lie in [ℓ, 2ℓ]:
+//! N. Katoh, M. Ohsaki, Y. Xu, *A uniform triangle mesh generation of curved surfaces*. Given a length ℓ, every edge
+//! should lie in [ℓ, 2ℓ]:
 //! - [`Objective::FewestNodes`] (their problem 1): farthest-point insertion, at most 16/3 times the fewest nodes
 //!   possible;
-//! - [`Objective::MostEqualEdges`] (their problem 2): an equilateral lattice of edge ℓ inside, the same insertion in
-//!   the transition zone between lattice and boundary.
+//! - [`Objective::MostEqualEdges`] (their problem 2): an equilateral lattice of edge ℓ inside, and the same insertion
+//!   in the transition zone between lattice and boundary.
 //!
-//! Both promises hold on convex polygons with inner angles of 90° or more and sides of ℓ or more. On other polygons
-//! (concave, with sharp corners, short sides or holes) the mesh is still valid, no edge is longer than 2ℓ, and every
-//! edge shorter than ℓ is listed with the reason.
+//! The range [ℓ, 2ℓ] and the factor 16/3 are guaranteed on convex polygons with inner angles of 90° or more and sides
+//! of ℓ or more. On other polygons (concave, with sharp corners, short sides or holes) the mesh is still valid, no edge
+//! is longer than 2ℓ, and every edge shorter than ℓ is listed with the reason.
 //!
-//! Curved domains are flattened, meshed in the plane and carried back; then the inner nodes move on the surface until
-//! the lattice's members are as near to ℓ as possible.
+//! A curved domain is flattened and meshed in the plane, and the mesh is carried back to the surface. Then the inner
+//! nodes move on the surface until the lattice members are as near to ℓ as possible.
 //!
-//! Where a surface cannot be laid into the plane with a bounded distortion (it is strongly curved, closed, or has a
-//! pole), the mesh is made on the surface itself ([`Method::OnSurface`]). [`Statistics::surface`] compares every curved
-//! mesh with its surface, and `converged` is false where the comparison fails.
+//! If a surface cannot be flattened with a bounded distortion (it is strongly curved, closed, or has a pole), the mesh
+//! is made on the surface itself ([`Method::OnSurface`]). [`Statistics::surface`] compares the mesh of a curved domain
+//! with its surface, and `converged` is false if the mesh is too far from the surface.
 //!
-//! Each step has a file of its own. `plane/`: `polygon` checks a planar domain and places the boundary's nodes,
-//! `lattice` lays the lattice, `increment` inserts the other nodes, `mesh` joins them. `surface/`: `nurbs` evaluates
-//! patches, `auxiliary` triangulates a surface, `flatten` lays it into the plane, `move_nodes` moves the nodes on the
-//! surface, `transition` rebuilds the zone between lattice and boundary around the moved lattice; `reference`, `remesh`
-//! and `on_reference` mesh on the surface itself; `deviation` compares a mesh with its surface.
+//! Each step has a file of its own. In `plane/`, `polygon` checks a planar domain and places the boundary's nodes,
+//! `lattice` places the lattice, `increment` inserts the other nodes, and `mesh` joins the parts. In `surface/`,
+//! `nurbs` evaluates patches, `auxiliary` triangulates a surface, `flatten` flattens it, `move_nodes` moves the nodes
+//! on the surface, and `transition` rebuilds the zone between lattice and boundary around the moved lattice.
+//! `reference`, `remesh` and `on_reference` mesh on the surface itself. `deviation` compares a mesh with its surface.
 //!
 //! ```
 //! use plateau_uniform_mesh::{Domain, Objective, Options, solve};

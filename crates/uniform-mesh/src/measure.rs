@@ -1,4 +1,4 @@
-//! The figures of a finished mesh, stage by stage.
+//! Computes the statistics of a mesh, stage by stage.
 
 use super::options::{Objective, Optimise, Options};
 use super::plane::increment::SLACK;
@@ -11,15 +11,15 @@ use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::{Execution, Progress};
 use plateau_mesh::measure::{Spread, angle_range};
 
-/// Excess over [ℓ, 2ℓ] that counts as rounding, in ℓ: twice the slack of the insertion.
+/// Distance of a length from [ℓ, 2ℓ] that counts as rounding, in ℓ: twice the slack of the insertion.
 const RANGE_TOLERANCE: f64 = 2.0 * SLACK;
 
-/// Whether a length in ℓ lies in [1, 2], rounding allowed.
+/// Whether a length, in units of ℓ, lies in [1, 2] up to [`RANGE_TOLERANCE`].
 pub(super) fn is_in_range(length: f64) -> bool {
     (1.0 - RANGE_TOLERANCE..=2.0 + RANGE_TOLERANCE).contains(&length)
 }
 
-/// The table of the stages of a solve. Lengths are passed in units of ℓ.
+/// Collects the statistics of the stages of a solve. Lengths are passed in units of ℓ.
 pub(super) struct Table {
     pub target: f64,
     pub tolerance: f64,
@@ -41,7 +41,7 @@ impl Table {
     }
 }
 
-/// Marks the members that are edges of the lattice: those of length ℓ in the plane between two lattice points.
+/// Marks the members that belong to the lattice group: they have the length ℓ in the plane and join two lattice points.
 pub(super) fn lattice_group(members: &[[u32; 2]], flat: &PlaneMesh) -> Vec<bool> {
     let on_lattice: Vec<bool> =
         flat.points.iter().map(|&p| flat.lattice.is_some_and(|placement| placement.carries(p))).collect();
@@ -54,7 +54,7 @@ pub(super) fn lattice_group(members: &[[u32; 2]], flat: &PlaneMesh) -> Vec<bool>
         .collect()
 }
 
-/// Measures a finished mesh.
+/// Makes the result of a solve from a finished mesh: computes its lengths and statistics.
 pub(super) fn assemble(
     mesh: Mesh,
     members: Vec<[u32; 2]>,
@@ -66,7 +66,7 @@ pub(super) fn assemble(
     let tolerance = options.tolerance();
     let position = |v: u32| mesh.vertices[v as usize];
     let lengths: Vec<f64> = members.iter().map(|&[a, b]| position(a).distance(position(b))).collect();
-    // Lengths between vertices far from the origin are only as accurate as the coordinates.
+    // Far from the origin, lengths are only as accurate as the rounded coordinates.
     let largest = mesh.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
     let slack = RANGE_TOLERANCE * target + 8.0 * f64::EPSILON * largest;
     let out_of_range: Vec<OutOfRange> = lengths

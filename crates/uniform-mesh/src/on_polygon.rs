@@ -1,4 +1,4 @@
-//! A planar polygon, from its points to a measured mesh.
+//! Meshes a planar polygon: from its points to a mesh with its statistics.
 
 use super::edges::{edges, lengths, topology};
 use super::measure::{Table, assemble, finish, is_in_range, lattice_group};
@@ -15,7 +15,7 @@ use plateau_mesh::execution::Execution;
 use plateau_mesh::plane::triangulation::Tangle;
 use plateau_mesh::{DVec3, Mesh};
 
-/// Meshes and measures a planar polygon.
+/// Meshes a planar polygon and computes the statistics.
 pub(super) fn on_polygon(
     outer: &[DVec3],
     holes: &[Vec<DVec3>],

@@ -1,4 +1,4 @@
-//! A curved domain, from its auxiliary triangulation to a measured mesh.
+//! Meshes a curved domain: from its auxiliary triangulation to a mesh with its statistics.
 
 use super::edges::{edges, lengths, topology};
 use super::measure::{Table, assemble, finish, is_in_range, lattice_group};
@@ -23,12 +23,12 @@ use plateau_mesh::plane::location::Locator;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 use std::rc::Rc;
 
-/// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the
-/// plane. Beyond it the mesh is made on the surface itself, because a length of ℓ in the plane is then far from ℓ in
+/// Largest strain of a flattening that is used: the root mean square of the relative changes of the auxiliary edges'
+/// lengths. Beyond it the mesh is made on the surface itself, because a length of ℓ in the plane is then far from ℓ in
 /// space.
 const LARGEST_STRAIN: f64 = 0.25;
 
-/// Meshes and measures a NURBS patch. `place` is the patch's place in the input.
+/// Meshes a NURBS patch and computes the statistics. `place` is the patch's place in the input.
 pub(super) fn on_patch(
     patch: &Nurbs,
     place: &Place,
@@ -52,7 +52,7 @@ pub(super) fn on_patch(
     })
 }
 
-/// Meshes and measures the minimal surface of these boundaries.
+/// Meshes the minimal surface of these boundaries and computes the statistics.
 pub(super) fn on_film(
     boundaries: &[Vec<DVec3>],
     options: &Options,
@@ -67,8 +67,8 @@ pub(super) fn on_film(
     })
 }
 
-/// Returns the flattened mesh if it keeps its limits or if the deadline cut it short, else the mesh made on the surface
-/// itself.
+/// Chooses the mesh to return: the mesh made by flattening if it is good enough or if the deadline cut it short,
+/// otherwise the mesh made on the surface itself.
 fn choose(
     flat: Option<Result<(UniformMesh, bool), Error>>,
     warnings: Vec<Warning>,
@@ -89,7 +89,7 @@ fn choose(
     let (result, interrupted) = match (execution.part([0.7, 0.99], on_surface), flat) {
         (Ok(made), _) => made,
         (Err(Error::Interrupted(Interruption::Cancelled)), _) => return Err(Interruption::Cancelled.into()),
-        // No mesh was made on the surface itself, so the flattened mesh is returned with its faults.
+        // No mesh could be made on the surface itself, so the mesh made by flattening is returned with its faults.
         (Err(error), Some(flat)) => (flat, matches!(error, Error::Interrupted(_))),
         (Err(error), None) => return Err(error),
     };
@@ -97,9 +97,9 @@ fn choose(
     finish(result, interrupted, shortfall, warnings, options, execution)
 }
 
-/// Meshes the domain on the surface itself. The second value says whether the deadline cut that short. `exact`:
-/// positions of some of the reference's vertices in the caller's coordinates; `inputs`: the vertices of the input's
-/// points.
+/// Meshes the domain on the surface itself. The second value says whether the deadline cut the work short. `exact`
+/// holds vertices of the reference with their exact positions in the caller's coordinates. `inputs` holds the vertices
+/// of the input's points. `at` maps a position to the caller's coordinates.
 fn on_reference(
     reference: &Reference,
     exact: &[(u32, DVec3)],
@@ -143,8 +143,8 @@ fn on_reference(
     Ok((result, interrupted))
 }
 
-/// Carries out steps 2 to 5 of [`auxiliary`](super::surface::auxiliary). The second value says whether the deadline cut
-/// them short.
+/// Meshes the domain by flattening: steps 2 to 5 of [`auxiliary`](super::surface::auxiliary). The second value says
+/// whether the deadline cut the work short.
 fn flattened(
     auxiliary: &Auxiliary,
     area: f64,
@@ -245,20 +245,20 @@ fn laid_flat(auxiliary: &Auxiliary, edges: &[[u32; 2]], execution: &Execution<'_
     Ok(plane)
 }
 
-/// The reason why a member between two boundary nodes is short in the plane, if it is. Only these members can be short
-/// there, because inserted nodes keep their distance from all others.
+/// The reason why a member between two boundary nodes is shorter than ℓ in the plane. `None` if it is not shorter. Only
+/// these members can be short in the plane, because inserted nodes keep a distance of ℓ from all others.
 fn short_in_plane(boundary: &Boundary, member: [u32; 2]) -> Option<Why> {
     let [a, b] = member.map(|v| boundary.outline.nodes.get(v as usize));
     let length = a?.distance(*b?);
     let why = || match boundary.sides.why(member, length, &boundary.outline.nodes) {
-        // A corner does not shorten the edges along its sides.
+        // A sharp corner does not shorten the edges along its sides.
         Why::SharpCorner | Why::Narrow if boundary.sides.are_on_one(member) => Why::Curvature,
         why => why,
     };
     (length < 1.0 && !is_in_range(length)).then(why)
 }
 
-/// Runs [`share_lengths`] and adds its row to the table. The second value says whether the deadline passed.
+/// Runs [`share_lengths`] and adds its stage to the table. The second value says whether the deadline passed.
 pub(super) fn share<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     most: usize,

@@ -1,4 +1,4 @@
-//! The domain, the objective and the options.
+//! The arguments of a solve: the domain, the objective and the options.
 
 use super::surface::nurbs::Nurbs;
 use plateau_mesh::DVec3;
@@ -6,24 +6,25 @@ use plateau_mesh::DVec3;
 /// The region or surface to mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
-    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points stay
-    /// exactly where they are given. If they are off the plane of `outer` by more than rounding, but by at most a
-    /// thousandth of its size (twice the largest distance of its points from their mean), they are projected onto it,
-    /// with the warning `projected`. The mesh faces the side from which `outer` runs counter-clockwise.
+    /// A planar polygon in space with holes. Loops may run in either direction and must not repeat their first point.
+    /// Points stay exactly where they are given if they lie in the plane of `outer` up to rounding. If they are farther
+    /// off the plane, but by at most a thousandth of the polygon's size (twice the largest distance of the points of
+    /// `outer` from their mean), they are projected onto the plane, with the warning `projected`. The mesh faces the
+    /// side from which `outer` runs counter-clockwise.
     Polygon {
         /// The outer boundary.
         outer: Vec<DVec3>,
         /// The boundaries of the holes.
         holes: Vec<Vec<DVec3>>,
     },
-    /// A tensor-product Bézier patch. Its mesh faces u × v.
+    /// A tensor-product Bézier patch. The triangles of its mesh face the direction u × v.
     Bezier {
         /// `control_points[i][j]`: i counts along u, j along v.
         control_points: Vec<Vec<DVec3>>,
     },
     /// An untrimmed NURBS patch.
     Nurbs(Nurbs),
-    /// The minimal surface that spans these closed polygons, see [`plateau_film::minimal_surface`].
+    /// The minimal surface that spans these closed polygons. See [`plateau_film::minimal_surface`].
     Boundaries(Vec<Vec<DVec3>>),
 }
 
@@ -89,15 +90,16 @@ impl Objective {
 pub enum Optimise {
     /// The nodes stay where the mesh generator puts them.
     None,
-    /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group. The transition zone between
-    /// lattice and boundary is rebuilt for them unless it is [`Transition::Free`]. (In the plane the sum is 0 already.)
+    /// The inner nodes move on the surface so that Σ (L - ℓ)² over the lattice group becomes minimal. The transition
+    /// zone between lattice and boundary is then rebuilt, unless it is [`Transition::Free`]. On a planar polygon the
+    /// sum is already 0.
     #[default]
     Nodes,
-    /// First like [`Optimise::Nodes`]. Then, on polygons too, the inner nodes move until few lengths stand for all
-    /// members, see [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
+    /// First does the same as [`Optimise::Nodes`]. Then, on polygons too, the inner nodes move until few different
+    /// lengths suffice for all members. See [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
     Lengths {
-        /// Largest number of lengths. Each member is within half the length tolerance of one of them; if that cannot be
-        /// reached, it is as near as the search found.
+        /// Largest number of different lengths. Each member should be within half the length tolerance of one of them.
+        /// If the search cannot reach that, the members are as near as it found.
         most: usize,
     },
 }
@@ -114,26 +116,26 @@ pub enum Transition {
     Free,
 }
 
-/// How to mesh a domain.
+/// The options of a solve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// ℓ, in the caller's unit.
+    /// The target edge length ℓ, in the caller's unit.
     pub edge_length: f64,
     /// The quantity that is minimised or maximised.
     pub objective: Objective,
     /// Lengths count as equal if they differ by no more than this, in the caller's unit. `None` stands for ℓ/1000.
     pub length_tolerance: Option<f64>,
     /// How the nodes move after meshing. On polygons only [`Optimise::Lengths`] moves nodes, because the lattice
-    /// members have length ℓ already.
+    /// members already have the length ℓ.
     pub optimise: Optimise,
-    /// The range of the members outside the lattice group.
+    /// The lengths that members outside the lattice group may take.
     pub transition: Transition,
-    /// Rectangles along u and v of the auxiliary triangulation of a patch, 2 to 400 each.
+    /// Number of rectangles of the auxiliary triangulation of a patch, along u and along v. 2 to 400 each.
     pub auxiliary_grid: [u32; 2],
 }
 
 impl Options {
-    /// The defaults for a length and an objective.
+    /// The default options for an edge length and an objective.
     #[must_use]
     pub fn new(edge_length: f64, objective: Objective) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! The planar problems: lengths in units of ℓ, coordinates in the domain's plane.
+//! Meshing of planar domains. Lengths are in units of ℓ, and coordinates are in the domain's plane.
 
 pub(super) mod increment;
 pub(super) mod lattice;

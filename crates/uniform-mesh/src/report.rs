@@ -1,4 +1,4 @@
-//! The result of a solve: the mesh, its members and their figures.
+//! The result of a solve: the mesh, its members and their statistics.
 
 use super::statistics::{LengthHistogram, Stage};
 use plateau_mesh::Mesh;
@@ -8,16 +8,16 @@ use plateau_mesh::measure::Spread;
 /// Why an edge is outside [ℓ, 2ℓ].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Why {
-    /// A side of the domain is itself shorter than ℓ (the edge is that side, or joins nodes around it).
+    /// A side of the domain is itself shorter than ℓ. The edge is that side, or joins nodes on both sides of it.
     ShortSide,
     /// The edge joins two sides that meet at an inner angle below 90°.
     SharpCorner,
     /// The edge joins two parts of the boundary that come closer than ℓ.
     Narrow,
-    /// The surface is curved there.
+    /// The surface is curved at the edge.
     Curvature,
-    /// The optimisation moved it out of the range, as [`Transition::Free`](super::Transition::Free) and
-    /// [`Optimise::Lengths`](super::Optimise::Lengths) allow.
+    /// The optimisation moved the nodes so that the edge left the range. [`Transition::Free`](super::Transition::Free)
+    /// and [`Optimise::Lengths`](super::Optimise::Lengths) allow this.
     Optimised,
     /// The deadline passed before all nodes were inserted.
     Unfinished,
@@ -43,7 +43,7 @@ impl Why {
 pub struct OutOfRange {
     /// Index into [`UniformMesh::members`].
     pub member: usize,
-    /// Its length, in the caller's unit.
+    /// The length of the edge, in the caller's unit.
     pub length: f64,
     /// The reason.
     pub why: Why,
@@ -52,9 +52,9 @@ pub struct OutOfRange {
 /// How a curved domain was meshed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Laid into the plane, meshed there and carried back, as in the paper.
+    /// The surface was flattened and meshed in the plane, and the mesh was carried back, as in the paper.
     Flattened,
-    /// Meshed on the surface itself, because it cannot be laid into the plane with a bounded distortion.
+    /// The mesh was made on the surface itself, because the surface cannot be flattened with a bounded distortion.
     OnSurface,
 }
 
@@ -75,18 +75,18 @@ impl Method {
 pub struct SurfaceFit {
     /// How the mesh was made.
     pub method: Method,
-    /// The surface's own area.
+    /// The area of the surface itself.
     pub area: f64,
-    /// The mesh's area less the surface's, relative to the surface's.
+    /// The area of the mesh minus the area of the surface, as a fraction of the area of the surface.
     pub area_error: f64,
-    /// Largest distance from a triangle's middle to the point of the surface below it, in the caller's unit. All nodes
-    /// lie on the surface.
+    /// Largest distance from a triangle's centroid to the point of the surface below it, in the caller's unit. All
+    /// nodes lie on the surface.
     pub distance_max: f64,
-    /// Largest angle between a triangle's normal and the surface's normal below its middle, radians.
+    /// Largest angle between a triangle's normal and the surface's normal below the triangle's centroid, in radians.
     pub normal_deviation_max: f64,
 }
 
-/// The figures of a result.
+/// The statistics of a result.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
@@ -102,17 +102,18 @@ pub struct Statistics {
     pub edge_lengths: Spread,
     /// Lengths of the lattice group's edges.
     pub lattice_edges: Spread,
-    /// Edges whose length is within the tolerance of ℓ.
+    /// Number of edges whose length differs from ℓ by at most the tolerance.
     pub equal_edges: usize,
-    /// The fewest lengths that a workshop would cut, see [`distinct_lengths`](super::statistics::distinct_lengths).
+    /// The smallest number of different lengths that a workshop has to cut. See
+    /// [`distinct_lengths`](super::statistics::distinct_lengths).
     pub distinct_lengths: usize,
-    /// The tolerance behind the two counts above.
+    /// The length tolerance of `equal_edges` and `distinct_lengths`, in the caller's unit.
     pub length_tolerance: f64,
-    /// Edges outside [ℓ, 2ℓ].
+    /// Number of edges outside [ℓ, 2ℓ].
     pub out_of_range_edges: usize,
     /// Smallest and largest inner angle, radians.
     pub angles: (f64, f64),
-    /// Edges by length.
+    /// Number of edges by length.
     pub length_histogram: LengthHistogram,
     /// Entry k counts the nodes with k members.
     pub valence_histogram: Vec<usize>,
@@ -123,31 +124,32 @@ pub struct Statistics {
     pub surface: Option<SurfaceFit>,
 }
 
-/// A uniform mesh and everything known about it.
+/// A uniform mesh with its members and statistics.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct UniformMesh {
-    /// The input's points first (merged ones once), then further nodes on the boundary, then the inner nodes.
+    /// The mesh. Its vertices are first the points of the input (merged points once), then further nodes on the
+    /// boundary, then the inner nodes.
     pub mesh: Mesh,
-    /// The edges, each once.
+    /// The members: the ends of each edge, each edge once.
     pub members: Vec<[u32; 2]>,
-    /// For each member whether it belongs to the lattice group.
+    /// For each member, whether it belongs to the lattice group.
     pub lattice_group: Vec<bool>,
-    /// For each member its length.
+    /// For each member, its length in the caller's unit.
     pub lengths: Vec<f64>,
-    /// The figures.
+    /// The statistics.
     pub statistics: Statistics,
     /// Table 1 of the paper, stage by stage.
     pub stages: Vec<Stage>,
-    /// For [`Optimise::Lengths`](super::Optimise::Lengths): deviation against the number of lengths, as far as it was
-    /// tried.
+    /// With [`Optimise::Lengths`](super::Optimise::Lengths), the deviation for each number of different lengths that
+    /// was tried.
     pub shared_lengths: Vec<LengthsRow>,
-    /// The edges outside [ℓ, 2ℓ], by member.
+    /// The edges outside [ℓ, 2ℓ], in the order of the members.
     pub out_of_range: Vec<OutOfRange>,
-    /// For each input point its vertex, in input order; merged points share one.
+    /// For each input point, in input order, its vertex. Merged points have the same vertex.
     pub input_vertices: Vec<Option<u32>>,
-    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length; the
-    /// warning `not_converged` then says by how much. The mesh is valid all the same.
+    /// False if the deadline passed before the work was done, or if the surface is curved too strongly for this edge
+    /// length. The warning `not_converged` then states by how much. The mesh is valid in any case.
     pub converged: bool,
     /// Facts about the result that the caller should know.
     pub warnings: Vec<Warning>,

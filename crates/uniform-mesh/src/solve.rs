@@ -1,4 +1,4 @@
-//! The entry points: bounds of the cost, the checks before any work, and the solve.
+//! The entry points: the estimate of the cost, the check of the arguments, and the solve.
 
 use super::on_polygon::on_polygon;
 use super::on_surface::{on_film, on_patch};
@@ -12,21 +12,21 @@ use plateau_mesh::execution::Execution;
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec2, Estimate};
 
-/// Largest number of nodes that a solve may ask for; with more the indices no longer fit.
+/// Largest number of nodes that a solve may ask for, because more nodes would not fit the indices.
 const MOST_NODES: f64 = 5e7;
 
-/// Number of bytes of memory per triangle of a polygon: the triangle with its members, their lengths, and a copy for a
+/// Memory per triangle of a polygon's mesh, in bytes: for the triangle, its members, their lengths, and a copy for a
 /// file.
 const BYTES_PER_TRIANGLE: f64 = 600.0;
 
-/// Bytes per triangle on a surface, where the sparse factor comes on top.
+/// Memory per triangle of a curved mesh, in bytes. A curved mesh also needs memory for a sparse factor.
 const BYTES_PER_TRIANGLE_ON_A_SURFACE: f64 = 1500.0;
 
-/// Number of bytes of memory that the auxiliary mesh and the film take at most, whatever the edge length.
+/// Largest memory of the auxiliary mesh and the film, in bytes, whatever the edge length.
 const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
 
-/// Bounds the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the number
-/// of nodes, which is 1.2 to 1.6 times the number of nodes of the result.
+/// Estimates the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the
+/// number of nodes. This bound is 1.2 to 1.6 times the actual number of nodes.
 ///
 /// # Errors
 /// The input errors that [`solve`] would report before meshing.
@@ -67,8 +67,8 @@ fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
     }
 }
 
-/// The number of [`most_nodes`] of a patch, whose area and circumference are measured on a grid. A tenth is added,
-/// because chords are shorter than arcs.
+/// The upper bound of [`most_nodes`] for a patch. Its area and perimeter are measured on a grid and increased by a
+/// tenth, because chords are shorter than arcs.
 fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<f64, Error> {
     patch.check(&Place::field("domain").then(field))?;
     let n = 24;
@@ -85,8 +85,9 @@ fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) ->
     Ok(packed_nodes(1.1 * area, 1.1 * perimeter, options.edge_length))
 }
 
-/// Oler, *An inequality in the geometry of numbers*, 1961: at most 2/√3 A/ℓ² + P/2ℓ + 1 points with gaps of ℓ fit. Each
-/// side adds one more piece, because the number of its pieces is rounded up.
+/// Upper bound on the number of nodes with distances of at least ℓ in a domain. Oler, *An inequality in the geometry of
+/// numbers*, 1961: at most 2/√3 A/ℓ² + P/2ℓ + 1 such points fit. More is added, because the number of pieces of each
+/// side is rounded up.
 fn packed_nodes(area: f64, perimeter: f64, edge_length: f64) -> f64 {
     2.0 / 3f64.sqrt() * area / (edge_length * edge_length) + 1.5 * perimeter / edge_length + 4.0
 }
@@ -112,11 +113,12 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Checks the arguments of [`solve`], including planarity, without any meshing. Returns the estimate of the cost. The
-/// time is linear in the size of the arguments.
+/// Checks the arguments of [`solve`], including planarity, without meshing. Returns the estimate of the cost. The time
+/// is linear in the size of the arguments.
 ///
 /// # Errors
-/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
+/// The [`Error::Input`] that [`solve`] would return before meshing. A boundary that passes this check may still cross
+/// itself.
 pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
     let estimate = estimate(domain, options)?;
     match domain {
@@ -134,16 +136,16 @@ pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
 
 /// Meshes the domain.
 ///
-/// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to
-/// 2e-9). On any other valid polygon no edge is longer than 2ℓ, and those shorter than ℓ are listed with the reason.
-/// Checks the signal of `execution` after every few thousand triangles and every lattice placement. O(n log n) in
-/// practice.
+/// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ], up
+/// to a relative error of 2e-9. On any other valid polygon no edge is longer than 2ℓ, and edges shorter than ℓ are
+/// listed with the reason. Calls `execution.look` after every few thousand triangles and every lattice placement. O(n
+/// log n) in practice.
 ///
 /// # Errors
-/// [`Error::Input`]: values that are not finite, a polygon without area, not planar, self-intersecting or
-/// self-touching, a hole outside, an edge length that asks for more than 5e7 nodes. [`Error::Interrupted`]: cancelled,
-/// or the deadline passed before there was a valid mesh; later the mesh reached so far is returned with `converged`
-/// false.
+/// [`Error::Input`] if a value is not finite, if the edge length asks for more than 5e7 nodes, if a polygon has no
+/// area, is not planar, crosses itself or touches itself, or if a hole is outside. [`Error::Interrupted`] if the solve
+/// was cancelled, or if the deadline passed before there was a valid mesh. If the deadline passes later, the mesh
+/// reached so far is returned with `converged` false.
 pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
     check(domain, options)?;
     match domain {

@@ -1,21 +1,21 @@
-//! The figures of Katoh, Ohsaki and Xu's Table 1, and those that a fabricator asks for.
+//! The statistics of Katoh, Ohsaki and Xu's Table 1, and further statistics for fabricators.
 
 use plateau_mesh::measure::Spread;
 
-/// A group of edges at one stage: a row of Table 1 and a little more.
+/// The statistics of a group of edges at one stage: a row of Table 1 with two more columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Group {
     /// Count, minimum, mean, maximum, standard deviation (of the whole population).
     pub lengths: Spread,
-    /// Edges whose length is within the tolerance of ℓ.
+    /// Number of edges whose length differs from ℓ by at most the tolerance.
     pub equal_edges: usize,
-    /// The fewest lengths that a workshop would cut, see [`distinct_lengths`].
+    /// The smallest number of different lengths that a workshop has to cut: see [`distinct_lengths`].
     pub distinct_lengths: usize,
 }
 
 impl Group {
-    /// The figures of these lengths against the target length. O(n log n).
+    /// The statistics of these lengths, compared with the target length. O(n log n).
     #[must_use]
     pub fn of(lengths: &[f64], target: f64, tolerance: f64) -> Self {
         Self {
@@ -26,15 +26,16 @@ impl Group {
     }
 }
 
-/// A stage of a solve, in Table 1's order.
+/// The statistics of one stage of a solve, in the order of Table 1.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stage {
-    /// `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes`, `optimised_lengths`.
+    /// The name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
+    /// `shared_lengths`.
     pub name: &'static str,
     /// All edges.
     pub all: Group,
-    /// The lattice group G1; `None` for the auxiliary triangulation, which has none.
+    /// The lattice group G1. `None` for the auxiliary triangulation, which has no lattice.
     pub lattice: Option<Group>,
 }
 
@@ -52,8 +53,8 @@ pub struct LengthHistogram {
 }
 
 impl LengthHistogram {
-    /// Counts lengths in bins of a twentieth of the target length. Bins start at multiples of their width, which is
-    /// doubled while there would be more than 100 of them.
+    /// Counts lengths in bins whose width is a twentieth of the target length. The width is doubled until at most about
+    /// 100 bins are needed. Bins start at multiples of their width.
     #[must_use]
     pub fn of(lengths: &[f64], target: f64) -> Self {
         let (low, high) =
@@ -62,7 +63,8 @@ impl LengthHistogram {
             return Self::default();
         }
         let mut width = (target / 20.0).max(f64::MIN_POSITIVE);
-        // Equal lengths differ by rounding: a nudge keeps them from straddling the bin that starts at ℓ.
+        // Equal lengths differ by rounding. A small shift keeps lengths of about ℓ together in the bin that starts at
+        // ℓ.
         let nudge = 1e-6 * width;
         // At most 2,100 passes, because the width starts above 0 and doubles in each.
         while (high - low) / width > 100.0 {
@@ -78,11 +80,12 @@ impl LengthHistogram {
     }
 }
 
-/// The least number of lengths into which members can be sorted so that the lengths of one kind differ by at most
+/// The smallest number of groups into which members can be sorted so that the lengths in each group differ by at most
 /// `tolerance`.
 ///
-/// Greedy from the shortest, which is optimal on a line. O(n log n). Merging neighbours closer than the tolerance
-/// instead would call a continuous spread one length.
+/// The groups are formed greedily from the shortest length, which is optimal for numbers on a line. O(n log n). Merging
+/// neighbouring lengths that are closer than the tolerance would be wrong, because it would count a continuous range of
+/// lengths as one length.
 #[must_use]
 pub fn distinct_lengths(lengths: &[f64], tolerance: f64) -> usize {
     let mut sorted = lengths.to_vec();
@@ -97,7 +100,7 @@ pub fn distinct_lengths(lengths: &[f64], tolerance: f64) -> usize {
     kinds
 }
 
-/// How many nodes have each number of members: entry k counts the nodes with k.
+/// The number of nodes for each valence: entry k counts the nodes with k members.
 #[must_use]
 pub fn valences(members: &[[u32; 2]], nodes: usize) -> Vec<usize> {
     let mut valence = vec![0usize; nodes];

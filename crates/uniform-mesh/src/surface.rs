@@ -1,4 +1,4 @@
-//! Curved domains: lengths in units of ℓ, coordinates around the surface's centre.
+//! Meshing of curved domains. Lengths are in units of ℓ, and coordinates are relative to the surface's centre.
 
 pub(super) mod auxiliary;
 mod curves;

@@ -1,4 +1,4 @@
-//! Inputs that once gave a wrong result without an error or a warning, and the right result of each.
+//! Regression tests: inputs that gave a wrong result without an error or a warning, and the right result of each.
 
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, LiuWang, Method, MinimalSurface, Newton, OnUnstable, Options, PinkallPolthier,
@@ -33,8 +33,8 @@ fn spanned(boundaries: &[Vec<DVec3>], options: &Options) -> Result<MinimalSurfac
     solve(boundaries, options, &Execution::default())
 }
 
-/// Enneper's surface over a disc of radius 1.2 is stationary, but no minimum (it is a minimum up to radius 1). Its area
-/// is 14.17. A solver that leaves the unstable film arrives at a minimum of area 13.72.
+/// Enneper's surface over a disc of radius 1.2 is stationary but not a minimum (it is a minimum up to radius 1). Its
+/// area is 14.17. A solver that leaves the unstable film arrives at a minimum of area 13.72.
 #[test]
 fn the_clients_exact_unstable_patch_is_reported_and_not_left() {
     let radius = 1.2f64;
@@ -118,8 +118,8 @@ fn free_keeps_about_as_many_triangles_as_are_asked_for() {
     }
 }
 
-/// Input: rings so near that edge flips reduce the area of slivers by less than rounding. The flips did not end, and
-/// never checked the signal.
+/// Input: rings so near to each other that edge flips reduce the area of slivers by less than rounding. Symptom: the
+/// flips did not end, and never checked the signal.
 #[test]
 fn rings_nearer_than_a_hundred_thousandth_of_their_radius_end() {
     for gap in [2.6e-5, 1e-6] {
@@ -134,7 +134,8 @@ fn rings_nearer_than_a_hundred_thousandth_of_their_radius_end() {
     }
 }
 
-/// Symptom: another first point shifted the nodes along the film's boundary, and the lattice with them.
+/// Symptom: if the boundary started at another point, the nodes along the film's boundary moved, and the lattice with
+/// them.
 #[test]
 fn a_lattice_on_a_film_does_not_depend_on_the_first_point_of_the_boundary() {
     let corner = |k: usize| DVec3::from_array([[0, 0, 0], [10, 0, 5], [10, 10, 0], [0, 10, 5]][k % 4].map(f64::from));
@@ -153,8 +154,8 @@ fn a_lattice_on_a_film_does_not_depend_on_the_first_point_of_the_boundary() {
     assert!((areas[1] / areas[0] - 1.0).abs() < 1e-6, "{areas:?}");
 }
 
-/// A result is converged if the requested solver met its own rule. Symptom: every result of the papers' own solvers
-/// counted as not converged, because the residual of the default solver decided.
+/// A result is converged if the requested solver met its own stopping rule. Symptom: every result of the papers' own
+/// solvers counted as not converged, because it was judged by the residual of the default solver.
 #[test]
 fn every_solver_is_judged_by_its_own_rule() {
     let warned = |surface: &MinimalSurface, code: &str| {
@@ -201,8 +202,8 @@ fn shoelace(points: &[DVec3]) -> f64 {
     0.5 * points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>().abs()
 }
 
-/// Three polygons of OGC's test suite. Symptom: their holes were covered twice (area 545.5 instead of 454.5, 638.5
-/// instead of 522.5), or no film was found.
+/// Polygons whose holes touch, among them polygons of OGC's test suite. Symptom: their holes were covered twice (area
+/// 545.5 instead of 454.5, 638.5 instead of 522.5), or no film was found.
 #[test]
 fn plane_films_whose_holes_touch_cover_the_area_between_them() {
     let two_holes = [
@@ -259,7 +260,7 @@ fn plane_films_whose_holes_touch_cover_the_area_between_them() {
     }
 }
 
-/// Symptom: the error told the user to move the boundaries closer together.
+/// Symptom: for crossing boundaries, the error told the user to move the boundaries closer together.
 #[test]
 fn plane_boundaries_that_cross_are_refused_where_they_cross() {
     let boundaries = [
@@ -315,7 +316,7 @@ fn a_fixed_point_outside_is_named() {
     assert_eq!(errors[0].place.to_string(), "/constraints/points/1");
 }
 
-/// Two near rings span an annulus of area 1.6e-4. Symptom: two discs of area 6.26 were called the least.
+/// Two near rings span a narrow band of area 1.6e-4. Symptom: two discs of area 6.26 were returned as the least area.
 #[test]
 fn best_finds_the_film_between_near_rings_and_gives_a_small_ring_its_triangles() {
     let rings = [ring(40, 1.0, 0.0), ring(40, 1.0, 2.6e-5)];
@@ -326,8 +327,8 @@ fn best_finds_the_film_between_near_rings_and_gives_a_small_ring_its_triangles()
     assert!(surface.statistics.converged && surface.statistics.components == 2);
 }
 
-/// Symptom: the disc over the smaller ring was solved to a tolerance relative to its own radius, but judged by the
-/// radius of both rings.
+/// Symptom: the disc over the smaller ring was solved to a tolerance relative to its own radius, but its convergence
+/// was judged relative to the radius of both rings.
 #[test]
 fn films_over_some_of_the_boundaries_converge_by_the_radius_of_all() {
     let tilted: Vec<DVec3> =

@@ -1,8 +1,8 @@
-//! Uniform meshes of strongly curved surfaces: the mesh is close to its surface, or `converged` is false and the
-//! warning gives the reason.
+//! Uniform meshes of strongly curved surfaces. The mesh must be close to its surface, or `converged` must be false and
+//! the warning must give the reason.
 //!
-//! The campaign runs a few random patches and films; with `PLATEAU_LONG=1` it runs 300 patches and 100 films, with
-//! `PLATEAU_LONG=76..100` only those of them with these numbers.
+//! The campaign meshes a few random patches and films. With `PLATEAU_LONG=1` it meshes 300 patches and 100 films, with
+//! `PLATEAU_LONG=76..100` only the cases with these numbers.
 
 use plateau_mesh::measure;
 use plateau_mesh::{DVec2, DVec3, Error, Execution};
@@ -15,7 +15,7 @@ fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<Unifor
     solve(domain, &Options::new(edge_length, objective), &Execution::default())
 }
 
-/// Returns the first fault of a result, by the promises of every result and by those of a result that says `converged`.
+/// Returns the first violated rule, among the rules for every result and those for a result with `converged`.
 fn fault(result: &UniformMesh, edge_length: f64) -> Option<String> {
     let topology = match result.mesh.check() {
         Ok(topology) => topology,
@@ -43,7 +43,8 @@ fn fault(result: &UniformMesh, edge_length: f64) -> Option<String> {
         (!across.any(|edge| on_boundary(&edge)), "an edge along a side that a corner or the other side is blamed for"),
         (!converged || fit.area_error.abs() <= 0.01, "the area is off"),
         (!converged || fit.normal_deviation_max < 1.4, "a triangle is turned"),
-        // Corners, short sides and narrow parts of the boundary may take an edge further out than the surface may.
+        // Corners, short sides and narrow parts of the boundary may push an edge farther out of the range than the
+        // curvature of the surface may.
         (!converged || by_surface.all(|edge| (0.6..=2.5).contains(&(edge.length / edge_length))), "edges out of range"),
         (
             !converged || (lengths.min >= 0.4 * edge_length && lengths.max <= 2.5 * edge_length),
@@ -61,7 +62,7 @@ fn check(result: &UniformMesh, edge_length: f64) {
     assert_eq!(fault(result, edge_length), None);
 }
 
-/// A full circle of radius 1 as a rational quadratic: knots, control points, weights.
+/// A full circle of radius 1 as a rational quadratic curve: its knots, control points and weights.
 fn circle() -> (Vec<f64>, Vec<DVec2>, Vec<f64>) {
     let points = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]];
     let points = points.map(|[x, y]| DVec2::new(f64::from(x), f64::from(y))).to_vec();
@@ -127,7 +128,8 @@ fn closed_patches_and_poles_are_meshed() {
     }
 }
 
-/// A bicubic patch of 30 × 30 over 7 × 7 control points that lie in turn `height` above and below.
+/// A bicubic patch of 30 × 30 with 7 × 7 control points, which lie alternately `height` above and below the plane z =
+/// 0.
 fn chequered(height: f64) -> Domain {
     let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 4.0, 4.0];
     let at = |i: u32, j: u32| {
@@ -161,7 +163,8 @@ fn a_tall_dome_has_no_needles() {
     }
 }
 
-/// Twelve points around a circle of radius 10, in turn 15 above and below.
+/// The minimal surface over a polygon of twelve points on a cylinder of radius 10, alternately at the heights 15 and
+/// -15.
 fn saddle() -> Domain {
     let at = |k: u32| {
         let z = if k.is_multiple_of(2) { 15.0 } else { -15.0 };
@@ -204,8 +207,8 @@ impl Random {
     }
 }
 
-/// A patch whose control points stand on a grid of half a wavelength, up to one wavelength above and below it, and an
-/// edge length for which no edge in range is longer than a tenth of the wavelength.
+/// A random patch and an edge length. The spacing of the control points is half a wavelength, and their height is at
+/// most one wavelength. The edge length is so small that no edge in range is longer than a tenth of the wavelength.
 fn random_patch(seed: u64) -> (Domain, f64) {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
     random.unit();
@@ -237,8 +240,8 @@ fn random_patch(seed: u64) -> (Domain, f64) {
     (Domain::Nurbs(Nurbs { degrees, knots: [knots(0), knots(1)], control_points, weights }), edge_length)
 }
 
-/// Symptom: an edge of 0.50 ℓ along a side was attributed to a corner at the side's end, so the mesh counted as
-/// `converged`. Patch 285 of the campaign had such an edge of 0.32 ℓ, beside a right angle.
+/// Symptom: an edge of length 0.50 ℓ along a side was attributed to a corner at the end of the side, so that the mesh
+/// counted as `converged`. Patch 285 of the campaign had such an edge of length 0.32 ℓ beside a right angle.
 #[test]
 fn a_corner_is_no_reason_for_a_short_edge_along_a_side() {
     let (domain, edge_length) = random_patch(77);
@@ -247,7 +250,7 @@ fn a_corner_is_no_reason_for_a_short_edge_along_a_side() {
     assert!(result.converged, "{:?}", result.warnings);
 }
 
-/// A closed curve of three random harmonics in space around a circle.
+/// The minimal surface over a closed curve, which is a circle plus three random harmonics in space, and an edge length.
 fn random_film(seed: u64) -> (Domain, f64) {
     let mut random = Random(seed.wrapping_mul(0xD134_2543_DE82_EF95));
     random.unit();
@@ -261,15 +264,15 @@ fn random_film(seed: u64) -> (Domain, f64) {
     (Domain::Boundaries(vec![(0..120).map(at).collect()]), 0.8 + 0.4 * random.unit())
 }
 
-/// The numbers of the cases that `PLATEAU_LONG` asks for: those of a range "first..end", else all.
+/// The numbers of the cases that `PLATEAU_LONG` asks for: a range "first..end", or all numbers for any single number.
 fn asked_for() -> Option<Range<u64>> {
     let value = std::env::var("PLATEAU_LONG").ok()?;
     let number = |text: &str| text.parse().expect("PLATEAU_LONG is 1 or a range as 76..100");
     Some(value.split_once("..").map_or(0..u64::MAX, |(first, end)| number(first)..number(end)))
 }
 
-/// Meshes the cases of one kind under both objectives: those that are asked for, else the first few of the part. A part
-/// without a case fails, unless other numbers are asked for.
+/// Meshes cases of one kind under both objectives: the cases that `PLATEAU_LONG` asks for, otherwise the first `few` of
+/// `cases`. Fails if no case runs, unless `PLATEAU_LONG` is set.
 fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: Range<u64>, few: u64) {
     let asked = asked_for();
     let long = asked.is_some();
@@ -312,7 +315,7 @@ fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: Range<u64>, few: u64) {
     assert!(faults.is_empty() && 20 * refused <= runs && 10 * unconverged <= runs, "{counts}");
 }
 
-/// The campaign in parts, so that they run side by side.
+/// Makes one test for each part of the campaign, so that the parts run in parallel.
 macro_rules! campaigns {
     ($($name:ident: $make:ident, $cases:expr;)*) => {
         $(

@@ -1,4 +1,4 @@
-//! Uniform meshes of planar polygons: every claim that can be verified on a result, on random input.
+//! Uniform meshes of planar polygons: checks every property that can be verified on a result, for random input.
 
 use plateau_mesh::measure;
 use plateau_mesh::random::SplitMix64;
@@ -20,13 +20,13 @@ fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<Unifor
     solve(domain, &Options::new(edge_length, objective), &Execution::default())
 }
 
-/// How many random cases; ten times as many with PLATEAU_LONG=1.
+/// Number of random cases: `usual`, or ten times as many if PLATEAU_LONG is set.
 fn cases(usual: u32) -> u32 {
     if std::env::var_os("PLATEAU_LONG").is_some() { 10 * usual } else { usual }
 }
 
-/// A convex polygon with inner angles of 90° or more and sides in [1, 2]: random turning angles, then side lengths that
-/// close it, found by alternating projections.
+/// A random convex polygon with inner angles of 90° or more and sides in [1, 2]. The turning angles are chosen at
+/// random. Side lengths that close the polygon are then found by alternating projections.
 fn admissible(seed: u64) -> Vec<DVec2> {
     let mut random = SplitMix64::new(seed);
     loop {
@@ -87,7 +87,8 @@ fn incircle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> f64 {
     a.length_squared() * b.perp_dot(c) + b.length_squared() * c.perp_dot(a) + c.length_squared() * a.perp_dot(b)
 }
 
-/// Everything that must hold of any result on a planar domain of the given area (in the plane z = 0, facing up).
+/// Checks everything that must hold for any result on a planar domain of the given area (in the plane z = 0, facing
+/// up).
 fn check_valid(result: &UniformMesh, area: f64, edge_length: f64, loops: usize) {
     let topology = result.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), loops);
@@ -123,18 +124,18 @@ fn check_admissible(outline: &[DVec2], edge_length: f64, objective: Objective) -
     assert_eq!(result.out_of_range, []);
     assert!(result.statistics.edge_lengths.min >= edge_length * (1.0 - 1e-9));
     assert_eq!(result.mesh.vertices[..outer.len()], outer);
-    // The bound of theorem 2 against a certified lower bound on any triangulation.
+    // The factor 16/3 of theorem 2 must hold relative to a certified lower bound for any triangulation.
     let triangles = area(outline) / 3f64.sqrt();
     let boundary: f64 =
         (0..outline.len()).map(|k| (outline[k].distance(outline[(k + 1) % outline.len()]) / 2.0).ceil()).sum();
     let lower = (((triangles + boundary + 2.0) / 2.0 - 1e-9).ceil() as usize).max(outline.len());
     assert_eq!(result.statistics.node_lower_bound, Some(lower));
     assert!(3 * result.statistics.nodes <= 16 * lower, "{} nodes, at least {lower} needed", result.statistics.nodes);
-    // No more nodes than can be packed (Oler).
+    // There cannot be more nodes than fit with distances of at least ℓ (Oler).
     let perimeter: f64 = (0..outline.len()).map(|k| outline[k].distance(outline[(k + 1) % outline.len()])).sum();
     assert!(result.statistics.nodes as f64 <= 2.0 / 3f64.sqrt() * area(outline) + perimeter / 2.0 + 1.0 + 1e-9);
     if objective == Objective::FewestNodes {
-        // Delaunay: no node inside a circumcircle.
+        // The mesh is Delaunay: no circumcircle contains a node.
         let topology = result.mesh.check().unwrap();
         let at = |v: u32| result.mesh.vertices[v as usize].truncate() / edge_length;
         for h in 0..topology.twin.len() as u32 {
@@ -174,7 +175,7 @@ fn larger_admissible_polygons_with_split_sides() {
     }
 }
 
-/// A star-shaped polygon with random radii: concave, with sharp corners and short sides.
+/// A star-shaped polygon with random radii, which is concave and has sharp corners and short sides.
 fn star(seed: u64, corners: usize) -> Vec<[f64; 2]> {
     let mut random = SplitMix64::new(seed);
     (0..corners)
@@ -224,7 +225,8 @@ proptest! {
     ) {
         let outline = star(seed, 9);
         let scale = 10f64.powi(exponent);
-        // At 1e7 the input itself has lost digits. This moves nodes by as much, but does not change the connectivity.
+        // At 1e7 the input itself has lost digits. This moves the nodes by the same amount, but does not change the
+        // connectivity.
         let shift = if far { DVec3::new(1e7, -2e7, 3e6) * scale } else { DVec3::ZERO };
         let tolerance = if far { 1e-6 } else { 1e-9 };
         let (axis_turn, axis_tilt) = (DVec2::from_angle(turn), DVec2::from_angle(tilt));
@@ -239,8 +241,8 @@ proptest! {
             let here = run(&polygon(&outline), 1.3, objective).unwrap();
             let there = run(&image, 1.3 * scale, objective).unwrap();
             if far && objective == Objective::MostEqualEdges {
-                // A lattice through a corner touches the limits of its region, so lost digits decide which nodes it
-                // keeps. Their number changes little.
+                // A lattice through a corner has nodes exactly on the limit of its region, so the lost digits decide
+                // which of them are kept. Their number changes little.
                 let (a, b) = (here.statistics.lattice_edges.count as f64, there.statistics.lattice_edges.count as f64);
                 prop_assert!((a - b).abs() <= 3.0 + 0.05 * a, "{a} {b} lattice edges");
                 continue;
@@ -267,11 +269,12 @@ fn a_regular_hexagon_becomes_nothing_but_equilateral_triangles() {
 
 #[test]
 fn the_search_beats_a_placement_that_ignores_the_polygon() {
-    // The square is turned by 17°. The search must find the rows that are aligned with it, and not take unturned rows.
+    // The square is rotated by 17°. The search must find the rows that are aligned with the square.
     let turn = DVec2::from_angle(0.3);
     let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]].map(|p| turn.rotate(DVec2::from(p)).to_array());
     let result = run(&polygon(&square), 1.0, Objective::MostEqualEdges).unwrap();
-    // 21 rows of alternately 21 and 20 nodes fit, so at least the 19 rows of 20 and 19 clear of the boundary's nodes.
+    // 21 rows of alternately 21 and 20 nodes fit into the square. At least 19 rows of 20 and 19 nodes are far enough
+    // from the boundary's nodes.
     assert!(result.statistics.lattice_edges.count >= 1090, "{}", result.statistics.lattice_edges.count);
 }
 
@@ -315,7 +318,7 @@ fn reasons_are_named() {
         why(&[[0.0, 0.0], [5.0, 0.0], [5.3, 0.4], [10.0, 5.0], [10.0, 10.0], [0.0, 10.0]], 1.0),
         [Why::ShortSide]
     );
-    // Two rooms joined by a corridor that is narrower than ℓ, of sides longer than ℓ.
+    // Two rooms joined by a corridor that is narrower than ℓ and whose sides are longer than ℓ.
     let rooms = [
         [0.0, 0.0],
         [8.0, 0.0],
@@ -333,7 +336,7 @@ fn reasons_are_named() {
     assert_eq!(why(&rooms, 1.0), [Why::Narrow]);
 }
 
-/// A hole whose whole circumference is below 3ℓ. Symptom: the walk along its sides went round without end.
+/// Input: a hole whose perimeter is below 3ℓ. Symptom: the walk along its sides went round without end.
 #[test]
 fn a_polygon_and_its_hole_may_be_much_smaller_than_the_edge_length() {
     let hole = flat(&[[0.4, 0.2], [0.2, 0.2], [0.2, 0.5], [0.4, 0.5]]);
@@ -357,7 +360,7 @@ fn a_triangle_smaller_than_the_edge_length_is_one_triangle() {
     }
 }
 
-/// The places named by an input error.
+/// The places that the input errors name.
 fn places(domain: &Domain, edge_length: f64) -> Vec<String> {
     match run(domain, edge_length, Objective::MostEqualEdges) {
         Err(Error::Input(errors)) => errors.iter().map(|error| error.place.to_string()).collect(),
@@ -380,19 +383,19 @@ fn bad_input_is_named() {
         ["/domain/polygon/1", "/domain/polygon/2"]
     );
     assert_eq!(places(&polygon(&[[0.0, 0.0], [1e200, 0.0], [0.0, 1.0]]), 1.0), ["/domain/polygon/1"]);
-    // Bow ties of equal halves, whose areas cancel out, and of unequal ones.
+    // Bow ties with equal halves, whose areas cancel out, and with unequal halves.
     let equal_halves = [[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]];
     assert_eq!(places(&polygon(&equal_halves), 1.0), ["/domain/polygon/0"]);
     let refused = run(&polygon(&equal_halves), 1.0, Objective::MostEqualEdges).unwrap_err();
     assert!(refused.to_string().ends_with("the side from this point meets the side from point 2"), "{refused}");
-    // A loop in space that crosses itself nowhere, and whose area vector vanishes all the same.
+    // A loop in space that does not cross itself, although its area vector is zero.
     let turns = (0..24).map(|k| f64::from(k) * TAU / 24.0);
     let outer = turns.map(|t| DVec3::new(t.cos(), (2.0 * t).sin(), (3.0 * t).sin())).collect();
     let in_space = Domain::Polygon { outer, holes: Vec::new() };
     let refused = run(&in_space, 0.1, Objective::MostEqualEdges).unwrap_err().to_string();
     assert!(refused.starts_with("/domain/polygon: ") && refused.contains("cancel out"), "{refused}");
     assert_eq!(places(&polygon(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]), 1.0).len(), 2);
-    // A corner on another side; two corners at one place; a side run along twice.
+    // A corner on another side, at its middle and elsewhere; then two corners at one place.
     assert_eq!(places(&polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [4.0, 0.0], [0.0, 8.0]]), 1.0).len(), 2);
     assert_eq!(places(&polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [4.3, 0.0], [0.0, 8.0]]), 1.0).len(), 2);
     let pinched = [[0.0, 0.0], [4.0, 4.0], [8.0, 0.0], [8.0, 8.0], [4.0, 4.0], [0.0, 8.0]];
@@ -430,7 +433,7 @@ fn a_point_off_the_plane_is_named_with_its_distance() {
     assert!(errors[0].detail.contains("off the plane"), "{}", errors[0].detail);
 }
 
-/// A roof of a city model, stored to a millimetre.
+/// A roof of a city model, whose coordinates were rounded to a millimetre.
 #[test]
 fn a_roof_stored_to_a_millimetre_is_projected() {
     let roof = [
@@ -455,8 +458,9 @@ fn projected_by(result: &UniformMesh) -> Option<f64> {
     Some(distance.parse().expect("a number"))
 }
 
-/// Sloped outlines with a hole, whose coordinates were rounded to a millimetre, in metres and in millimetres, near zero
-/// and at survey coordinates: they are projected by as much as the warning says, and then they are plane.
+/// Sloped outlines with a hole, whose coordinates were rounded to a millimetre. They are given in metres and in
+/// millimetres, near zero and at survey coordinates. They must be projected by the distance that the warning states,
+/// and must then be plane.
 #[test]
 fn sloped_outlines_that_were_rounded_to_a_millimetre_are_projected_and_level_ones_are_not() {
     let mut random = SplitMix64::new(42);
@@ -496,7 +500,7 @@ fn sloped_outlines_that_were_rounded_to_a_millimetre_are_projected_and_level_one
                 assert!(distance < 2e-3 * unit, "{case}: {distance}");
             }
         }
-        // The mesh is plane and has the outline's area, up to the rounding of the corners.
+        // The mesh is plane, and its area is that of the outline up to the rounding of the corners.
         let doubled: DVec3 =
             result.mesh.triangles.iter().map(|&t| measure::double_area_vector(result.mesh.corners(t))).sum();
         let normal = doubled.normalize();
@@ -507,7 +511,7 @@ fn sloped_outlines_that_were_rounded_to_a_millimetre_are_projected_and_level_one
         let exact = area(&outline) - area(&opening).abs();
         let measured = doubled.length() / 2.0 / (unit * unit);
         assert!((measured - exact).abs() < 1e-3 * (perimeter + 4.0), "{case}: {measured} of {exact}");
-        // The projected outline is plane: it is meshed without a warning, with the same bits.
+        // The projected outline is plane: it is meshed again without a warning, and its points keep their bits.
         let (outer, hole) = vertices[..given.len()].split_at(outline.len());
         let again = Domain::Polygon { outer: outer.to_vec(), holes: vec![hole.to_vec()] };
         let again = run(&again, unit, objective).unwrap();
@@ -550,8 +554,8 @@ fn progress_rises_and_looks_are_frequent() {
         solve(&square, &Options::new(0.3, objective), &execution).unwrap();
         let seen = seen.borrow();
         assert!(seen.len() > 20 && seen.windows(2).all(|pair| pair[0] <= pair[1]) && *seen.last().unwrap() == 1.0);
-        // About 10^7 units of work take a second, so this bound is far below the 50 ms that are promised between two
-        // checks.
+        // 10^7 units of work take about a second, so this bound is far below the 50 ms that are promised between two
+        // calls of `look`.
         assert!(execution.largest_work_between_looks() <= 150_000, "{}", execution.largest_work_between_looks());
     }
 }

@@ -1,4 +1,5 @@
-//! Uniform meshes of patches and films: what must hold on any surface, closed forms, shared lengths.
+//! Uniform meshes of patches and films: checks what must hold on any surface, surfaces with closed forms, and shared
+//! lengths.
 
 use plateau_mesh::measure;
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Interruption, Signal};
@@ -12,7 +13,7 @@ fn options(edge_length: f64) -> Options {
     Options::new(edge_length, Objective::MostEqualEdges)
 }
 
-/// A lopsided roof on a skew plan, nowhere symmetric.
+/// Control points of a lopsided roof on a skew plan, without any symmetry.
 fn roof() -> Vec<Vec<DVec3>> {
     let heights = [[0.0, 9.0, 3.0, 0.0], [7.0, 31.0, 22.0, 5.0], [2.0, 18.0, 35.0, 8.0], [0.0, 4.0, 11.0, 0.0]];
     let at = |i: usize, j: usize| {
@@ -26,7 +27,7 @@ fn bezier(control_points: Vec<Vec<DVec3>>) -> Domain {
     Domain::Bezier { control_points }
 }
 
-/// A cylinder's piece: angles 0 to `angle` about the y axis, radius 40, length 60.
+/// A piece of a cylinder about the y axis: angles from 0 to `angle`, radius 40, length 60.
 fn cylinder(angle: f64) -> Domain {
     let (half, radius) = (angle / 2.0, 40.0);
     let arc = [DVec2::X, DVec2::from_angle(half) / half.cos(), DVec2::from_angle(angle)];
@@ -40,7 +41,7 @@ fn cylinder(angle: f64) -> Domain {
     })
 }
 
-/// A square frame of side 60 with three humps of height 6 on every side, `n` points a side.
+/// A square frame of side 60 with three humps of height 6 on every side, and `n` points per side.
 fn frame(n: usize) -> Vec<DVec3> {
     let corners = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]].map(DVec2::from);
     (0..4 * n)
@@ -52,7 +53,8 @@ fn frame(n: usize) -> Vec<DVec3> {
         .collect()
 }
 
-/// Checks the promises of every result: a disk, nothing degenerate or flipped, figures that fit the mesh.
+/// Checks what must hold for every result: the mesh is a disc without degenerate or flipped triangles, and the
+/// statistics fit the mesh.
 fn check(result: &UniformMesh, edge_length: f64) {
     let topology = result.mesh.check().unwrap();
     assert_eq!((topology.boundary_loops().len(), topology.euler_characteristic(), topology.components()), (1, 1, 1));
@@ -91,8 +93,8 @@ fn a_flat_patch_gives_what_its_polygon_gives() {
         let on_patch = run(&patch, &options).unwrap();
         let on_polygon = run(&Domain::Polygon { outer: corners.to_vec(), holes: Vec::new() }, &options).unwrap();
         check(&on_patch, 3.0);
-        // The search for the lattice's placement ends at one of several placements that are about equally good, and
-        // rounding may decide at which.
+        // The search for the lattice's placement ends at one of several placements that are about equally good.
+        // Rounding may decide at which one.
         let apart = on_patch.statistics.objective_value.abs_diff(on_polygon.statistics.objective_value);
         let allowed = if objective == Objective::MostEqualEdges { 6 } else { 0 };
         assert!(apart <= allowed, "{apart} of {}", on_patch.statistics.objective_value);
@@ -104,7 +106,7 @@ fn a_flat_patch_gives_what_its_polygon_gives() {
 #[test]
 fn a_cylinder_unrolls_so_chords_deviate_by_the_square_of_the_length() {
     let deviation = |edge_length: f64| {
-        // An auxiliary chord falls short of its arc by 1/24 of the square of its angle.
+        // An auxiliary chord is shorter than its arc by 1/24 of the square of its angle.
         let options = Options { auxiliary_grid: [240, 4], optimise: Optimise::None, ..options(edge_length) };
         let result = run(&cylinder(1.6), &options).unwrap();
         check(&result, edge_length);
@@ -119,8 +121,8 @@ fn a_cylinder_unrolls_so_chords_deviate_by_the_square_of_the_length() {
         1.0 - lattice.mean / edge_length
     };
     let (coarse, fine) = (deviation(6.0), deviation(3.0));
-    // An edge at angle a to the hoops falls short by cos⁴a ℓ²/24R²; over the lattice's three directions, however it
-    // lies, the mean of cos⁴a is 3/8.
+    // An edge at the angle a to the hoops is shorter than its arc by cos⁴a ℓ²/24R². The mean of cos⁴a over the three
+    // directions of the lattice is 3/8, whatever the lattice's angle is.
     let expected = |edge_length: f64| 0.375 * edge_length * edge_length / (24.0 * 1600.0);
     assert!((coarse / expected(6.0) - 1.0).abs() < 0.1 && (fine / expected(3.0) - 1.0).abs() < 0.1, "{coarse} {fine}");
     assert!((3.6..4.4).contains(&(coarse / fine)), "{coarse} {fine}");
@@ -128,7 +130,8 @@ fn a_cylinder_unrolls_so_chords_deviate_by_the_square_of_the_length() {
 
 #[test]
 fn nodes_stay_on_the_true_surface_while_they_move() {
-    // An eighth of a turn by an eighth of a turn of a torus' outside: exact as a rational patch, curved both ways.
+    // A piece of the outside of a torus, 1 radian wide in both directions. It is exactly a rational patch, and curved
+    // in both directions.
     let (half, big, small) = (0.5f64, 60.0, 25.0);
     let arc = [DVec2::from_angle(-half), DVec2::X / half.cos(), DVec2::from_angle(half)];
     let weights = [1.0, half.cos(), 1.0];
@@ -175,8 +178,8 @@ fn the_rim_stays_within_its_bounds_unless_it_is_free() {
 
 #[test]
 fn a_rim_that_the_surface_bends_out_of_range_is_made_anew() {
-    // The roof is so steep that the rim made in the plane leaves [ℓ, 2ℓ] on both sides, and shrinks to needles when the
-    // lattice moves.
+    // The roof is so steep that some members of the rim that was made in the plane become shorter than ℓ or longer than
+    // 2ℓ, and its triangles shrink to needles when the lattice moves.
     let steep: Vec<Vec<DVec3>> =
         roof().into_iter().map(|row| row.into_iter().map(|p| p.with_z(1.6 * p.z)).collect()).collect();
     for objective in Objective::ALL {
@@ -186,7 +189,7 @@ fn a_rim_that_the_surface_bends_out_of_range_is_made_anew() {
         assert!(before.min < 3.6 || before.max > 8.4, "{before:?}");
         assert!(rim(&result).iter().all(|&l| (4.0 * (1.0 - 1e-8)..=8.0 * (1.0 + 1e-8)).contains(&l)));
         assert!(result.statistics.angles.0.to_degrees() > 15.0, "{}", result.statistics.angles.0.to_degrees());
-        // The members of the lattice are those of the plane; only their nodes have moved.
+        // The lattice members are the same as in the plane. Only their nodes have moved.
         if objective == Objective::MostEqualEdges {
             assert_eq!(result.stages[2].lattice.unwrap().lengths.count, result.statistics.lattice_edges.count);
         }
@@ -262,7 +265,7 @@ fn shared_lengths_get_closer_the_more_there_are_and_closer_than_sorting_alone() 
         }
         assert!(rows.iter().all(|row| row.deviation <= row.deviation_before));
         assert!(rows[6].deviation < 0.9 * rows[6].deviation_before, "{rows:?}");
-        // The mesh has the lengths of the last row.
+        // The mesh has the member lengths of the last row.
         assert_eq!(result.stages.last().unwrap().name, "shared_lengths");
         let within = 2.0 * rows[6].deviation * (1.0 + 1e-9);
         assert!(plateau_uniform_mesh::statistics::distinct_lengths(&result.lengths, within) <= 12);
@@ -338,7 +341,8 @@ fn bad_input_is_named() {
 
 #[test]
 fn surfaces_that_cannot_be_laid_flat_are_refused_or_meshed_validly() {
-    // A patch that passes through itself, a needle, a huge rise, an edge length beyond the patch.
+    // A patch that passes through itself, a very narrow patch, a very tall patch, and edge lengths larger than the
+    // patch.
     let mut twisted = roof();
     twisted[3].reverse();
     let mut needle = roof();

@@ -18,8 +18,8 @@ use std::time::Duration;
 /// Time after which a client that lost the stream should reconnect.
 const RETRY: Duration = Duration::from_secs(2);
 
-/// Sends status changes and progress as they happen. `Last-Event-ID` replays missed events. After the final event the
-/// answer is 204.
+/// Sends status changes and progress as they happen. `Last-Event-ID` replays missed events. A client that has seen the
+/// final event gets 204.
 pub async fn events(
     State(app): State<App>,
     caller: Caller,

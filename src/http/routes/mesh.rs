@@ -52,8 +52,8 @@ pub async fn mesh_file(
 
 const ORIGINS: [(&str, Origin); 2] = [("given", Origin::Given), ("local", Origin::Local)];
 
-/// Reads the choices beside the format. A choice that the format does not have is an error with the status 422 instead
-/// of 400, because each value is valid by itself.
+/// Reads the options of a file besides its format. An option that the format does not have is an error with the status
+/// 422 instead of 400, because each value is valid by itself.
 fn choices(
     format: MeshFormat,
     origin: Option<&str>,

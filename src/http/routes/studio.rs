@@ -46,8 +46,8 @@ const ASSETS: &[(&str, &str, &[u8])] = assets! {
     "thumbnails.webp": "image/webp",
 };
 
-/// The solvers that run in the page, embedded like the files above: those of films, strips and lattices, and those of
-/// tensile structures and cable nets.
+/// WebAssembly modules of the solvers that run in the page. `shapes.wasm` has the solvers of films, strips and
+/// lattices, and `structures.wasm` those of tensile structures and cable nets.
 const MODULES: &[(&str, &str, &[u8])] = assets! {
     "crates/page/js",
     "shapes.wasm": "application/wasm",
@@ -76,8 +76,8 @@ fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
         (header::CONTENT_SECURITY_POLICY, policy),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff".to_owned()),
         (HeaderName::from_static("referrer-policy"), "no-referrer".to_owned()),
-        // These two isolate the page, so that it may share memory with the worker of its solvers. A cancel then ends a
-        // solver without ending the worker.
+        // These two headers isolate the page, so that it may share memory with the worker of its solvers. A cancel then
+        // ends a solver without ending the worker.
         (HeaderName::from_static("cross-origin-opener-policy"), "same-origin".to_owned()),
         (HeaderName::from_static("cross-origin-embedder-policy"), "require-corp".to_owned()),
     ];

@@ -1,4 +1,4 @@
-//! Choices beside the format of a file.
+//! Choices of a download in addition to the format of its file.
 
 use plateau_mesh::DVec3;
 
@@ -17,7 +17,7 @@ pub enum Origin {
     Local,
 }
 
-/// Choices beside the format.
+/// Choices of a download in addition to its format.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
     pub origin: Origin,

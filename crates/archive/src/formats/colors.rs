@@ -1,4 +1,5 @@
-//! Colours of a mesh by a quantity of its result, from blue at 0 through green to red at the end of a scale.
+//! Colours of a mesh by a quantity of its result, from blue at the low end of a scale through green to red at the high
+//! end.
 
 use super::Error;
 use crate::archive::{Attribute, Contents, LOWER_BOUND_SLACK, LineSet, Lines, MEAN_CURVATURE};
@@ -16,12 +17,12 @@ pub enum Quantity {
     Force,
 }
 
-/// Colours that were asked for.
+/// The quantity by which a file is coloured, and its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Colors {
     pub quantity: Quantity,
-    /// Value that is red, in the quantity's unit: finite and above 0. `None` stands for the end of the
-    /// scale that follows from the values.
+    /// Value that is shown in red, in the quantity's unit: finite and above 0. With `None`, the scale follows from the
+    /// values.
     pub range: Option<f64>,
 }
 
@@ -43,19 +44,19 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
-    /// Returns the quantity at the vertices if the mesh has it there.
+    /// Returns the values of the quantity at the vertices, if the mesh has them.
     pub(super) fn at_vertices(self, contents: &Contents) -> Option<&Attribute> {
         contents.at_vertices(self.name())
     }
 
-    /// Returns the quantity of a set of segments if they have it. Arrows keep their own colour, because the forces of
-    /// reactions are of another magnitude than those of cables.
+    /// Returns the values of the quantity for a set of segments, if it has them. Arrows keep their own colour, because
+    /// the forces of reactions are of another magnitude than those of cables.
     pub(super) fn along(self, set: &LineSet) -> Option<&Attribute> {
         let is_this = |attribute: &&Attribute| attribute.name == self.name();
         set.attributes.iter().find(is_this).filter(|_| matches!(set.lines, Lines::Segments(_)))
     }
 
-    /// Returns the quantity at the vertices and in each line set that has it.
+    /// Returns the values of the quantity at the vertices and for each line set that has them.
     fn all_in<'a>(self, contents: &'a Contents, line_sets: &'a [LineSet]) -> impl Iterator<Item = &'a Attribute> {
         self.at_vertices(contents).into_iter().chain(line_sets.iter().filter_map(move |set| self.along(set)))
     }

@@ -2,8 +2,9 @@
 //!
 //! - Meshes are in metres with Y up, as glTF demands: a client's (x, y, z) with z up becomes (x, z, -y).
 //! - Positions are f32 around an origin, the middle of the mesh's bounding box. Every node has the origin as its f64
-//!   translation. Survey coordinates of 1e7 therefore keep a ten-millionth of the mesh's size. `asset.extras.origin` is
-//!   the same point in the client's unit and axes. With `Origin::Local` the nodes have no translation.
+//!   translation. Therefore even survey coordinates of 1e7 are exact to a ten-millionth of the mesh's size.
+//!   `asset.extras.origin` is the same point in the client's unit and axes. With `Origin::Local` the nodes have no
+//!   translation.
 //! - The scene and the node of the surface repeat the extras, because some programs drop those of the asset.
 //! - The surface is node 0. A mesh without triangles, such as a cable net, has its vertices as `POINTS` there.
 //! - Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that a viewer can switch it
@@ -46,14 +47,14 @@ const MIN_EXTENT_METRES: f64 = 1e-30;
 
 /// Linear RGB of a surface without colours, a light blue.
 const NEUTRAL: [f32; 4] = [0.55, 0.68, 0.8, 1.0];
-/// Factor of the colours at the vertices.
+/// Base colour of a surface with colours at its vertices. glTF multiplies both.
 const WHITE: [f32; 4] = [1.0; 4];
 
 /// Writes binary glTF: one file that includes the buffer.
 ///
 /// # Errors
 /// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB, and
-/// [`Error::NoQuantity`] if the mesh does not have what it is to be coloured by.
+/// [`Error::NoQuantity`] if the mesh lacks the quantity by which it is to be coloured.
 pub fn to_glb(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     scene(archive, choices)?.into_glb()
 }
@@ -100,7 +101,7 @@ struct GltfCoordinates {
     origin: DVec3,
     metres: f64,
     up: UpAxis,
-    /// Whether the nodes are at the origin instead of at zero.
+    /// Whether the nodes are translated to the origin. If not, they have no translation.
     placed: bool,
 }
 
@@ -148,7 +149,7 @@ fn scene(archive: &Archive, choices: Choices) -> Result<Scene, Error> {
     let nodes = scene.add(contents, &coordinates, line_sets, scale.as_ref());
     let mut extras = asset_extras(contents, &coordinates, scale.as_ref());
     let of_the_asset = raw(&extras);
-    // The scene has everything but the list of the input's vertices, which may be as long as the mesh.
+    // The scene repeats all extras except the list of the input's vertices, which may be as long as the mesh.
     if let Some(figures) = extras.as_object_mut() {
         figures.remove("input_vertices");
     }
@@ -210,7 +211,8 @@ impl Scene {
             ("surface", Mode::Triangles, Some(self.indices(mesh.triangles.iter().flatten().copied())))
         };
 
-        // Plain values only: Assimp 5.2 ends when it copies a node whose extras have a list or an object.
+        // The extras have plain values only, because Assimp 5.2 ends when it copies a node whose extras have a list or
+        // an object.
         let [x, y, z] = coordinates.origin.to_array();
         let place = json!({
             "origin_x": x, "origin_y": y, "origin_z": z,
@@ -222,7 +224,7 @@ impl Scene {
         for set in line_sets {
             let scale = scale.and_then(|scale| Some((scale, scale.quantity.along(set)?)));
             let name = set.full_name();
-            // The material follows those of the sets before it, and an empty set has none.
+            // Number of the material that is added below, after the primitives, because an empty set gets no material.
             let material = Index::new(self.root.materials.len() as u32);
             let primitives = self.line_primitives(set, material, shared, coordinates, scale);
             if primitives.is_empty() {
@@ -307,8 +309,8 @@ impl Scene {
         }
     }
 
-    /// Returns the primitive of lines with their own positions, two for each line, and their values at both ends of
-    /// each.
+    /// Returns the primitive of lines that share no positions with the surface. Each line has two positions of its own,
+    /// and its values at both.
     fn own_lines(
         &mut self,
         ends: &[[f32; 3]],
@@ -412,7 +414,8 @@ impl Scene {
 
     /// Returns the document with the translations of its nodes in f64.
     fn document(&self) -> Value {
-        // A value made directly would have the long digits of f32 numbers as f64. Their text has the short ones.
+        // The document is converted through its text, in which f32 numbers have few digits. A direct conversion to f64
+        // would give them many.
         let text = serde_json::to_vec(&self.root).expect("a document of valid items always has a text");
         let mut document: Value = serde_json::from_slice(&text).expect("the text of a document is JSON");
         for (node, translation) in self.translations.iter().enumerate() {

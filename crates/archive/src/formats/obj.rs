@@ -35,7 +35,7 @@ pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
     let mut count = contents.mesh.vertices.len() as u64;
     for set in choices.line_sets(contents) {
         if let Lines::Arrows(ends) = &set.lines {
-            // Their own vertices follow those of the mesh, whose numbers stay.
+            // The ends of arrows are further vertices. They follow those of the mesh, which keep their numbers.
             for end in ends.iter().flatten() {
                 let [x, y, z] = (DVec3::from_array(*end) - shift).to_array();
                 put!("v {x:?} {y:?} {z:?}");

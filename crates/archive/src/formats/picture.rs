@@ -1,9 +1,9 @@
 //! A small picture of a mesh as PNG, for clients that cannot show a mesh.
 //!
 //! The mesh is drawn without perspective, from the direction that shows most of it among a few fixed ones. Triangles
-//! are shaded by Lambert's law from both sides, and visible lines are drawn on top. The work is bounded by a linear
-//! share for each triangle and line and by `MAX_SAMPLES`. The arithmetic is f64 without functions of the platform's
-//! mathematics library, so the same archive gives the same bytes on every machine.
+//! are shaded by Lambert's law from both sides, and visible lines are drawn on top. The work is linear in the number of
+//! triangles and lines, and drawing visits at most `MAX_SAMPLES` samples. The arithmetic is f64 without functions of
+//! the platform's mathematics library, so the same archive gives the same bytes on every machine.
 
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
@@ -26,7 +26,7 @@ const MARGIN: f64 = 24.0;
 /// of them. A triangle or line that would exceed the bound is left out.
 const MAX_SAMPLES: u64 = 50_000_000;
 
-/// Colours are sRGB.
+/// Red, green and blue in sRGB.
 type Color = [u8; 3];
 
 const BACKGROUND: Color = [255, 255, 255];
@@ -40,7 +40,7 @@ const LINE_BIAS: f64 = 0.02;
 
 /// Cosine and sine of the viewer's elevation of 30°.
 const ELEVATION: [f64; 2] = [0.866_025_403_784_438_6, 0.5];
-/// Cosine and sine of the viewer's azimuth: -60° and each further 45°.
+/// Cosine and sine of the viewer's azimuths, which go from -60° in steps of 45°.
 const AZIMUTHS: [[f64; 2]; 8] = [
     [0.5, -0.866_025_403_784_438_6],
     [0.965_925_826_289_068_3, -0.258_819_045_102_520_8],
@@ -237,11 +237,11 @@ impl Canvas {
 
     /// Fills the samples whose centres lie in a triangle. A sample on a common edge belongs to both triangles.
     fn fill(&mut self, [a, b, c]: [DVec3; 3], color: Color) {
-        /// Slack of the barycentric coordinates against gaps between neighbouring triangles by rounding.
+        /// Tolerance of the barycentric coordinates, so that rounding leaves no gaps between neighbouring triangles.
         const SLACK: f64 = -1e-9;
         let cross = |u: DVec3, v: DVec3| u.x * v.y - u.y * v.x;
         let area = cross(b - a, c - a);
-        // The viewer sees the edge of the triangle only.
+        // A triangle without area on the canvas is seen edge-on and covers no sample.
         if area == 0.0 || !area.is_finite() {
             return;
         }

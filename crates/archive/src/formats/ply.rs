@@ -1,7 +1,8 @@
-//! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the
-//! mean curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows. If colours are
-//! asked for, they are those of glTF. If a lower bound of the area is known, `lower_bound_slack` says where it is not
-//! tight. A mesh without triangles, such as a cable net, has `edge` elements with their values, such as `force`.
+//! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. The mean
+//! curvature, if known, is the vertex property `mean_curvature` in 1/unit. It is also the property `quality`, which
+//! MeshLab shows. Colours, if asked for, are the same as in glTF. If a lower bound of the area is known,
+//! `lower_bound_slack` shows where the bound is not tight. A mesh without triangles, such as a cable net, has `edge`
+//! elements with their values, such as `force`.
 
 use std::io::Write as _;
 
@@ -13,13 +14,13 @@ use crate::archive::{Archive, Attribute, Contents, LOWER_BOUND_SLACK, Lines, MEA
 /// Writes the vertices and triangles in archive order.
 ///
 /// # Errors
-/// Returns [`Error::NoQuantity`] if the vertices do not have what they are to be coloured by.
+/// Returns [`Error::NoQuantity`] if the vertices lack the quantity by which they are to be coloured.
 pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
     let named = |name: &str| contents.at_vertices(name).map(|attribute| attribute.values.as_slice());
     let (curvature, slack) = (named(MEAN_CURVATURE), named(LOWER_BOUND_SLACK));
-    // Only vertices have colours.
+    // The scale ignores line sets, because only vertices have colours in PLY.
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, &[])).transpose()?;
     let colored = scale.as_ref().and_then(|scale| Some((scale, &scale.quantity.at_vertices(contents)?.values)));
     let shift = choices.shift(contents);
@@ -124,7 +125,7 @@ fn header(contents: &Contents, choices: Choices, present: Present, edges: &Edges
     header
 }
 
-/// All segments of a mesh's line sets, and their values if every segment has one of the same name.
+/// All segments of a mesh's line sets, and their values if the first attribute of every set has the same name.
 #[derive(Default)]
 struct Edges<'a> {
     pairs: Vec<[u32; 2]>,

@@ -4,9 +4,9 @@
 use plateau_mesh::Mesh;
 use plateau_mesh::disjoint_sets::DisjointSets;
 
-/// Returns a mesh with one vertex for each sheet that meets at a vertex, and for each of its vertices the vertex of
-/// `mesh` that it stands for. The vertices of `mesh` come first and the added ones after them. Triangles belong to one
-/// sheet if they are connected across edges with two triangles.
+/// Returns a mesh with a separate vertex for each sheet that meets at a vertex of `mesh`, and for each vertex of the
+/// result its original in `mesh`. The vertices of `mesh` come first and the added ones after them. Triangles belong to
+/// the same sheet if they are connected across edges with two triangles.
 ///
 /// Returns `None` if no vertex needs to be split. Takes O(n log n) time.
 pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {

@@ -1,20 +1,23 @@
-//! The end of a fit, and the numbers that the methods of fitting share.
+//! The result of a fit, and the constants that both methods of fitting use.
 
 use plateau_mesh::codes::Reason;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Progress};
 
-/// Damping at the start (as a multiple of the loss in a net without struts), and the range of the damping. With a
-/// smaller value the first steps are refused.
+/// Damping at the start. In a net without struts it is a multiple of the loss. With a smaller value the first steps are
+/// refused.
 pub const DAMPING: f64 = 1e-2;
+/// Lower bound of the damping.
 pub const LEAST_DAMPING: f64 = 1e-12;
+/// Upper bound of the damping. If steps are still refused, fitting has stalled.
 pub const LARGEST_DAMPING: f64 = 1e12;
-/// Factors of the damping after a good step and after a poor one.
+/// Factor of the damping after a good step.
 pub const RELAXED: f64 = 0.2;
+/// Factor of the damping after a poor step or a refused one.
 pub const TIGHTENED: f64 = 3.0;
-/// Largest change of a logarithm of a density in one step: a factor of e².
+/// Largest change of the natural logarithm of a density in one step. It corresponds to a factor of e².
 pub const LARGEST_STEP: f64 = 2.0;
-/// Fitting ends after this number of steps in a row that each lower the loss by less than the tolerance.
+/// Fitting ends after this number of steps in a row that each lower the loss by at most the tolerance.
 pub const QUIET_STEPS: u32 = 3;
 
 /// Why fitting ended.
@@ -28,12 +31,12 @@ pub enum StopReason {
     Stalled,
     /// The allowed steps are used up.
     MaxIterations,
-    /// The caller's time is used up.
+    /// The deadline has passed.
     Deadline,
 }
 
 impl StopReason {
-    /// A stable name in snake case.
+    /// A stable name of the reason, in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -46,24 +49,25 @@ impl StopReason {
     }
 }
 
-/// The densities that were found.
+/// The result of a fit: the densities, and the positions of the vertices that belong to them.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
     pub densities: Vec<f64>,
     pub vertices: Vec<DVec3>,
     pub loss: f64,
-    /// The largest derivative of the loss by a logarithm of a density.
+    /// The largest derivative of the loss by the logarithm of a density. For a net with struts also by a position,
+    /// measured in root mean square edge lengths.
     pub gradient: f64,
     pub iterations: u32,
     pub stop_reason: StopReason,
 }
 
-/// The failure of a net whose equations cannot be solved.
+/// Makes the error for a net whose equations cannot be solved.
 pub(super) fn refused(error: LinearError) -> Error {
     Error::no_result(Reason::NoEquilibrium, format!("the net's equations have no trustworthy solution: {error:?}"))
 }
 
-/// Reports a step.
+/// Reports the progress after a step.
 pub(super) fn report(exec: &Execution, iterations: u32, total: u32, loss: f64) {
     exec.report(Progress {
         fraction: (f64::from(iterations) / f64::from(total)).min(1.0),

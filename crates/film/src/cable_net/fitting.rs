@@ -1,55 +1,58 @@
-//! Force densities from targets, by Levenberg and Marquardt's method.
+//! Fits force densities to targets, by Levenberg and Marquardt's method.
 //!
 //! # The problem
 //!
-//! With the force density q_e of each edge the positions x solve the linear equations of [`shape`](super::shape), so
-//! the forces q ℓ and the lengths ℓ depend on the densities alone. The unknowns are s_e = ln q: every cable stays in
-//! tension, and a step of s is a relative change of a density. The loss is Σ r² with, for each edge,
+//! Given the force density q_e of each edge, the positions x solve the linear equations of [`shape`](super::shape). The
+//! forces q ℓ and the lengths ℓ therefore depend on the densities alone. The unknowns are s_e = ln q_e: every cable
+//! stays in tension, and a change of s is a relative change of a density. The loss is Σ r² over three residuals r of
+//! each edge,
 //!
 //! ```text
 //! √(w_F / n_F) (q ℓ / F* - 1)          √(w_L / n_L) (ℓ / L* - 1)          √(w_P q / P0) ℓ
 //! ```
 //!
-//! (the sum of the squares of the last is the load path Σ F ℓ over its value P0 at the start).
+//! for its force, its length and the load path. The squares of the last residual add up to w_P times the load path Σ F
+//! ℓ, divided by its value P0 at the start.
 //!
 //! # The start
 //!
-//! The forces of a fine net's inner cables may add up to many times what the targets let its rim bear. From such
-//! densities the net is drawn together, and steps from there end in a net with cables of almost no length. If the given
-//! densities miss a target by far, each density is therefore first multiplied a few times by F* / F and by ℓ / L*, as
-//! far as there are targets, each time with the forces F and lengths ℓ of the previous densities. Fitting begins with
-//! the densities whose loss was the lowest. If the result misses a target by far or leaves a cable slack, fitting
-//! begins once more with the given densities, and the better result counts.
+//! The forces of a fine net's inner cables may add up to many times the force that the targets let its rim bear. Such
+//! densities draw the net together, and steps from there end in a net with cables of almost no length. If the given
+//! densities miss a target by far, a better start is therefore sought: each density is multiplied by F* / F and by ℓ /
+//! L*, as far as there are targets, and this is repeated with the forces F and lengths ℓ of the new shape. Fitting
+//! begins with the densities whose loss was the lowest. If the result still misses a target by far or leaves a cable
+//! slack, fitting begins once more with the given densities, and the better result counts.
 //!
 //! # A step
 //!
-//! The Gauss-Newton step minimises ½ Σ (r + r_s δs + r_ℓ δℓ)² + ½ μ Σ δs² under the linearised equilibrium. With the
-//! unit vector u of an edge, its density's derivative p = dq/ds, and for a vector a of each vertex Δa = a_1 - a_0 along
-//! the edge, the Lagrangian of one edge is, with λ the multipliers of the equilibrium of the vertices,
+//! The Gauss-Newton step minimises ½ Σ (r + r_s δs + r_ℓ δℓ)² + ½ μ Σ δs² under the linearised equilibrium. For an
+//! edge, let u be its unit vector, p = dq/ds the derivative of its density, and Δa = a_1 - a_0 the difference between
+//! its ends of any vector a of the vertices. With the multipliers λ of the vertices' equilibrium, the Lagrangian of one
+//! edge is
 //!
 //! ```text
 //! ½ (h_ss + μ) δs² + h_sℓ δs (u·Δx) + ½ h_ℓℓ (u·Δx)² + g_s δs + g_ℓ u·Δx - Δλ·(p ℓ u δs + q Δx)
 //! ```
 //!
-//! where h and g are sums of products of the residuals' derivatives. Every δs is eliminated:
-//! δs = (c u·Δλ - g_s - h_sℓ u·Δx) / H with H = h_ss + μ and c = p ℓ. The rest is a sparse symmetric system for the six
-//! numbers δx, λ of each free vertex. It costs one factorisation for each step, whatever the number of edges, where a
-//! dense Jacobian would have a column for each.
+//! where h and g are sums of products of the residuals' derivatives. Every δs is eliminated: δs = (c u·Δλ - g_s - h_sℓ
+//! u·Δx) / H with H = h_ss + μ and c = p ℓ. This leaves a sparse symmetric system for the six numbers δx, λ of each
+//! free vertex. A step costs one factorisation of this system for any number of edges, whereas a dense Jacobian would
+//! have one column per edge.
 //!
-//! μ follows the ratio of the loss's fall to the fall that the linearised residuals promise (Madsen, Nielsen,
-//! Tingleff). A step v that raises the loss is halved a few times before μ grows, because a new μ costs a
+//! The damping μ follows the ratio of the fall of the loss to the fall that the linearised residuals predict (Madsen,
+//! Nielsen, Tingleff). A step v that raises the loss is halved a few times before μ grows, because a new μ costs a
 //! factorisation.
 //!
 //! # Acceleration
 //!
 //! The second derivative of the residuals along a step v is r_vv = (2/h) ((r(s + h v) - r(s)) / h - J v). The same
-//! factor gives (JᵀJ + μ) a = -Jᵀ r_vv, and v + a/2 follows the curved path of least residuals further than v does. It
-//! is taken if 2 |a| ≤ ¾ |v| (Transtrum, Sethna, *Geodesic acceleration and the small-curvature approximation for
-//! nonlinear least squares*, 2012).
+//! factor gives the acceleration a from (JᵀJ + μ) a = -Jᵀ r_vv. The path v + a/2 follows the curved path of least
+//! residuals further than v does. It is taken if 2 |a| ≤ ¾ |v| (Transtrum, Sethna, *Geodesic acceleration and the
+//! small-curvature approximation for nonlinear least squares*, 2012).
 //!
-//! A density at the least one stays there in a step if the gradient would lower it (a projected step: Bertsekas,
-//! *Projected Newton methods for optimization problems with simple constraints*, 1982). A density that a step would
-//! take below the least one ends at the least one.
+//! A density at its lower bound stays there during a step if the gradient would lower it (a projected step: Bertsekas,
+//! *Projected Newton methods for optimization problems with simple constraints*, 1982). A step that would take a
+//! density below its lower bound takes it to the bound.
 //!
 //! Sources: Schek, *The force density method for form finding* (1974), for the equations and for least squares with
 //! densities as unknowns; Levenberg and Marquardt's method as in Madsen, Nielsen, Tingleff, *Methods for Non-Linear
@@ -68,33 +71,33 @@ use super::step::{Change, Damping, Factor, Member, Step, WORK_PER_EDGE, gradient
 use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
-/// Force below which a cable counts as slack, as a fraction of the mean force. A density also counts as slack if it
-/// exceeds the least density by less than this fraction of it. Fitting never reaches a force of zero: where the targets
-/// leave a cable no force, its density falls until the change of the loss is below the tolerance.
+/// Force below which a cable counts as slack, as a fraction of the mean force. A cable also counts as slack if its
+/// density exceeds the least density by less than this fraction. Fitting never reaches a force of exactly zero: where
+/// the targets leave a cable no force, its density falls until the change of the loss is below the tolerance.
 const SLACK: f64 = 1e-3;
-/// Ratio of the loss's fall to the predicted one above which the damping is relaxed, and the ratio below which it is
-/// tightened.
+/// Ratio of the fall of the loss to the predicted fall above which the damping is relaxed.
 const GOOD: f64 = 0.75;
+/// Ratio of the fall of the loss to the predicted fall up to which the damping is tightened.
 const POOR: f64 = 0.25;
-/// Number of times that a step which raises the loss is halved.
+/// Maximum number of times that a step which raises the loss is halved.
 const HALVINGS: u32 = 3;
-/// Part h of a step at which the second derivative is measured, and the largest ratio 2 |a| / |v| at which it is
-/// trusted. Both are the values of Transtrum and Sethna.
+/// Fraction h of a step at which the second derivative is measured. The value is that of Transtrum and Sethna.
 const PROBE: f64 = 0.1;
+/// Largest ratio 2 |a| / |v| at which an acceleration is used. The value is that of Transtrum and Sethna.
 const LARGEST_ACCELERATION: f64 = 0.75;
-/// Largest number of steps if the caller gives none.
+/// Maximum number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
-/// Number of shapes from which densities for the start are made. With 13 every target of the nets of
-/// `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More shapes improve the finest of
-/// these nets, but raise the final loss of those of 50 cells a side by 8 %.
+/// Maximum number of rounds in which the densities of the start are multiplied by the targets. With 13 every target of
+/// the nets of `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More rounds improve
+/// the finest of these nets, but raise the final loss of those of 50 cells a side by 8 %.
 const ROUNDS: u32 = 13;
-/// Largest factor by which a density changes for one target from a shape to the next.
+/// Largest factor by which one target changes a density in a round.
 const LARGEST_FACTOR: f64 = 2.0;
 /// Smallest density with which fitting begins, as a fraction of the given density. Densities below about a tenth of
 /// this fraction count as slack.
 const LEAST_SHARE: f64 = 0.01;
 
-/// For each edge whether the targets leave it no force.
+/// Returns for each edge whether the targets leave it no force. Held edges never count.
 pub(super) fn slack_edges(net: &Net, options: &Options, forces: &[f64], densities: &[f64]) -> Vec<bool> {
     let mean = forces.iter().map(|force| force.abs()).sum::<f64>() / forces.len() as f64;
     let lowest = options.least_density * (1.0 + SLACK);
@@ -102,7 +105,7 @@ pub(super) fn slack_edges(net: &Net, options: &Options, forces: &[f64], densitie
     (0..forces.len()).map(slack).collect()
 }
 
-/// The densities that a fit has reached.
+/// A state of the fit: densities, with the positions and the value of the loss that follow from them.
 #[derive(Clone)]
 struct Fit {
     densities: Vec<f64>,
@@ -110,8 +113,9 @@ struct Fit {
     value: f64,
 }
 
-/// Returns the densities of the lowest loss among the given ones and those that a few multiplications by the targets
-/// make of them ("The start" above). If the given densities miss no target by far, they are returned.
+/// Improves the start ("The start" above). Multiplies the given densities a few times by the targets, and returns the
+/// densities of the lowest loss, including the given ones. If the given densities miss no target by far, they are
+/// returned.
 ///
 /// # Errors
 /// A cancel.
@@ -146,27 +150,27 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
 /// A step of a descent and its second-order correction.
 struct Direction {
     change: Change,
-    /// Half the acceleration, or zero where it is too large to be used.
+    /// Half the acceleration, or zero if the acceleration is too large to be used.
     correction: Vec<f64>,
-    /// |J v|² and 2 μ |v|², which give the predicted fall of the loss.
+    /// The two parts of the predicted fall of the loss: |J v|², and in the next field 2 μ |v|².
     linear: f64,
     damped: f64,
 }
 
 impl Direction {
-    /// The fall of the loss that the linearised residuals promise for a part of the step.
+    /// Returns the fall of the loss that the linearised residuals predict for the fraction `part` of the step.
     fn predicted(&self, part: f64) -> f64 {
         part * (2.0 * self.linear + self.damped) - part * part * self.linear
     }
 
-    /// The net after a part of the step, if it has an equilibrium.
+    /// Returns the net after the fraction `part` of the step, or `None` if it has no equilibrium.
     fn moved(&self, part: f64, fit: &Fit, loss: &Loss, shape: &Shape) -> Option<Fit> {
         let change = |e: usize| part * self.change.logarithms[e] + part * part * self.correction[e];
         moved(fit, loss, shape, |e| change(e).clamp(-LARGEST_STEP, LARGEST_STEP))
     }
 }
 
-/// The net after a change of each logarithm.
+/// Returns the net after `change(e)` of the logarithm of each density, or `None` if it has no equilibrium.
 fn moved(fit: &Fit, loss: &Loss, shape: &Shape, change: impl Fn(usize) -> f64) -> Option<Fit> {
     let densities: Vec<f64> = fit.densities.iter().enumerate().map(|(e, &q)| loss.moved(e, q, change(e))).collect();
     let at = shape.positions(loss.net, &densities).ok()?;
@@ -174,7 +178,7 @@ fn moved(fit: &Fit, loss: &Loss, shape: &Shape, change: impl Fn(usize) -> f64) -
     Some(Fit { densities, at, value })
 }
 
-/// The step from the present net with this damping.
+/// Computes the step from the present net with this damping. Returns `None` if the system cannot be solved.
 fn direction(
     fit: &Fit,
     members: &[Member],
@@ -202,8 +206,8 @@ fn direction(
     found
 }
 
-/// Half the acceleration along a step, if it is small enough to be trusted. `linear` has the changes of the residuals
-/// to first order.
+/// Returns half the acceleration along a step, if it is small enough to be used. `linear` lists the first-order changes
+/// of the residuals.
 fn acceleration(
     fit: &Fit,
     members: &[Member],
@@ -232,10 +236,10 @@ fn acceleration(
     trusted.then(|| acceleration.iter().map(|a| 0.5 * a).collect())
 }
 
-/// Lowers the loss by Levenberg and Marquardt's method until `iterations` has come to `limit`.
+/// Lowers the loss by Levenberg and Marquardt's method, until `iterations` reaches `limit` or the loss no longer falls.
 ///
 /// # Errors
-/// A cancel; a net whose equations are singular to working precision.
+/// A cancel, or if the equations of the net are singular to working precision.
 fn descend(
     fit: &mut Fit,
     iterations: &mut u32,
@@ -252,7 +256,7 @@ fn descend(
         let members = members(loss, &fit.densities, &fit.at);
         loop {
             match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
-                // The shape of the last step is a net in equilibrium.
+                // At a deadline the last step is a valid result, because its shape is in equilibrium.
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
                 other => other?,
             }
@@ -296,7 +300,7 @@ fn descend(
 /// Finds densities whose shape comes nearest to the targets.
 ///
 /// # Errors
-/// The interruption; a net whose equations are singular to working precision.
+/// The interruption, or if the equations of the net are singular to working precision.
 pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitted, Error> {
     let shape = Shape::new(net).map_err(refused)?;
     let densities = start(net, options);
@@ -329,7 +333,7 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
             let limits = (options.max_iterations.unwrap_or(iterations + DEFAULT_STEPS), total, options.tolerance);
             let mut second = given;
             let other = descend(&mut second, &mut iterations, limits, &mut loss, (&shape, &mut step), exec)?;
-            // A net without slack cables is better than one with them, and then that with the lower loss.
+            // A net without slack cables is better than a net with them; otherwise the lower loss is better.
             if (is_slack(&second), second.value) < (slack, fit.value) {
                 (fit, reason) = (second, other);
             }
@@ -427,7 +431,7 @@ mod tests {
                 moved(1e-5).iter().zip(moved(-1e-5)).map(|(a, b)| (a - b) / 2e-5).collect()
             })
             .collect();
-        // (JᵀJ + μ) δ = -Jᵀ r holds for the step.
+        // The step must satisfy (JᵀJ + μ) δ = -Jᵀ r.
         let product: Vec<f64> =
             (0..here.len()).map(|i| columns.iter().zip(&step).map(|(column, step)| column[i] * step).sum()).collect();
         let largest = step.iter().fold(0.0, |max: f64, step| max.max(step.abs()));

@@ -5,10 +5,10 @@ use super::shape::Shape;
 use plateau_mesh::DVec3;
 use plateau_mesh::sparse::LinearError;
 
-/// Relative deviation above which a target is missed by far.
+/// A target counts as missed by far if the relative deviation from it exceeds this.
 pub const FAR: f64 = 0.5;
 
-/// A residual of an edge, and its derivatives by s = ln |q| and by the length.
+/// A residual of an edge, with its derivatives by s = ln |q| and by the edge's length.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Residual {
     pub value: f64,
@@ -16,7 +16,8 @@ pub(super) struct Residual {
     pub by_length: f64,
 }
 
-/// Sums over the residuals r of one edge: of r², r r_s, r r_ℓ, r_s², r_s r_ℓ, r_ℓ².
+/// Sums over the residuals r of one edge, in the order of the fields: r², r r_s, r r_ℓ, r_s², r_s r_ℓ, r_ℓ². Here r_s
+/// and r_ℓ are the derivatives by s and by the length.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     pub loss: f64,
@@ -40,14 +41,19 @@ impl Sums {
     }
 }
 
-/// The loss and its derivatives.
+/// The loss of a net with its targets and weights.
 pub(super) struct Loss<'a> {
     pub net: &'a Net,
+    /// The least density.
     pub least: f64,
+    /// √(w_F / n_F), the factor of a force's relative deviation in its residual.
     pub force: f64,
+    /// √(w_L / n_L), the factor of a length's relative deviation in its residual.
     pub length: f64,
+    /// √(w_P / P0), the factor of the load path in its residual.
     load_path: f64,
-    /// Edges whose density stays: a held density, or a density at its lower bound that the gradient would lower.
+    /// Edges whose density the next step must not change: held densities, and densities at the lower bound that the
+    /// gradient would lower.
     stays: Vec<bool>,
 }
 
@@ -76,12 +82,12 @@ impl<'a> Loss<'a> {
         if self.stays[e] { 0.0 } else { q }
     }
 
-    /// The density of an edge after a change of its logarithm by `change`, or the given one if it is held.
+    /// Returns the density of an edge after its logarithm has changed by `change`. A held density stays the same.
     pub fn moved(&self, e: usize, q: f64, change: f64) -> f64 {
         if self.net.edges[e].held { q } else { q.signum() * (q.abs() * libm::exp(change)).max(self.least) }
     }
 
-    /// Marks the densities that the next step must not change.
+    /// Updates `stays`: marks the densities that the next step must not change.
     pub fn hold(&mut self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<(), LinearError> {
         self.stays = self.net.edges.iter().map(|edge| edge.held).collect();
         let least = self.least;
@@ -93,7 +99,8 @@ impl<'a> Loss<'a> {
         Ok(())
     }
 
-    /// Relative deviation of an edge from each of its targets that count: force, then length.
+    /// Returns the relative deviation of an edge from each of its targets of positive weight: from the force, then from
+    /// the length.
     pub fn deviations(&self, e: usize, q: f64, at: &[DVec3]) -> [Option<f64>; 2] {
         let edge = &self.net.edges[e];
         let length = length(edge.ends, at);
@@ -102,13 +109,14 @@ impl<'a> Loss<'a> {
         [off(q * length, force), off(length, edge.length.filter(|_| self.length > 0.0))]
     }
 
-    /// Whether some target is missed by far.
+    /// Whether any target is missed by far.
     pub fn is_far(&self, densities: &[f64], at: &[DVec3]) -> bool {
         let far = |(e, q): (usize, &f64)| self.deviations(e, *q, at).into_iter().flatten().any(|off| off > FAR);
         densities.iter().enumerate().any(far)
     }
 
-    /// The residuals of an edge: of its force, of its length and of the load path. They are zero without a target.
+    /// Returns the three residuals of an edge: of its force, of its length and of the load path. A residual without a
+    /// target is zero.
     pub fn residuals(&self, e: usize, q: f64, at: &[DVec3]) -> [Residual; 3] {
         let edge = &self.net.edges[e];
         let (length, p) = (length(edge.ends, at), self.slope(e, q));
@@ -137,8 +145,8 @@ impl<'a> Loss<'a> {
         densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at).loss).sum()
     }
 
-    /// The derivative of half the loss by each logarithm s, by the adjoint equations: it is g_s - p ℓ u·Δλ, where D λ
-    /// is the derivative of half the loss by the positions (notation of [`fitting`](super::fitting)).
+    /// Returns the derivative of half the loss by each logarithm s, computed with the adjoint equations: it is g_s - p
+    /// ℓ u·Δλ, where D λ is the derivative of half the loss by the positions (notation of [`fitting`](super::fitting)).
     pub fn gradient(&self, densities: &[f64], at: &[DVec3], shape: &Shape) -> Result<Vec<f64>, LinearError> {
         let mut by_positions = vec![DVec3::ZERO; at.len()];
         let sums: Vec<Sums> = densities.iter().enumerate().map(|(e, &q)| self.sums(e, q, at)).collect();
@@ -166,9 +174,9 @@ pub(super) fn unit([a, b]: [u32; 2], at: &[DVec3]) -> DVec3 {
     (at[b as usize] - at[a as usize]).normalize_or_zero()
 }
 
-/// The densities with which fitting begins. An edge has its given density, or else its target force over its target
-/// length (or its present length). Edges without either have the mean of these densities, or 1 if there are none. The
-/// densities of struts are negative.
+/// Returns the densities with which fitting begins. An edge has its given density, or else its target force divided by
+/// its target length (or by its present length). Edges with neither have the mean of the other densities, or 1 if there
+/// are none. The densities of struts are negative.
 pub(super) fn start(net: &Net, options: &Options) -> Vec<f64> {
     let given = |edge: &Edge| {
         let length = length(edge.ends, &net.vertices).max(f64::MIN_POSITIVE);

@@ -1,4 +1,4 @@
-//! A cable net as the caller describes it, and the checks of it.
+//! The caller's description of a cable net, the options, and the checks of both.
 
 use plateau_mesh::disjoint_sets::DisjointSets;
 use plateau_mesh::error::InputError;
@@ -8,48 +8,48 @@ use plateau_mesh::{DVec3, Error, Place};
 /// Points that are joined by cables.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Net {
-    /// Points: supports where they stay, the others where form finding begins.
+    /// The points. Supports stay where they are; form finding begins with the others at these positions.
     pub vertices: Vec<DVec3>,
     /// The cables between them.
     pub edges: Vec<Edge>,
     /// The vertices that do not move.
     pub supports: Vec<u32>,
-    /// The load on each vertex, or empty without loads. Loads on supports change the reactions only.
+    /// The load on each vertex, or an empty list if there are no loads. A load on a support only changes its reaction.
     pub loads: Vec<DVec3>,
 }
 
-/// A cable or a strut between two vertices, and what is wanted of it. The densities and forces of struts are negative.
+/// A cable or a strut between two vertices, with its targets. The densities and forces of struts are negative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Edge {
     /// The two vertices.
     pub ends: [u32; 2],
     /// Whether the edge is a strut, which pushes. Cables pull.
     pub strut: bool,
-    /// The force density q = force / length, from which fitting begins. Without targets it is the result's.
+    /// The force density q = force / length with which fitting begins. Without targets the result has this density.
     pub density: Option<f64>,
-    /// Whether fitting leaves the given density as it is.
+    /// Whether fitting keeps the given density unchanged.
     pub held: bool,
-    /// The force that the edge is to have.
+    /// The target of the edge's force.
     pub force: Option<f64>,
-    /// The length that the edge is to have.
+    /// The target of the edge's length.
     pub length: Option<f64>,
 }
 
 /// Options of form finding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Weight of the mean squared deviation (F / F* - 1)² of the forces from their targets.
+    /// Weight of the mean squared deviation (F / F* - 1)² of the forces F from their targets F*.
     pub force_weight: f64,
-    /// Weight of the mean squared deviation (L / L* - 1)² of the lengths.
+    /// Weight of the mean squared deviation (L / L* - 1)² of the lengths L from their targets L*.
     pub length_weight: f64,
-    /// Weight of the load path Σ F L, as a fraction of what it is at the start. Zero leaves it out.
+    /// Weight of the load path Σ |F| L, which is divided by its value at the start. With 0 the load path is left out.
     pub load_path_weight: f64,
-    /// No force density becomes smaller than this in magnitude, so that no cable goes slack.
+    /// Lower bound of the magnitude of every force density that is not held. With a bound above 0 no cable goes slack.
     pub least_density: f64,
-    /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
+    /// Fitting ends when three steps in a row each lower the loss by at most this fraction of its value.
     pub tolerance: f64,
-    /// Largest number of steps. `None` stands for 200, and 200 more if fitting begins a second time; for a net with
-    /// struts it stands for 1000.
+    /// Maximum number of steps. `None` means 200, plus another 200 if fitting starts a second time; for a net with
+    /// struts it means 1000.
     pub max_iterations: Option<u32>,
 }
 
@@ -80,7 +80,7 @@ fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: impl
     }
 }
 
-/// Checks a net: linear in its size.
+/// Checks a net and the options, in a time that is nearly linear in the size of the net.
 pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     let count = net.vertices.len();
@@ -144,10 +144,11 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Vertices closer than this fraction of the net's size count as at the same point.
+/// Vertices closer than this fraction of the net's size count as the same point.
 const SAME_POINT: f64 = 1e-9;
 
-/// Names edges without length, edges that repeat another, and lengths that an edge between two supports cannot have.
+/// Adds errors for edges without length, for edges that repeat another, and for target lengths that an edge between two
+/// supports cannot have.
 fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
     let bounds = |(low, high): (DVec3, DVec3), p: &DVec3| (low.min(*p), high.max(*p));
     let (low, high) = net.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), bounds);
@@ -175,8 +176,8 @@ fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
     }
 }
 
-/// Names the vertices that move freely because a single cable and no load acts on them. The cable of a named vertex no
-/// longer counts at its other end, so that a whole loose chain is named.
+/// Adds an error for each vertex that moves freely because only one cable and no load acts on it. The cable of such a
+/// vertex is not counted at its other end, so every vertex of a loose chain is found.
 fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     let count = net.vertices.len();
     let mut cables: Vec<Vec<u32>> = vec![Vec::new(); count];
@@ -190,7 +191,8 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     net.supports.iter().for_each(|&v| stays[v as usize] = true);
     let mut loose: Vec<usize> = (0..count).filter(|&v| left[v] < 2 && !stays[v]).collect();
     let mut free = Vec::new();
-    // At most one pass per vertex, because a vertex is added at the start or when its number of cables falls to 1.
+    // At most one pass per vertex, because a vertex is added either at the start or when its number of cables falls to
+    // 1.
     while let Some(v) = loose.pop() {
         free.push(v);
         stays[v] = true;
@@ -209,7 +211,7 @@ fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
     }
 }
 
-/// Names the vertices that no chain of cables joins to a support: they move freely.
+/// Adds an error for each vertex that no chain of cables joins to a support, because it moves freely.
 fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
     let mut parts = DisjointSets::new(net.vertices.len());
     net.edges.iter().for_each(|edge| parts.join(edge.ends[0], edge.ends[1]));

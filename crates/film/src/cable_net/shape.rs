@@ -1,18 +1,18 @@
-//! The shape of a net of given force densities: linear equations (Schek 1974).
+//! The shape of a net with given force densities, by linear equations (Schek 1974).
 //!
 //! ```text
 //! Σ q (x_j - x_i) + f_i = 0          at every free vertex i, over the edges to its neighbours j
 //! ```
 //!
-//! The matrix D of the free vertices is the graph's Laplacian with the weights q, the same for the three coordinates.
-//! It is positive definite if all densities are positive, because every vertex is joined to a support.
+//! The matrix D of the free vertices is the Laplacian of the graph with the weights q. It is the same for the three
+//! coordinates. It is positive definite if all densities are positive, because every vertex is joined to a support.
 
 use super::options::Net;
 use plateau_mesh::DVec3;
 use plateau_mesh::sparse::pattern::BlockPattern;
 use plateau_mesh::sparse::{LinearError, Symbolic};
 
-/// The equations of a net's connectivity.
+/// The linear equations of nets with the same connectivity and supports.
 #[derive(Debug)]
 pub(super) struct Shape {
     edges: Vec<[u32; 2]>,
@@ -42,7 +42,7 @@ impl Shape {
         &self.fixed
     }
 
-    /// The positions of all vertices at given densities.
+    /// Returns the positions of all vertices at the given densities.
     ///
     /// # Errors
     /// A [`LinearError`] if the equations are singular to working precision.
@@ -64,7 +64,7 @@ impl Shape {
         Ok(at)
     }
 
-    /// D⁻¹ of a vector for each vertex; zero at supports.
+    /// Applies D⁻¹ to one vector per vertex. The result is zero at supports.
     ///
     /// # Errors
     /// A [`LinearError`] if D is singular to working precision.

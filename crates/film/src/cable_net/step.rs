@@ -1,4 +1,4 @@
-//! The sparse system of a step of fitting: see [`fitting`](super::fitting) for its equations.
+//! The sparse linear system of a fitting step. [`fitting`](super::fitting) derives its equations.
 
 use super::loss::{Loss, Residual, Sums, length, unit};
 use super::options::Net;
@@ -8,35 +8,36 @@ use plateau_mesh::DVec3;
 use plateau_mesh::sparse::pattern::BlockPattern;
 use plateau_mesh::sparse::{Factorisation, LinearError, Symbolic, SymmetricMatrix};
 
-/// Part of the mean diagonal that is added to the positions' block and subtracted from the multipliers', so that the
-/// factorisation without pivoting exists (Vanderbei, *Symmetric quasidefinite matrices*, 1995). The step deviates from
-/// the linearised equilibrium by about as much; the loss is that of the exact one.
+/// Fraction of the mean diagonal that is added to the diagonal of the positions and subtracted from that of the
+/// multipliers. It ensures that the factorisation without pivoting exists (Vanderbei, *Symmetric quasidefinite
+/// matrices*, 1995). The step deviates from the linearised equilibrium by about this fraction; the loss is still
+/// computed in exact equilibrium.
 const REGULARISATION: f64 = 1e-9;
 
-/// Work of a step for each edge: the system of a step has about nine numbers for each end of an edge, and its factor
-/// about ten times as many.
+/// Work of a step per edge, for [`Execution::look`](plateau_mesh::Execution::look). The system of a step has about nine
+/// numbers for each end of an edge, and its factor about ten times as many.
 pub(super) const WORK_PER_EDGE: u64 = 200;
 
-/// The quantities of one edge in the system.
+/// The quantities of one edge from which the system is assembled.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
     ends: [u32; 2],
     density: f64,
     unit: DVec3,
     length: f64,
-    /// c = p ℓ.
+    /// c = p ℓ: the derivative of the edge's force by s, at constant length.
     by_s: f64,
     sums: Sums,
 }
 
 impl Member {
-    /// The same edge without residuals.
+    /// The same edge with all residuals and their derivatives zero.
     pub fn without_residuals(&self) -> Self {
         Self { sums: Sums::default(), ..*self }
     }
 }
 
-/// Returns the quantities of all edges.
+/// Returns the quantities of every edge.
 pub(super) fn members(loss: &Loss, densities: &[f64], at: &[DVec3]) -> Vec<Member> {
     let member = |(e, &density): (usize, &f64)| {
         let ends = loss.net.edges[e].ends;
@@ -47,36 +48,36 @@ pub(super) fn members(loss: &Loss, densities: &[f64], at: &[DVec3]) -> Vec<Membe
     densities.iter().enumerate().map(member).collect()
 }
 
-/// Damping of a step.
+/// The damping of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Damping {
-    /// Damping of the logarithms of the densities.
+    /// Damping μ of the logarithms of the densities.
     pub densities: f64,
-    /// Damping of the positions, per square of a length.
+    /// Damping of the positions, per squared length.
     pub positions: f64,
-    /// Square of the unbalanced force that costs as much as a loss of one. With zero the step meets the linearised
-    /// equations of equilibrium exactly.
+    /// The penalty parameter ε: an unbalanced force whose square is ε costs as much as a loss of 1. With 0 the step
+    /// meets the linearised equations of equilibrium exactly.
     pub softness: f64,
 }
 
 impl Damping {
-    /// Damping of the densities alone, in equilibrium.
+    /// Damps only the densities; the step stays in linearised equilibrium.
     pub fn of_densities(damping: f64) -> Self {
         Self { densities: damping, positions: 0.0, softness: 0.0 }
     }
 }
 
-/// The changes that a step makes.
+/// The changes of the densities and positions in a step.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
-    /// The change of each logarithm.
+    /// The change of the logarithm of each density.
     pub logarithms: Vec<f64>,
     /// The displacement of each vertex.
     pub vertices: Vec<DVec3>,
 }
 
 impl Change {
-    /// The change of an edge's residual to first order.
+    /// Returns the first-order change of a residual of edge `e`.
     pub fn of_residual(&self, e: usize, ends: [u32; 2], at: &[DVec3], residual: &Residual) -> f64 {
         let [a, b] = ends.map(|v| v as usize);
         let stretch = unit(ends, at).dot(self.vertices[b] - self.vertices[a]);
@@ -84,7 +85,7 @@ impl Change {
     }
 }
 
-/// The pattern of the systems of one net, and the storage of their factor.
+/// The pattern of the systems of one net, their symbolic factorisation, and the storage of their factor.
 pub(super) struct Step {
     pattern: BlockPattern,
     symbolic: Symbolic,
@@ -92,7 +93,7 @@ pub(super) struct Step {
     vertices: usize,
 }
 
-/// The matrix of a step, the scale of its multipliers and its damping.
+/// The matrix of a step, with the scale of its multipliers and the damping of its densities.
 pub(super) struct System {
     matrix: SymmetricMatrix,
     scale: f64,
@@ -107,7 +108,8 @@ impl Step {
         Ok(Self { pattern, symbolic, storage: Vec::new(), vertices: fixed.len() })
     }
 
-    /// The scale that gives the multipliers' block the size of the positions', and the mean of the scaled diagonal.
+    /// Returns the scale that makes the diagonal of the multipliers as large as that of the positions, and the mean of
+    /// the scaled diagonal.
     fn scale(&self, members: &[Member], damping: Damping) -> (f64, f64) {
         let (mut positions, mut multipliers) = (0.0, 0.0);
         let (mut squared_lengths, mut squared_forces) = (0.0, 0.0);
@@ -125,7 +127,7 @@ impl Step {
         (scale, scale * scale * multipliers / self.pattern.order().max(1) as f64)
     }
 
-    /// The matrix of a step.
+    /// Assembles the matrix of a step.
     pub fn system(&self, members: &[Member], damping: Damping) -> System {
         let mut matrix = self.pattern.matrix();
         let (scale, mean) = self.scale(members, damping);
@@ -164,7 +166,7 @@ impl Step {
         Ok(Factor { inner, system, pattern: &self.pattern, vertices: self.vertices })
     }
 
-    /// Keeps the storage of a factor for the next one.
+    /// Takes back the storage of a factor, for the next factorisation.
     pub fn reuse(&mut self, storage: Vec<f64>) {
         self.storage = storage;
     }
@@ -183,8 +185,8 @@ impl Factor<'_> {
         self.inner.into_storage()
     }
 
-    /// Solves for the changes of a step. `gradients` are the derivatives of half the loss by the logarithm and by the
-    /// length of each edge; `unbalanced` are the forces on the vertices that are not balanced, if there are any.
+    /// Solves for the changes of a step. `gradients` lists the derivatives of half the loss by the logarithm s and by
+    /// the length of each edge. `unbalanced` lists the unbalanced force on each vertex, if there are any.
     pub fn change(
         &self,
         members: &[Member],
@@ -230,7 +232,7 @@ impl Factor<'_> {
     }
 }
 
-/// The derivatives of half the loss by the logarithm and by the length of each edge.
+/// Returns, for each edge, the derivatives of half the loss by the logarithm s and by the length.
 pub(super) fn gradients(members: &[Member]) -> Vec<[f64; 2]> {
     members.iter().map(|member| [member.sums.g_s, member.sums.g_l]).collect()
 }

@@ -1,20 +1,22 @@
-//! Nets with struts: densities and positions from targets, at once.
+//! Fitting of nets with struts: densities and positions are found from the targets at the same time.
 //!
-//! The force densities of a net with struts do not determine its shape: the matrix D of the equations of
-//! [`shape`](super::shape) is indefinite, and that of a tensegrity is singular at every state of self-stress. Positions
-//! are therefore unknowns beside the logarithms s of |q|, and the forces R that are not balanced are residuals:
+//! The force densities of a net with struts do not determine its shape, because the matrix D of the equations of
+//! [`shape`](super::shape) is indefinite, and for a tensegrity it is singular at every state of self-stress. The
+//! positions x are therefore unknowns in addition to the logarithms s of |q|, and the unbalanced forces R are
+//! residuals:
 //!
 //! ```text
 //! minimise   ½ Σ r(s, x)² + |R(s, x)|² / 2 ε
 //! ```
 //!
-//! by Levenberg and Marquardt's method. With λ = R / ε a step is the system of [`fitting`](super::fitting) with the
-//! unbalanced forces on the right-hand side and -ε in the diagonal of the multipliers. ε falls in stages (the penalty
-//! method: Nocedal, Wright, *Numerical Optimization*, chapter 17). The last steps remove the forces that are left with
-//! the least change of s and x, which is Newton's method for underdetermined equations.
+//! by Levenberg and Marquardt's method. With the multipliers λ = R / ε, a step solves the system of
+//! [`fitting`](super::fitting) with the unbalanced forces on the right-hand side and -ε in the diagonal of the
+//! multipliers. ε falls in stages (the penalty method: Nocedal, Wright, *Numerical Optimization*, chapter 17). The
+//! final steps remove the remaining unbalanced forces by the smallest change of s and x, which is Newton's method for
+//! underdetermined equations.
 //!
-//! Form finding begins with the given vertices. A structure with struts may have several equilibria, and the one that
-//! is found is near them.
+//! Form finding begins with the given vertices. A structure with struts may have several equilibria; the method finds
+//! one near these vertices.
 
 use super::fitted::{
     DAMPING, Fitted, LARGEST_DAMPING, LARGEST_STEP, LEAST_DAMPING, QUIET_STEPS, RELAXED, StopReason, TIGHTENED,
@@ -27,16 +29,19 @@ use super::step::{Change, Damping, Member, Step, WORK_PER_EDGE, gradients, membe
 use plateau_mesh::codes::Reason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
-/// Number of stages, and the factor by which ε falls from each to the next. At the last stage the forces that are not
-/// balanced are about 1e-8 of the others.
+/// Number of stages. With nine stages the unbalanced forces of the last stage are about 1e-8 of the other forces.
 const STAGES: u32 = 9;
+/// Factor of the penalty parameter ε from each stage to the next.
 const STAGE_FACTOR: f64 = 0.1;
-/// Fall of the merit below which a stage ends, as a fraction of it. The last stage has the caller's tolerance.
+/// A stage ends after [`QUIET_STEPS`] steps in a row that each lower the merit by at most this fraction. The last stage
+/// uses the caller's tolerance instead.
 const STAGE_TOLERANCE: f64 = 1e-2;
-/// Largest number of steps if the caller gives none.
+/// Maximum number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 1000;
-/// Largest number of steps that remove unbalanced forces, and the fraction of the largest force that may remain.
+/// Maximum number of steps that remove unbalanced forces after the last stage.
 const CORRECTIONS: u32 = 30;
+/// Largest unbalanced force with which a net counts as balanced, as a fraction of the root mean square force of its
+/// edges.
 const BALANCED: f64 = 1e-9;
 
 /// Densities and positions, with the loss and the unbalanced forces that follow from them.
@@ -45,7 +50,7 @@ struct State {
     densities: Vec<f64>,
     at: Vec<DVec3>,
     loss: f64,
-    /// The force on each free vertex that is not balanced.
+    /// The unbalanced force on each free vertex, and zero on supports.
     unbalanced: Vec<DVec3>,
 }
 
@@ -84,7 +89,7 @@ impl State {
     }
 }
 
-/// Computes the step from a state with this damping. `None` if its system cannot be solved.
+/// Computes the step from a state with this damping. Returns `None` if the linear system cannot be solved.
 fn change(
     state: &State,
     members: &[Member],
@@ -100,7 +105,7 @@ fn change(
     change
 }
 
-/// Mean square of the forces, and of the lengths.
+/// Returns the mean square of the forces of the edges, and that of their lengths.
 fn mean_squares(net: &Net, state: &State) -> (f64, f64) {
     let count = net.edges.len() as f64;
     let squares = |(edge, q): (&super::options::Edge, &f64)| {
@@ -114,7 +119,7 @@ fn mean_squares(net: &Net, state: &State) -> (f64, f64) {
 /// Finds densities and positions in equilibrium that come nearest to the targets.
 ///
 /// # Errors
-/// A cancel; no equilibrium near the targets.
+/// A cancel, or if no equilibrium is found near the given vertices and targets.
 pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitted, Error> {
     let shape = Shape::new(net).map_err(refused)?;
     let mut step = Step::new(net, shape.fixed()).map_err(refused)?;
@@ -140,7 +145,7 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
     Ok(Fitted { densities, vertices: at, loss, gradient, iterations, stop_reason })
 }
 
-/// Lowers the merit of one stage.
+/// Lowers the merit of one stage, whose penalty parameter ε is `softness`.
 fn descend(
     state: &mut State,
     iterations: &mut u32,
@@ -156,7 +161,8 @@ fn descend(
         let members = members(loss, &state.densities, &state.at);
         let (_, squared_length) = mean_squares(net, state);
         let merit = state.merit(softness);
-        // The damping grows in every round that refuses a step, up to LARGEST_DAMPING.
+        // At most 51 passes, because each pass that refuses a step multiplies the damping by TIGHTENED, from
+        // LEAST_DAMPING or more up to LARGEST_DAMPING.
         loop {
             match exec.look(WORK_PER_EDGE * net.edges.len() as u64) {
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
@@ -178,7 +184,7 @@ fn descend(
         }
         *iterations += 1;
         report(exec, *iterations, limit, state.loss);
-        // Below rounding nothing is left to be lowered.
+        // A merit this small is zero up to rounding errors.
         if quiet >= QUIET_STEPS || state.merit(softness) < f64::EPSILON * f64::EPSILON {
             return Ok(StopReason::Change);
         }
@@ -186,11 +192,11 @@ fn descend(
     Ok(StopReason::MaxIterations)
 }
 
-/// Removes the forces that are not balanced, and returns the largest derivative of the loss along a change that keeps
-/// the equilibrium: by a logarithm, or by a position that is measured in mean edge lengths.
+/// Removes the unbalanced forces. Returns the largest derivative of the loss along a change that keeps the equilibrium:
+/// by a logarithm, or by a position that is measured in root mean square edge lengths.
 ///
 /// # Errors
-/// A cancel; forces that cannot be balanced near this state.
+/// A cancel, or if the forces cannot be balanced near this state.
 fn balance(state: &mut State, loss: &Loss, (shape, step): (&Shape, &mut Step), exec: &Execution) -> Result<f64, Error> {
     let net = loss.net;
     let (squared_force, squared_length) = mean_squares(net, state);

@@ -1,7 +1,8 @@
 //! The area of a triangle mesh.
 //!
-//! With corners 0, 1, 2 in the triangle's order, e_i the edge opposite to corner i (from corner i + 1 to i + 2), m the
-//! double area vector and n its unit vector, the derivative of m in direction N_i of corner i is e_i × N_i. Hence
+//! Number the corners 0, 1, 2 in the triangle's order. Let e_i be the edge opposite to corner i, from corner i + 1 to
+//! corner i + 2. Let m be the double area vector and n its unit vector. The derivative of m, if corner i moves in the
+//! direction N_i, is e_i × N_i. Hence
 //!
 //! ```text
 //! A        = ½ |m|
@@ -10,7 +11,7 @@
 //!                                                          (+ ½ [n]× for j = i - 1; the first part alone for j = i)
 //! ```
 //!
-//! and in unit directions N_i in which the corners move, with α_i = n·N_i,
+//! and, if each corner i moves along a unit direction N_i, with α_i = n·N_i,
 //!
 //! ```text
 //! N_i · ∂A/∂x_i             = ½ n · (e_i × N_i)
@@ -19,16 +20,16 @@
 //! ```
 //!
 //! The first part is the cotangent Laplacian of [`dirichlet`](super::dirichlet) with the weights α_i α_j. It is
-//! positive semidefinite triangle by triangle, so that a multiple of it is added where the whole matrix is indefinite.
+//! positive semidefinite triangle by triangle, so a multiple of it can be added where the whole matrix is indefinite.
 //! The second part comes from the curvature.
 //!
 //! Sources: the gradient is section 2 of Pinkall, Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates*
 //! (1993); the second variation is worked out here and checked against finite differences.
 //!
-//! Two evaluations share the formulas of one triangle (`Facet`): the term [`Area`] gives a block of 3 × 3 numbers for
-//! each pair of corners; the fast path for films, `first_variation` and `second_variation`, gives one number for each
-//! pair, because every free vertex moves along one direction. A Newton step then solves one scalar system with as many
-//! unknowns as the Laplacian has.
+//! There are two evaluations, which share the formulas of one triangle (`Facet`). The term [`Area`] gives a block of 3
+//! × 3 numbers for each pair of corners. The fast path for films, `first_variation` and `second_variation`, gives one
+//! number for each pair, because every free vertex moves along one direction. A Newton step of the fast path solves one
+//! scalar system with as many unknowns as the Laplacian has.
 
 use super::Term;
 use super::volume::cross_matrix;
@@ -37,17 +38,18 @@ use plateau_mesh::DVec3;
 use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
-/// Least double area of a triangle in every formula, as a fraction of its longest edge squared. A smaller area is
-/// raised to this, so that no weight is infinite. The fraction lies below the limit of 1e-10 at which
-/// [`is_degenerate`](plateau_mesh::measure::is_degenerate) counts a triangle, so that valid meshes are not affected.
+/// Lower bound of a triangle's double area in every formula, as a fraction of its longest edge squared. A smaller area
+/// is raised to this bound, so that no weight is infinite. The bound lies below the limit of 1e-10 that
+/// [`is_degenerate`](plateau_mesh::measure::is_degenerate) uses, so that it does not affect valid meshes.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 
-/// Least double area of a triangle in the springs, as a fraction of the sum of its squared edges. It bounds the
-/// stiffness of a thin triangle's springs, because rounding spoils a system of springs that differ by too large a
-/// factor.
+/// Lower bound of a triangle's double area in the springs, as a fraction of the sum of its squared edges. It limits the
+/// stiffness of a thin triangle's springs, because rounding errors spoil a system in which the stiffnesses differ by
+/// too large a factor.
 const LEAST_SPRUNG_AREA: f64 = 1e-6;
 
-/// A triangle: the edges opposite to its corners, its unit normal and double area (never zero).
+/// A triangle: the edges opposite to its corners, its unit normal, and its double area, which is never zero. The normal
+/// of a degenerate triangle is shorter than 1.
 pub(crate) struct Facet {
     pub edges: [DVec3; 3],
     pub normal: DVec3,
@@ -72,7 +74,7 @@ impl Facet {
     }
 }
 
-/// Adds the gradient of `tension` times the area.
+/// Adds the gradient of `tension` times the area of `triangles`.
 pub(crate) fn add_gradient(triangles: &[[u32; 3]], tension: f64, at: &[DVec3], gradient: &mut [DVec3]) {
     for triangle in triangles {
         let facet = Facet::of(at, triangle);
@@ -91,8 +93,8 @@ pub struct Area {
     pub tension: f64,
 }
 
-/// Calls `visit(v, w, k)` with the springs of the Dirichlet energy (stiffness k between the vertices v and w) of
-/// triangles with the tension `tension(t)` in triangle t.
+/// Calls `visit(v, w, k)` with the springs of the Dirichlet energy of `triangles`: k is the stiffness between the
+/// vertices v and w. Triangle t has the tension `tension(t)`.
 pub(crate) fn visit_springs(
     triangles: &[[u32; 3]],
     at: &[DVec3],
@@ -135,9 +137,9 @@ impl Term for Area {
         }
     }
 
-    // The Dirichlet energy bounds the area from above: a map of singular values σ₁, σ₂ has the area σ₁ σ₂ and the
-    // energy ½ (σ₁² + σ₂²). Single cotangents may be negative; the three springs of a triangle together are
-    // semidefinite.
+    // The springs bound the area from above, because a map of singular values σ₁, σ₂ has the area σ₁ σ₂ and the
+    // Dirichlet energy ½ (σ₁² + σ₂²). Single cotangents may be negative, but the three springs of a triangle together
+    // are positive semidefinite.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         visit_springs(&self.triangles, at, |_| self.tension, visit);
     }
@@ -164,7 +166,7 @@ pub(crate) struct FirstVariation {
     pub mass: Vec<f64>,
 }
 
-/// The first variation of area with vertex `v` moving along `directions[v]`.
+/// Returns the first variation of the area, if each vertex v moves along `directions[v]`.
 pub(crate) fn first_variation(
     free: &FreeVertices,
     vertices: &[DVec3],
@@ -190,7 +192,8 @@ pub(crate) fn first_variation(
     result
 }
 
-/// The second variation of area with vertex `v` moving along `directions[v]`, its Laplacian part times `1 + shift`.
+/// Fills `matrix` with the second variation of the area, if each vertex v moves along `directions[v]`. Its Laplacian
+/// part is multiplied by `1 + shift`.
 pub(crate) fn second_variation(
     pattern: &Pattern,
     vertices: &[DVec3],
@@ -227,7 +230,7 @@ pub(crate) mod tests {
     use super::*;
     use plateau_mesh::measure::normals;
 
-    /// A bumpy strip of the hyperbolic paraboloid: 5 x 5 vertices, the rim fixed.
+    /// A bumpy piece of a hyperbolic paraboloid with 5 x 5 vertices. Its rim is fixed.
     pub(crate) fn saddle() -> (Vec<DVec3>, Vec<[u32; 3]>, Vec<bool>) {
         let n = 5u32;
         let mut vertices = Vec::new();

@@ -1,7 +1,8 @@
-//! A cable: segments in a row that carry the same force. Only the cable's own weight makes the force vary along it.
+//! A cable: a chain of segments that carry the same force. Only the cable's own weight makes the force vary along the
+//! chain.
 //!
-//! With the length L of the whole cable, the length ℓ_k of segment k, the height z_k of its middle above the origin and
-//! the weight w per length of the shape in equilibrium:
+//! L is the length of the whole cable, ℓ_k the length of segment k, z_k the height of its middle above the origin, and
+//! w the weight per length of the shape in equilibrium:
 //!
 //! ```text
 //! E = Φ(L) + w Σ ℓ_k z_k          force in segment k:  Φ'(L) + w z_k
@@ -13,16 +14,16 @@
 //! ∂²E = Φ'(L) ∂²L + Φ''(L) ∂L ∂Lᵀ + …
 //! ```
 //!
-//! The force depends on the whole length, so the stiffness Φ'' couples all vertices of the cable: the second derivative
-//! has a part of rank one ([`Term::visit_rank_one_parts`]).
+//! The force depends on the whole length, so the stiffness Φ'' couples all vertices of the cable. It gives the second
+//! derivative a part of rank one ([`Term::visit_rank_one_parts`]).
 //!
-//! A heavy cable hangs in a catenary because the potential energy of its weight per *found* length makes its force grow
-//! with the height: T = τ + w z (any text on cables). If the cable's mean force, its sag or its horizontal component is
-//! given instead of its length, no term of the energy determines the constant τ. It is then the multiplier of the
-//! length, and an [`Equation`] determines it.
+//! The potential energy of a heavy cable is its weight per *found* length times the height. This makes the force grow
+//! with the height, T = τ + w z, and the cable hangs in a catenary (any text on cables). If the mean force, the sag or
+//! the horizontal component of the force is given instead of the length, no term of the energy determines the constant
+//! τ. It is then the multiplier of the length, and an [`Equation`] determines it.
 //!
-//! Sources: Schek, *The force density method for form finding* (1974) for the densities; Hooke's law with engineering
-//! strain for the elastic cable; derivatives by [`super::length`].
+//! Sources: Schek, *The force density method for form finding* (1974), for the force densities; Hooke's law with
+//! engineering strain for the elastic cable. The derivatives are those of [`super::length`].
 
 use super::length::{self, Stretch};
 use super::{Condition, Term};
@@ -32,7 +33,8 @@ use plateau_mesh::DVec3;
 /// How the force of a cable depends on its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
-    /// No force of its own: a constraint of the cable's length has the force as its multiplier.
+    /// The cable has no force of its own. A constraint keeps its length, and the force is the multiplier of this
+    /// constraint.
     Multiplier,
     /// A force T that does not depend on the length.
     Force(f64),
@@ -48,7 +50,7 @@ pub enum Law {
 }
 
 impl Law {
-    /// The energy Φ, the force Φ' and the stiffness Φ'' at a length of the whole cable.
+    /// Returns the energy Φ, the force Φ' and the stiffness Φ'' if the whole cable has the length `length`.
     #[must_use]
     pub fn at(self, length: f64) -> Stretch {
         match self {
@@ -90,7 +92,7 @@ impl Cable {
         Self { segments, law, weight: 0.0, up: DVec3::Z }
     }
 
-    /// This cable with a weight per length.
+    /// Returns this cable with the weight `weight` per length.
     #[must_use]
     pub fn heavy(self, weight: f64, up: DVec3) -> Self {
         Self { weight, up, ..self }
@@ -102,19 +104,19 @@ impl Cable {
         self.segments.iter().map(|&segment| length::length(segment, at)).sum()
     }
 
-    /// The largest distance of a vertex of the cable from the chord between its ends.
+    /// Returns the largest distance of a vertex of the cable from the chord between its two ends.
     #[must_use]
     pub fn sag(&self, at: &[DVec3]) -> f64 {
         self.lowest(at).map_or(0.0, |lowest| lowest.distance.length())
     }
 
-    /// The horizontal part of the first segment's unit vector, as a length from 0 to 1.
+    /// Returns the length of the horizontal part of the first segment's unit vector, from 0 to 1.
     #[must_use]
     pub fn level_part(&self, at: &[DVec3]) -> f64 {
         self.segments.first().map_or(0.0, |&segment| across(segment, self.up, at).0)
     }
 
-    /// The force in segment k, without the multiplier of a constraint of the length.
+    /// Returns the force in segment k, without the multiplier of a constraint on the length.
     #[must_use]
     pub fn force(&self, k: usize, at: &[DVec3]) -> f64 {
         self.law.at(self.length(at)).force + self.weight * self.height(k, at)
@@ -133,7 +135,7 @@ impl Cable {
         (0..self.segments.len()).map(moment).sum::<f64>() / self.length(at).max(f64::MIN_POSITIVE)
     }
 
-    /// The vertex farthest from the chord.
+    /// Returns the vertex farthest from the chord between the two ends of the cable.
     fn lowest(&self, at: &[DVec3]) -> Option<Lowest> {
         let (&[first, _], &[_, last]) = (self.segments.first()?, self.segments.last()?);
         let start = at[first as usize];
@@ -145,7 +147,7 @@ impl Cable {
             Lowest { vertex, distance: place.reject_from_normalized(chord), share }
         };
         let farther = |a: &Lowest, b: &Lowest| a.distance.length().total_cmp(&b.distance.length());
-        // The first of the vertices at the same distance is taken.
+        // Of several vertices at the same distance the first is taken.
         self.segments.iter().map(from_chord).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
     }
 
@@ -186,8 +188,9 @@ impl Term for Cable {
         if self.weight == 0.0 {
             return;
         }
-        // With the unit vector t of the segment and ∂ℓ/∂b = t = -∂ℓ/∂a, the gradient w ℓ up / 2 is derived by the
-        // length ℓ, and the gradient w z t by the height z.
+        // The gradient consists of the parts w ℓ up / 2 and w z t, with the unit vector t of the segment. The blocks
+        // here are the derivatives of the first by the length ℓ (∂ℓ/∂b = t = -∂ℓ/∂a), and of the second by the height
+        // z.
         for &[a, b] in &self.segments {
             let unit = (at[b as usize] - at[a as usize]).normalize_or_zero();
             let half = 0.5 * self.weight * DMat3::from_cols(self.up * unit.x, self.up * unit.y, self.up * unit.z);
@@ -209,8 +212,8 @@ impl Term for Cable {
         }
     }
 
-    // The springs bound the energy from above: Φ(L) = T L is concave in L², and for Φ = q L² / 2 the inequality of
-    // Cauchy and Schwarz gives L² ≤ Σ ℓ² L_0 / ℓ_k with the present lengths L_0 of the cable and ℓ_k of its segments.
+    // The springs bound the energy from above. Φ(L) = T L is concave in L². For Φ = q L² / 2 the inequality of Cauchy
+    // and Schwarz gives L² ≤ Σ ℓ² L_0 / ℓ_k, with the present lengths L_0 of the cable and ℓ_k of its segments.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         for (k, &segment) in self.segments.iter().enumerate() {
             visit(segment[0], segment[1], (self.force(k, at) / length::length(segment, at)).max(0.0));
@@ -226,7 +229,7 @@ impl Term for Cable {
     }
 
     fn add_shares(&self, at: &[DVec3], shares: &mut [f64]) {
-        // The weight gives the scale of a heavy cable, because its force at the origin's height may be of any size.
+        // For a heavy cable the weight sets the scale, because the force at the height of the origin may have any size.
         let total = self.length(at);
         let force = self.law.at(total).force.max(0.0) + self.weight * total;
         length::add_shares(&self.segments, at, shares, |_, _| force);
@@ -242,21 +245,21 @@ fn add_length_gradient(segments: &[[u32; 2]], at: &[DVec3], factor: f64, gradien
     length::add_gradient(segments, at, gradient, |_, _| Stretch { energy: 0.0, force: factor, stiffness: 0.0 });
 }
 
-/// The error of an elastic cable's force is measured against the force at this strain. In built structures cables have
-/// strains of 1e-4 to 1e-2.
+/// The error of an elastic cable's force is measured relative to the force at this strain. Cables in built structures
+/// have strains of 1e-4 to 1e-2.
 const SMALL_STRAIN: f64 = 1e-4;
 
-/// The equation that determines the multiplier τ of a cable's length, if the length is not given. The force in segment
-/// k is τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
+/// The equation that determines the multiplier τ of a cable's length, for a cable whose length is not given. The force
+/// in segment k is τ + w z_k. The mean force is τ + w z̄, with the mean height z̄.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Equation {
     /// The mean force has this value.
     MeanForce(f64),
     /// The force at the first end has this value.
     EndTension(f64),
-    /// The horizontal part of the first segment's force has this magnitude.
+    /// The horizontal component of the force in the first segment has this magnitude.
     HorizontalComponent(f64),
-    /// The mean force over the length of the cable has this value.
+    /// The mean force divided by the length of the cable has this value.
     ForceDensity(f64),
     /// The mean force is EA (L / L0 - 1).
     Elastic {
@@ -265,7 +268,7 @@ pub enum Equation {
         /// EA, a force.
         stiffness: f64,
     },
-    /// The largest distance of a vertex from the chord between the ends has this value.
+    /// The sag, which is the largest distance of a vertex from the chord between the two ends, has this value.
     Sag(f64),
 }
 
@@ -279,7 +282,7 @@ pub struct CableCondition {
 }
 
 impl CableCondition {
-    /// Adds a multiple of the derivative of the mean height: ∂z̄ = Σ ((z_k - z̄) ∂ℓ_k + ℓ_k ∂z_k) / L.
+    /// Adds `factor` times the derivative of the mean height, ∂z̄ = Σ ((z_k - z̄) ∂ℓ_k + ℓ_k ∂z_k) / L, to `gradient`.
     fn add_mean_height(&self, at: &[DVec3], factor: f64, gradient: &mut [DVec3]) {
         let Cable { segments, up, .. } = &self.cable;
         let (mean, total) = (self.cable.mean_height(at), self.cable.length(at).max(f64::MIN_POSITIVE));
@@ -362,7 +365,8 @@ impl Condition for CableCondition {
     }
 }
 
-/// The horizontal part of a segment's unit vector, as a length from 0 to 1, and its derivative by the second end.
+/// Returns the length of the horizontal part of a segment's unit vector, from 0 to 1, and its derivative by the second
+/// end.
 fn across([a, b]: [u32; 2], up: DVec3, at: &[DVec3]) -> (f64, DVec3) {
     let edge = at[b as usize] - at[a as usize];
     let (length, level) = (edge.length().max(f64::MIN_POSITIVE), edge.reject_from_normalized(up));

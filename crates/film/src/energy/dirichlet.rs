@@ -4,31 +4,33 @@
 //! E(u) = ¼ Σ_edges (cot α + cot β) |u_i - u_j|²          ∂E/∂u = L u          ∂²E/∂u² = L   for each coordinate
 //! ```
 //!
-//! with the angles α and β opposite to the edge measured on the domain, and L the cotangent Laplacian. With the domain
-//! as its own image the energy is the area and the gradient is the area's. Source: Pinkall, Polthier, *Computing
-//! Discrete Minimal Surfaces and Their Conjugates* (1993), section 2.
+//! Here α and β are the angles opposite to an edge, measured on the domain, and L is the cotangent Laplacian. If the
+//! domain is its own image, the energy is the area, and its gradient is the gradient of the area. Source: Pinkall,
+//! Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates* (1993), section 2.
 
 use super::area::Facet;
 use plateau_mesh::DVec3;
 use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::{FIXED, Pattern};
 
-/// ¼ Σ (cot α + cot β) |a'|² over the edges: the Dirichlet energy of the map from `domain` to `image`, two positions of
-/// one mesh.
+/// Returns ¼ Σ (cot α + cot β) |a'|² over the edges: the Dirichlet energy of the map from `domain` to `image`, which
+/// are two positions of the same mesh.
 pub(crate) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let energy = |triangle: &[u32; 3]| {
         let facet = Facet::of(domain, triangle);
         let [a, b, c] = triangle.map(|v| image[v as usize]);
         let opposite = [c - b, a - c, b - a];
-        // cot at corner k: minus the dot product of the two edges that meet there, over the double area.
+        // The cotangent at corner k is minus the dot product of the two edges that meet there, divided by the double
+        // area.
         let cotangent = |k: usize| -facet.edges[(k + 1) % 3].dot(facet.edges[(k + 2) % 3]) / facet.double_area;
         (0..3).map(|k| 0.25 * cotangent(k) * opposite[k].length_squared()).sum::<f64>()
     };
     triangles.iter().map(energy).sum()
 }
 
-/// Fills `matrix` with the cotangent Laplacian L of the free vertices, and `right_hand_side` with -L_free,fixed p_fixed
-/// for the positions p_fixed of the fixed vertices (x of all free vertices, then y, then z).
+/// Fills `matrix` with the cotangent Laplacian L of the free vertices, and `right_hand_side` with -L_free,fixed
+/// p_fixed, where p_fixed are the positions of the fixed vertices. The right-hand side lists x of all free vertices,
+/// then y, then z.
 pub(crate) fn laplacian(
     pattern: &Pattern,
     vertices: &[DVec3],

@@ -1,4 +1,4 @@
-//! Every term's derivatives against central differences.
+//! Compares the derivatives of every term with central differences.
 
 use super::Term;
 use glam::DMat3;
@@ -6,9 +6,9 @@ use plateau_mesh::DVec3;
 
 const STEP: f64 = 1e-5;
 
-/// Panics unless the gradient is the derivative of the value and the second derivative that of the gradient, at these
-/// positions and for each coordinate of each vertex, to `tolerance`; and unless all blocks are between vertices of one
-/// element. The rank-one parts of the second derivative count with the blocks.
+/// Panics unless the gradient is the derivative of the value, and the second derivative that of the gradient. This is
+/// tested at the positions `at` for each coordinate of each vertex, up to `tolerance`. The second derivative includes
+/// its rank-one parts. Also panics if a block belongs to two vertices without a common element.
 pub(crate) fn check(term: &dyn Term, at: &[DVec3], tolerance: f64) {
     let gradient = |at: &[DVec3]| {
         let mut gradient = vec![DVec3::ZERO; at.len()];

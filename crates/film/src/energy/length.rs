@@ -7,14 +7,15 @@
 //! ∂²E/∂b² = ∂²E/∂a² = -∂²E/∂a∂b = φ'' t tᵀ + (φ' / L) (I - t tᵀ)
 //! ```
 //!
-//! The second line is the tangent stiffness of a truss element, its material and its geometric part (Schek, *The force
-//! density method for form finding*, 1974, for φ' / L constant; any text on cable structures for the rest).
+//! The second line is the tangent stiffness of a truss element: its material part and its geometric part. Sources:
+//! Schek, *The force density method for form finding*, 1974, for a constant φ' / L; any text on cable structures for
+//! the rest.
 
 use super::Term;
 use glam::DMat3;
 use plateau_mesh::DVec3;
 
-/// Energy, force φ' and stiffness φ'' of one segment.
+/// The energy φ of a segment, its force φ' and its stiffness φ'', all at one length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
     /// φ(L).
@@ -38,7 +39,7 @@ pub fn length(segment: [u32; 2], at: &[DVec3]) -> f64 {
     along(segment, at).0
 }
 
-/// Adds the gradient of a sum of segment energies; `stretch` gives those of segment k at a length.
+/// Adds the gradient of a sum of segment energies. `stretch(k, L)` gives the energy of segment k at the length L.
 pub fn add_gradient(
     segments: &[[u32; 2]],
     at: &[DVec3],
@@ -53,7 +54,8 @@ pub fn add_gradient(
     }
 }
 
-/// Adds the second derivative of a sum of segment energies. Positive stiffness and tension count `1 + shift` times.
+/// Adds the second derivative of a sum of segment energies. The parts with a positive stiffness or tension are
+/// multiplied by `1 + shift`.
 pub fn add_second_derivative(
     segments: &[[u32; 2]],
     at: &[DVec3],
@@ -75,7 +77,8 @@ pub fn add_second_derivative(
     }
 }
 
-/// Adds half of each segment's tension times its length to both ends.
+/// Adds half of each segment's tension times its length to both ends of the segment. `force(k, L)` is the tension of
+/// segment k at the length L; compression counts as 0.
 pub fn add_shares(segments: &[[u32; 2]], at: &[DVec3], shares: &mut [f64], force: impl Fn(usize, f64) -> f64) {
     for (k, &segment) in segments.iter().enumerate() {
         let length = length(segment, at);
@@ -84,13 +87,13 @@ pub fn add_shares(segments: &[[u32; 2]], at: &[DVec3], shares: &mut [f64], force
     }
 }
 
-/// E = T Σ L: line elements of one constant tension, such as a cable of given force. With tension 1 the energy is the
-/// total length.
+/// E = T Σ L: line elements of one constant tension, such as a cable of given force. With T = 1 the energy is the total
+/// length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Length {
     /// Pairs of vertices.
     pub segments: Vec<[u32; 2]>,
-    /// T, a force where the surface tension is a force per length.
+    /// T, a force. It has the unit of the surface tension times a length.
     pub tension: f64,
 }
 
@@ -113,8 +116,9 @@ impl Term for Length {
         add_second_derivative(&self.segments, at, shift, add, |_, length| self.stretch(length));
     }
 
-    // The square root is concave: ℓ ≤ ½ (ℓ² / ℓ_k + ℓ_k) with the present length ℓ_k. A negative tension gives negative
-    // springs: in a constraint on a length they are multiplied by the multiplier, which may make them positive.
+    // The springs bound the length from above because the square root is concave: ℓ ≤ ½ (ℓ² / ℓ_k + ℓ_k) with the
+    // present length ℓ_k. A negative tension gives negative springs. A constraint on a length multiplies them by its
+    // multiplier, which may make them positive.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         self.segments.iter().for_each(|&segment| visit(segment[0], segment[1], self.tension / length(segment, at)));
     }

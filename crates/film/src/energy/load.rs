@@ -1,4 +1,4 @@
-//! Forces on vertices that keep their size and direction while the vertices move.
+//! Dead loads: forces on vertices that keep their size and direction while the vertices move.
 
 use super::Term;
 use glam::DMat3;

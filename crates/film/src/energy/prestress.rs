@@ -1,8 +1,9 @@
-//! A film and lines whose stress is given on a reference shape: the updated reference strategy, and force densities.
+//! Energies of films and lines whose stress is given on a reference shape: the updated reference strategy for films,
+//! and force densities for lines.
 //!
-//! On a triangle with edges a_k of the reference shape, opposite to the corners k, area A_ref and the second
-//! Piola-Kirchhoff stress S = σ_w w wᵀ + σ_f f fᵀ (a force per length) along two unit vectors w and f of its plane that
-//! are at right angles, the energy is
+//! Consider a triangle of the reference shape with the area A_ref and the edges a_k, each opposite to corner k. Let S =
+//! σ_w w wᵀ + σ_f f fᵀ be its second Piola-Kirchhoff stress (a force per length), where w and f are unit vectors of its
+//! plane at right angles to each other. The energy of the triangle is
 //!
 //! ```text
 //! E(x) = ½ A_ref S : FᵀF = ½ Σ_k c_k |e_k|²
@@ -10,29 +11,32 @@
 //! c_k  = ½ σ cot(angle at corner k)                                        for σ_w = σ_f = σ
 //! ```
 //!
-//! with the deformation gradient F and the edges e_k of x: a quadratic function of the positions. It follows from
-//! E = ½ A_ref Σ_ij (∇λ_i · S ∇λ_j) x_i·x_j with the gradients ∇λ_i = n × a_i / (2 A_ref) of the corners' hat
-//! functions. At the reference shape the stress is S; for σ_w = σ_f the value and the gradient are those of σ times the
-//! area. Repeating the solve with the result as the next reference shape finds the film of the required stress; with a
-//! fixed reference shape the equilibrium holds at every vertex and in every direction, and the stress is F S Fᵀ / det
-//! F.
+//! with the deformation gradient F and the edges e_k of the present shape x. It is a quadratic function of the
+//! positions. The coefficients follow from E = ½ A_ref Σ_ij (∇λ_i · S ∇λ_j) x_i·x_j with the gradients ∇λ_i = n × a_i /
+//! (2 A_ref) of the corners' hat functions.
 //!
-//! Lines of force density q have the energy ½ q ℓ² (Schek, *The force density method for form finding*, 1974). Source
-//! of the strategy: Bletzinger, Ramm, *A general finite element approach to the form finding of tensile structures by
-//! the updated reference strategy* (1999); for isotropic stress it is the iteration of Pinkall and Polthier (1993).
+//! At the reference shape the stress is S. For σ_w = σ_f the value and the gradient at this shape are those of σ times
+//! the area. Repeating the solve with each result as the next reference shape finds the film of the required stress.
+//! With a fixed reference shape the equilibrium holds at every vertex and in every direction, and the stress is F S Fᵀ
+//! / det F.
+//!
+//! Lines of force density q have the energy ½ q ℓ² (Schek, *The force density method for form finding*, 1974). The
+//! updated reference strategy is that of Bletzinger, Ramm, *A general finite element approach to the form finding of
+//! tensile structures by the updated reference strategy* (1999). For isotropic stress it is the iteration of Pinkall
+//! and Polthier (1993).
 
 use super::Term;
 use super::area::Facet;
 use glam::DMat3;
 use plateau_mesh::DVec3;
 
-/// E = ½ Σ c |e|² over the edges of each triangle.
+/// E = ½ Σ c |e|² over the three edges of every triangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prestress {
     triangles: Vec<[u32; 3]>,
-    /// c_k of each triangle.
+    /// c_k of the three edges of each triangle.
     coefficients: Vec<[f64; 3]>,
-    /// Tension times area of each triangle in the reference shape.
+    /// Mean of the two principal stresses times the area of each triangle, in the reference shape.
     shares: Vec<f64>,
 }
 
@@ -115,7 +119,8 @@ impl Term for Prestress {
         self.edges(|a, b, coefficient| add_edge(gradient, at, [a, b], coefficient));
     }
 
-    // The sum over the three edges of a triangle is positive semidefinite, so the shift multiplies all of it.
+    // The sum over the three edges of a triangle is positive semidefinite, so `1 + shift` multiplies all of the second
+    // derivative.
     fn add_second_derivative(&self, _at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         self.edges(|a, b, coefficient| add_blocks(add, [a, b], (1.0 + shift) * coefficient));
     }
@@ -135,7 +140,7 @@ impl Term for Prestress {
     }
 }
 
-/// E = ½ Σ q ℓ²: line elements of given force densities.
+/// E = ½ Σ q ℓ²: line elements with given force densities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceDensity {
     /// Pairs of vertices.
@@ -208,7 +213,7 @@ mod tests {
         );
     }
 
-    /// The stress along the projection of a slanted direction onto a triangle.
+    /// A stress whose principal direction is the projection of a fixed slanted direction onto the triangle.
     fn in_plane(at: &[DVec3], triangle: [u32; 3], along: f64, across: f64) -> PlaneStress {
         let normal = Facet::of(at, &triangle).normal;
         let direction = DVec3::new(0.8, 0.6, 0.1).reject_from_normalized(normal).normalize();
@@ -217,8 +222,8 @@ mod tests {
 
     #[test]
     fn the_stresses_pull_on_the_edges_of_a_rectangle() {
-        // Two triangles of a rectangle 3 x 2, turned by an angle in its plane: warp along the long side. The force on a
-        // side is the stress across it times its length.
+        // Two triangles make a rectangle 3 x 2, which is turned by an angle in its plane. The warp runs along the long
+        // side. The force on a side is the stress at right angles to the side times the side's length.
         let turn = |x: f64, y: f64| DVec3::new(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, 0.0);
         let at = [turn(0.0, 0.0), turn(3.0, 0.0), turn(3.0, 2.0), turn(0.0, 2.0)];
         let stress = PlaneStress { direction: turn(1.0, 0.0), along: 5.0, across: 0.5 };

@@ -1,29 +1,29 @@
-//! The volume between a surface and the origin.
+//! The volume of the cones from the origin to the triangles of a surface.
 //!
 //! ```text
 //! V = Σ a · (b × c) / 6          ∂V/∂a = b × c / 6          N_a · ∂²V/∂a∂b · N_b = c · (N_a × N_b) / 6
 //! ```
 //!
-//! (the divergence theorem, triangle by triangle; corners a, b, c in the triangle's order). For a closed surface this
-//! is the volume inside wherever the origin is. For a surface with a boundary it is the volume of the cone over the
-//! surface with the apex at the origin. Its derivatives are those of the volume under the surface, if the boundary does
-//! not move or slides on a plane through the origin.
+//! This follows from the divergence theorem, triangle by triangle; a, b, c are the corners in the triangle's order. For
+//! a closed surface V is the enclosed volume, wherever the origin is. For a surface with a boundary V is the volume of
+//! the cone over the surface with its apex at the origin. Its derivatives are those of the volume under the surface, if
+//! the boundary does not move or slides on a plane through the origin.
 
 use super::Term;
 use glam::DMat3;
 use plateau_mesh::DVec3;
 
-/// E = -p V: a pressure p on the side that the triangles' normals point away from. With p = -1 the energy is the volume
-/// itself, which a constraint needs.
+/// E = -p V, the energy of a pressure p on the side from which the triangles' normals point away. With p = -1 the
+/// energy is the volume itself, which serves as the quantity of a constraint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Volume {
-    /// The triangles of the chamber's wall, oriented alike.
+    /// The triangles of the wall that encloses the volume, oriented alike.
     pub triangles: Vec<[u32; 3]>,
-    /// p, a force per area where the surface tension is a force per length.
+    /// p, a force per area. Its unit is that of the surface tension divided by a length.
     pub pressure: f64,
 }
 
-/// The matrix V of the cross product by v: V w = v × w.
+/// Returns the matrix V of the cross product with v: V w = v × w.
 pub(crate) fn cross_matrix(v: DVec3) -> DMat3 {
     DMat3::from_cols(DVec3::new(0.0, v.z, -v.y), DVec3::new(-v.z, 0.0, v.x), DVec3::new(v.y, -v.x, 0.0))
 }
@@ -47,7 +47,7 @@ impl Term for Volume {
         }
     }
 
-    // The second derivative has no semidefinite part, so the shift does not enter.
+    // The second derivative has no semidefinite part, so the shift multiplies nothing.
     fn add_second_derivative(&self, at: &[DVec3], _shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         let factor = -self.pressure / 6.0;
         for triangle in &self.triangles {

@@ -1,7 +1,7 @@
 //! The weight of a film, given per area of the shape in equilibrium.
 //!
-//! With a triangle's area A, the height z of its centroid above the datum, the weight w per area and the unit vector
-//! up:
+//! A is the area of a triangle, z the height of its centroid above a datum, w the weight per area, and up the unit
+//! vector that points up:
 //!
 //! ```text
 //! E = w Σ A z
@@ -9,9 +9,9 @@
 //! ∂²E/∂x_i∂x_j  = w (z ∂²A/∂x_i∂x_j + ⅓ (∂A/∂x_i upᵀ + up (∂A/∂x_j)ᵀ))
 //! ```
 //!
-//! The tension that balances the weight along the surface grows with the height, like that of a heavy cable: it is σ +
-//! w z where the film's own tension is σ at the datum. The datum is the mean height of the film and is renewed between
-//! solves. The derivatives of the area are those of [`area`](super::area).
+//! The weight is balanced by a tension that grows with the height, as in a heavy cable: the tension is σ + w z if the
+//! film's own tension is σ at the datum. The datum is the mean height of the film; it is renewed between solves. The
+//! derivatives of the area are those of [`area`](super::area).
 
 use super::area::{Area, Facet};
 use super::{Term, outer};
@@ -36,7 +36,7 @@ fn area(triangle: &[u32; 3], at: &[DVec3]) -> f64 {
 }
 
 impl Weight {
-    /// The weight of triangles, with the datum at their mean height.
+    /// Makes the weight of `triangles`, with the datum at their mean height at the positions `at`.
     #[must_use]
     pub fn new(triangles: Vec<[u32; 3]>, weight: f64, up: DVec3, at: &[DVec3]) -> Self {
         let mut term = Self { triangles, weight, up, datum: 0.0 };
@@ -44,7 +44,7 @@ impl Weight {
         term
     }
 
-    /// The part w z of the film's tension in a triangle, which the weight adds.
+    /// Returns w z, the tension in a triangle that the weight adds to the film's own tension.
     #[must_use]
     pub fn tension(&self, triangle: &[u32; 3], at: &[DVec3]) -> f64 {
         self.weight * self.rise(triangle, at)
@@ -68,7 +68,8 @@ impl Term for Weight {
         }
     }
 
-    // The factor w z of the area's semidefinite part changes its sign with the height, so the shift multiplies nothing.
+    // The shift multiplies nothing, because the factor w z of the area's semidefinite part changes its sign with the
+    // height.
     fn add_second_derivative(&self, at: &[DVec3], _shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         for triangle in &self.triangles {
             let single = Area { triangles: vec![*triangle], tension: self.tension(triangle, at) };
@@ -83,8 +84,7 @@ impl Term for Weight {
         }
     }
 
-    // Where the weight lowers the tension, it gets no springs: those of the film's own tension alone are stiff enough,
-    // because the tension with the weight is smaller.
+    // No springs where the weight lowers the tension: the springs of the film's own tension are stiff enough there.
     fn visit_springs(&self, at: &[DVec3], visit: &mut dyn FnMut(u32, u32, f64)) {
         let more = |t: usize| self.tension(&self.triangles[t], at).max(0.0);
         super::area::visit_springs(&self.triangles, at, more, visit);

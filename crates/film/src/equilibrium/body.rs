@@ -1,4 +1,4 @@
-//! Bodies of sheets and lines.
+//! A body: sheets of triangles and line elements with energies, freedoms and constraints.
 
 use super::constraint::{Constraint, Determined};
 use super::freedom::Freedom;
@@ -16,20 +16,22 @@ const ON_SUPPORT: f64 = 1e-9;
 /// A complex of triangles with a surface tension per sheet, further energies, and a freedom for each vertex.
 #[derive(Debug)]
 pub struct Body {
-    /// Positions.
+    /// The position of each vertex.
     pub vertices: Vec<DVec3>,
     /// The freedom of each vertex.
     pub freedoms: Vec<Freedom>,
-    /// The lines and surfaces of [`Freedom::On`] and [`Freedom::AcrossOn`].
+    /// The lines and surfaces to which [`Freedom::On`] and [`Freedom::AcrossOn`] refer.
     pub supports: Vec<Arc<dyn Support>>,
-    /// For each group of [`Freedom::Together`] the unit vector along which it moves.
+    /// The unit vector along which each group of [`Freedom::Together`] moves.
     pub groups: Vec<DVec3>,
-    /// The energies; [`Body::new`] begins with the sheets' areas.
+    /// The energies. [`Body::new`] makes the areas of the sheets the first terms.
     pub terms: Vec<Box<dyn Term>>,
-    /// Quantities of the whole body that keep their values.
+    /// Quantities of the whole body, such as a volume, that are kept at a value or whose multiplier is determined by an
+    /// equation.
     pub constraints: Vec<Constraint>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Edges where sheets end or meet, each with the mean of the surface tensions of its sheets.
+    /// Edges where a sheet ends or where more than two triangles meet, each with the mean surface tension of its
+    /// triangles.
     pub(super) curves: Vec<([u32; 2], f64)>,
 }
 
@@ -46,11 +48,11 @@ pub enum BodyDefect {
     NoSuchGroup(u32),
     /// The vertex does not lie on its support.
     OffSupport(u32),
-    /// A direction of the support of this number is no unit vector, or its radius is not positive.
+    /// The support of this number has a direction that is not a unit vector, or a radius that is not positive.
     Support(u32),
-    /// The direction of the group of this number is no unit vector.
+    /// The direction of the group of this number is not a unit vector.
     Group(u32),
-    /// A direction of the term of this number is no unit vector.
+    /// A direction of the term of this number is not a unit vector.
     Term(usize),
     /// A constraint's target is zero or not finite.
     Target(usize),
@@ -77,12 +79,13 @@ impl fmt::Display for BodyDefect {
 impl std::error::Error for BodyDefect {}
 
 impl Body {
-    /// A film: sheets of the given surface tensions (one for each of `complex.sheets`). The boundary is fixed, the
-    /// vertices of junctions move across their curve, those where junctions meet move freely, all others along their
-    /// normals. Vertices beyond those of the complex belong to no sheet (those of cables in the air) and move freely.
+    /// A film: sheets of the given surface tensions, one for each of `complex.sheets`. Vertices of the boundary are
+    /// fixed. Vertices inside a sheet move along their normals, vertices inside a junction move across its curve, and
+    /// vertices where junctions meet move freely. Vertices with numbers beyond those of the complex belong to no sheet,
+    /// such as those of cables in the air; they move freely.
     ///
     /// # Panics
-    /// If there are not as many tensions as sheets.
+    /// If the number of tensions differs from the number of sheets.
     #[must_use]
     pub fn new(vertices: Vec<DVec3>, complex: &Complex, tensions: &[f64]) -> Self {
         assert_eq!(complex.sheets.len(), tensions.len(), "one tension per sheet");
@@ -114,8 +117,8 @@ impl Body {
         Self { vertices, freedoms, supports, groups, terms, constraints, triangles, curves }
     }
 
-    /// Adds a film whose boundary vertices are vertices of the body already, with whatever freedom they have.
-    /// `numbers[v]` is the number in the body of vertex v of the complex, which has no junctions. The vertices inside
+    /// Adds a film whose boundary vertices are already vertices of the body; they keep their freedom. `numbers[v]` is
+    /// the number in the body of vertex v of the complex, which must have no junctions. The inner vertices of the film
     /// move along their normals.
     ///
     /// # Panics
@@ -140,19 +143,20 @@ impl Body {
         &self.triangles
     }
 
-    /// The sum of all terms.
+    /// The energy of the body: the sum of all its terms.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.terms.iter().map(|term| term.value(&self.vertices)).sum()
     }
 
-    /// Lets every term renew its coefficients at the present positions. Returns the largest relative change.
+    /// Renews the coefficients of every term at the present positions ([`Term::renew`]). Returns the largest relative
+    /// change.
     pub fn renew(&mut self) -> f64 {
         self.terms.iter_mut().map(|term| term.renew(&self.vertices)).fold(0.0, f64::max)
     }
 
-    /// R: the largest distance of a fixed vertex from the mean of the fixed vertices; of all vertices where fewer than
-    /// two are fixed.
+    /// R: the largest distance of a fixed vertex from the mean of the fixed vertices. If fewer than two vertices are
+    /// fixed, all vertices are used instead.
     #[must_use]
     pub fn radius(&self) -> f64 {
         let fixed = self.freedoms.iter().zip(&self.vertices).filter(|(freedom, _)| **freedom == Freedom::Fixed);
@@ -224,7 +228,7 @@ impl Body {
         }
     }
 
-    /// The energies, then the quantities of the constraints.
+    /// Returns the terms of the body, followed by the quantities of its constraints.
     pub(super) fn quantities(&self) -> impl Iterator<Item = &dyn Term> {
         self.terms.iter().chain(self.constraints.iter().map(|constraint| &constraint.quantity)).map(|term| &**term)
     }

@@ -9,17 +9,18 @@
 //! ```
 //!
 //! by elimination: with Y = K⁻¹ Cᵀ and S = C Y. By Haynsworth's additivity of inertia the bordered matrix has n₋(K) +
-//! n₊(S) negative eigenvalues, and as many of them as there are constraints belong to the border. The Morse index on
-//! the constraints' tangent space C x = 0 is therefore n₋(K) - n₋(S) (Gould, *On practical conditions for the existence
-//! and uniqueness of solutions to the general equality quadratic programming problem*, 1985).
+//! n₊(S) negative eigenvalues, and each constraint of the border accounts for one of them. The Morse index on the
+//! constraints' tangent space C x = 0 is therefore n₋(K) - n₋(S) (Gould, *On practical conditions for the existence and
+//! uniqueness of solutions to the general equality quadratic programming problem*, 1985).
 //!
-//! Two further kinds of rows share the elimination:
-//! - A constraint that yields by its compliance d, c(x) + d λ = 0, has the row C x - d μ = -(c + d λ). It adds d to S,
-//!   and by the same count the index of K + Cᵀ C / d is n₋(K) - n₋(S) as before. A rank-one part s c cᵀ of the second
-//!   variation (a cable whose force depends on its whole length) is such a row with d = 1 / s and no excess.
-//! - A quantity whose multiplier is determined by another equation h(x, λ) = 0 ([`Condition`]) keeps its column Cᵀ, and
-//!   its row is ∂h x - h_λ μ = -h. The step then solves a system that is not symmetric. The index stays that of
-//!   the constrained quantity: of motions that keep the value which the equation leads to.
+//! Two further kinds of rows are eliminated in the same way:
+//! - A constraint that yields with the compliance d satisfies c(x) + d λ = 0. Its row is C x - d μ = -(c + d λ), which
+//!   adds d to the diagonal of S. By the same count, the index of K + Cᵀ C / d is n₋(K) - n₋(S). A rank-one part s c cᵀ
+//!   of the second variation (a cable whose force depends on its whole length) is treated as a row of this kind: d is
+//!   1 / s, and the excess is 0.
+//! - The multiplier of a quantity may be determined by another equation h(x, λ) = 0 ([`Condition`]). The quantity keeps
+//!   its column Cᵀ, but its row becomes ∂h x - h_λ μ = -h, so the step solves a system that is not symmetric. The Morse
+//!   index is still computed with the symmetric row: it counts motions that keep the value of the quantity.
 
 use super::dense::Lu;
 use crate::energy::{Condition, Term};
@@ -28,43 +29,43 @@ use plateau_mesh::random::SplitMix64;
 use plateau_mesh::sparse::{Factorisation, LinearError, dot};
 use plateau_mesh::{Execution, Interruption};
 
-/// Number of inverse iterations that estimate the least eigenvalue. From a random start in n dimensions the estimate is
-/// too large by a factor of about n^(1/8), which is below 5 for 250,000 unknowns.
+/// Number of inverse iterations that estimate the smallest eigenvalue. From a random start in n dimensions the estimate
+/// exceeds the eigenvalue by a factor of about n^(1/8), which is below 5 for 250,000 unknowns.
 const INVERSE_ITERATIONS: usize = 4;
-/// An inertia is certain if the estimate of the least eigenvalue exceeds the bound on the rounding errors by this
-/// factor: 5 for the estimate, and 3 for an unlucky start.
+/// The Morse index is certain if the estimate of the smallest eigenvalue exceeds the bound on the rounding errors by
+/// this factor. It allows a factor of 5 for the error of the estimate, and a factor of 3 for an unlucky random start.
 const CLEARANCE: f64 = 16.0;
 
-/// A quantity of the whole body that keeps its value.
+/// A quantity of the whole body, such as a volume, with the condition that determines its Lagrange multiplier.
 #[derive(Debug)]
 pub struct Constraint {
-    /// The quantity, given as an energy. The volume is the energy of a pressure of -1, and the negated length that of a
-    /// tension of -1; their multipliers are the pressure and the force.
+    /// The quantity, given as an energy. For a volume this is the energy of a pressure of -1, and the multiplier is the
+    /// pressure. For a negated length it is the energy of a tension of -1, and the multiplier is the force.
     pub quantity: Box<dyn Term>,
-    /// The condition that determines its multiplier.
+    /// The condition that determines the multiplier of the quantity.
     pub by: Determined,
 }
 
 /// The condition that determines the multiplier of a constrained quantity.
 #[derive(Debug)]
 pub enum Determined {
-    /// The value that the quantity keeps; not zero.
+    /// The quantity keeps this value, which must not be 0.
     Value(f64),
-    /// A value that yields to the multiplier λ: the quantity is `value` - `compliance` · λ. The energy of the yielding,
-    /// ½ `compliance` λ², counts in the energy of the body. Example: the negated length of an elastic cable, whose
-    /// force is the multiplier. A stiff cable is then as easy to solve as a cable of given length.
+    /// The quantity yields to its multiplier λ: it is `value` - `compliance` · λ. The energy that this stores, ½
+    /// `compliance` λ², is part of the energy of the body. Example: the negated length of an elastic cable, whose force
+    /// is the multiplier. A stiff cable is then as easy to solve as a cable of given length.
     Yielding {
         /// The value at which the multiplier is 0. It must not be 0.
         value: f64,
-        /// The fall of the quantity per unit of λ. It must be positive.
+        /// Decrease of the quantity per unit of λ. It must be positive.
         compliance: f64,
     },
-    /// Another equation; the quantity's value follows.
+    /// An equation determines the multiplier; the value of the quantity follows from the equilibrium.
     Condition(Box<dyn Condition>),
 }
 
 impl Constraint {
-    /// A quantity that keeps a value, which must not be zero.
+    /// A constraint that keeps `quantity` at `target`, which must not be 0.
     #[must_use]
     pub fn value(quantity: Box<dyn Term>, target: f64) -> Self {
         Self { quantity, by: Determined::Value(target) }
@@ -74,30 +75,30 @@ impl Constraint {
 /// A constraint at one position, or a rank-one part of the second variation.
 #[derive(Clone, Debug)]
 pub(crate) struct ConstraintState {
-    /// The quantity less its target, or the value of the condition.
+    /// The quantity minus its target, or the value of the condition. It is 0 in equilibrium.
     pub excess: f64,
-    /// The target's magnitude.
+    /// The magnitude against which `excess` is measured: that of the target, or [`Condition::scale`].
     pub scale: f64,
-    /// λ: for a volume the pressure, for a length the force. The least squares multiplier at this position.
+    /// λ, the least squares multiplier at this position: the pressure for a volume, the force for a length.
     pub multiplier: f64,
     /// Derivative of the quantity by each unknown.
     pub gradient: Vec<f64>,
-    /// For a condition its derivatives by each unknown and by the multiplier.
+    /// For a condition, its derivatives by each unknown and its derivative by the multiplier.
     pub condition: Option<(Vec<f64>, f64)>,
-    /// d of a constraint that yields, 1 / s of a rank-one part of the second variation; otherwise zero.
+    /// Compliance d of a constraint that yields, or 1 / s for a rank-one part of stiffness s; otherwise 0.
     pub compliance: f64,
 }
 
 impl ConstraintState {
-    /// The rank-one part `stiffness` · gradient gradientᵀ.
+    /// Makes the row of the rank-one part `stiffness` · gradient gradientᵀ.
     pub fn rank_one_part(stiffness: f64, gradient: Vec<f64>) -> Self {
         let compliance = 1.0 / stiffness;
         Self { excess: 0.0, scale: 1.0, multiplier: 0.0, gradient, condition: None, compliance }
     }
 }
 
-/// The multipliers that come nearest to balancing a gradient: the least of Σ (g - Σ λ_k c_k)² / m over the unknowns of
-/// mass m.
+/// The multipliers λ that best balance a gradient g: they minimise Σ (g - Σ λ_k c_k)² / m over the unknowns, whose
+/// masses are m.
 pub(crate) fn least_squares_multipliers(gradient: &[f64], constraints: &[Vec<f64>], mass: &[f64]) -> Vec<f64> {
     if constraints.is_empty() {
         return Vec::new();
@@ -110,21 +111,22 @@ pub(crate) fn least_squares_multipliers(gradient: &[f64], constraints: &[Vec<f64
     Lu::new(n, |i, j| inner(&constraints[i], &constraints[j])).solve(&right)
 }
 
-/// A factorised second variation with the constraints' border; without constraints the factorisation alone.
+/// A factorised second variation, bordered by the rows of the constraints. Without constraints it is the factorisation
+/// alone.
 pub(crate) struct Bordered<'a> {
     factorisation: Factorisation<'a>,
     constraints: &'a [ConstraintState],
-    /// Columns of Y, one after the other.
+    /// The columns of Y = K⁻¹ Cᵀ, stored one after the other.
     y: Vec<f64>,
-    /// S of the constrained quantities and rank-one parts, and its factors.
+    /// The matrix S = C Y, with the compliances added to its diagonal, and its factors.
     schur_matrix: Mat<f64>,
     schur: Lu,
-    /// S with the rows of the conditions, if there are any.
+    /// Factors of S with the rows of conditions in place of the symmetric rows. `None` if there are no conditions.
     conditioned: Option<Lu>,
     /// Number of negative eigenvalues of S.
     negative: usize,
-    /// Number of rank-one parts of negative stiffness. Each raises the index by one, because its entry -d of the border
-    /// is positive and adds no negative eigenvalue.
+    /// Number of rank-one parts of negative stiffness. Each raises the Morse index by one, because its diagonal entry
+    /// -d in the border is positive and therefore adds no negative eigenvalue.
     softening: usize,
 }
 
@@ -168,11 +170,12 @@ impl<'a> Bordered<'a> {
         (self.factorisation.inertia().negative + self.softening).saturating_sub(self.negative)
     }
 
-    /// Whether rounding errors cannot have changed the [`index`](Self::index).
+    /// Whether the [`index`](Self::index) is certain in spite of rounding errors.
     ///
-    /// The inertia of K is certain if no eigenvalue of K x = λ Δ x lies between -1 and 1, where Δ is the
-    /// [bound on the errors](Factorisation::rounding). Inverse iteration estimates the least one, for K and for K on
-    /// the tangent space. The errors of K change S by at most Yᵀ Δ Y, and the sums in S are rounded, too.
+    /// The inertia of K is certain if no eigenvalue of K x = λ Δ x lies between -1 and 1. Here Δ is the bound on the
+    /// rounding errors of K ([`Factorisation::rounding`]). Inverse iteration estimates the eigenvalue of least
+    /// magnitude, for K and for K on the tangent space. The errors of K change S by at most Yᵀ Δ Y; rounding in the
+    /// sums of S is added to that.
     ///
     /// # Errors
     /// The interruption.
@@ -204,7 +207,8 @@ impl<'a> Bordered<'a> {
         self.clears(&rounding, |x| self.apply(x), exec)
     }
 
-    /// Whether the least eigenvalue of K x = λ Δ x, whose inverse `solve` applies, is large enough.
+    /// Whether the eigenvalue of least magnitude of K x = λ Δ x exceeds 1 by the factor [`CLEARANCE`]. `solve` applies
+    /// K⁻¹, and `rounding` is the diagonal of Δ.
     fn clears(&self, rounding: &[f64], solve: impl Fn(&mut [f64]), exec: &Execution) -> Result<bool, Interruption> {
         let size = |x: &[f64]| x.iter().zip(rounding).map(|(x, bound)| x * x * bound).sum::<f64>().sqrt();
         let mut random = SplitMix64::new(1);
@@ -220,7 +224,7 @@ impl<'a> Bordered<'a> {
         Ok(CLEARANCE * growth <= 1.0)
     }
 
-    /// Newton's step for the Lagrangian's gradient.
+    /// Returns Newton's step, given the gradient of the Lagrangian.
     ///
     /// # Errors
     /// A [`LinearError`] if the solution does not satisfy its system.
@@ -241,13 +245,14 @@ impl<'a> Bordered<'a> {
         if step.iter().all(|value| value.is_finite()) { Ok(step) } else { Err(LinearError::Singular) }
     }
 
-    /// Applies the inverse of the matrix on the tangent space, without a check: for preconditioners.
+    /// Applies the inverse of K on the constraints' tangent space. The result is not checked, because this serves
+    /// preconditioners and inverse iterations.
     pub fn apply(&self, right_hand_side: &mut [f64]) {
         self.factorisation.solve_unchecked(right_hand_side);
         self.correct(right_hand_side, |_| 0.0);
     }
 
-    /// Subtracts Y μ so that C x becomes `wanted` for each constraint.
+    /// Subtracts Y μ from `x`, with the μ for which C x becomes `wanted` for each constraint.
     pub fn correct(&self, x: &mut [f64], wanted: impl Fn(&ConstraintState) -> f64) {
         if self.constraints.is_empty() {
             return;
@@ -263,7 +268,7 @@ impl<'a> Bordered<'a> {
         }
     }
 
-    /// Gives the factor's memory back.
+    /// Returns the storage of the factor, for reuse by the next factorisation.
     pub fn into_storage(self) -> Vec<f64> {
         self.factorisation.into_storage()
     }
@@ -275,7 +280,7 @@ fn negative_eigenvalues(matrix: &Mat<f64>) -> Result<usize, LinearError> {
     Ok(eigenvalues.iter().filter(|value| **value < 0.0).count())
 }
 
-/// Adds the products of the parts s c cᵀ by `x` to `product`: those of the rows that yield.
+/// Adds s c (cᵀ x) to `product` for each row with a compliance, where c is the row's gradient and s = 1 / compliance.
 pub(crate) fn add_rank_one_products(constraints: &[ConstraintState], x: &[f64], product: &mut [f64]) {
     for row in constraints.iter().filter(|row| row.compliance != 0.0) {
         let factor = dot(&row.gradient, x) / row.compliance;

@@ -1,17 +1,17 @@
-//! The energy of an edge that meets the surface on which it slides at a given angle.
+//! The energy of a film's edge that slides on a surface and meets it at a given contact angle.
 //!
 //! ```text
 //! E = -τ W          τ = σ cos θ          (Young's relation)
 //! ```
 //!
-//! W is the area of the surface on the left of the edge, as seen from the side to which the surface's normal points,
-//! and σ the film's tension. Where the edge moves by δ across itself along the surface, σ A changes by σ δ cos θ' per
-//! length with the angle θ' between the film and the surface on the left, so that θ' = θ in equilibrium. Source: Finn,
-//! *Equilibrium capillary surfaces* (1986), chapter 1.
+//! W is the area of the surface on the left of the edge, as seen from the side to which the surface's normal points. σ
+//! is the tension of the film. Let the edge move by δ to its right along the surface, and let θ' be the angle between
+//! the film and the part of the surface on the left. Then σ A changes by σ δ cos θ' per length, and τ W by τ δ, so that
+//! θ' = θ in equilibrium. Source: Finn, *Equilibrium capillary surfaces* (1986), chapter 1.
 //!
-//! W is a sum over the segments of the edge, each of which the support has in closed form
-//! ([`AreaBeside`](super::support::AreaBeside)). For ends that do not move W is the area up to a constant, which is
-//! such that W = 0 at the positions at which the term was made.
+//! W is a sum over the segments of the edge, and the support gives the part of each segment in closed form
+//! ([`AreaBeside`](super::support::AreaBeside)). If the ends of the edge do not move, this sum is the area up to a
+//! constant. The constant is chosen such that W = 0 at the positions at which the term was made.
 
 use super::support::{AreaBeside, AreaPart, Support};
 use crate::energy::Term;
@@ -20,21 +20,21 @@ use plateau_mesh::DVec3;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// E = -τ W of one edge.
+/// The energy E = -τ W of one edge.
 #[derive(Clone, Debug)]
 pub struct Contact {
     segments: Vec<[u32; 2]>,
     beside: Arc<dyn AreaBeside>,
     /// τ, a force per length.
     tension: f64,
-    /// The sum over the segments at the positions at which the term was made.
+    /// The sum of the segments' areas at the positions at which the term was made.
     start: f64,
 }
 
 impl Contact {
-    /// The energy of an edge of a film of a tension σ that meets a support at the angle θ, in radians. The edge is a
-    /// chain of vertices, closed if the first follows the last; `at` are the positions at which its energy is 0. `None`
-    /// for a support without a closed form of the area beside an edge.
+    /// Makes the energy of an edge of a film of tension `tension` that meets `on` at `angle`, in radians. The edge is
+    /// the chain of vertices `chain`; if `closed`, a segment joins its last vertex to its first. The energy is 0 at the
+    /// positions `at`. Returns `None` if the support has no closed form of the area beside an edge.
     #[must_use]
     pub fn new(chain: &[u32], closed: bool, on: &dyn Support, tension: f64, angle: f64, at: &[DVec3]) -> Option<Self> {
         let edge: Vec<DVec3> = chain.iter().map(|&v| at[v as usize]).collect();
@@ -43,14 +43,14 @@ impl Contact {
         if closed && let (Some(&first), Some(&last)) = (chain.first(), chain.last()) {
             segments.push([last, first]);
         }
-        // The cosine of a right angle is exactly 0.
+        // The sine of 90° - θ is used in place of the cosine of θ because it is exactly 0 at a right angle.
         let tension = tension * libm::sin(0.5 * PI - angle);
         let mut contact = Self { segments, beside, tension, start: 0.0 };
         contact.start = contact.area(at);
         Some(contact)
     }
 
-    /// The area on the left of the edge less that at the start.
+    /// W: the area on the left of the edge minus the area at the positions at which the term was made.
     #[must_use]
     pub fn area(&self, at: &[DVec3]) -> f64 {
         self.parts(at).map(|(_, part)| part.area).sum::<f64>() - self.start
@@ -73,7 +73,7 @@ impl Term for Contact {
         }
     }
 
-    // The second derivative has no semidefinite part, so the shift does not enter.
+    // The second derivative has no semidefinite part, so the shift multiplies nothing.
     fn add_second_derivative(&self, at: &[DVec3], _shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
         for ([a, b], part) in self.parts(at) {
             let [own, mixed, other] = part.second.map(|block| block * -self.tension);
@@ -122,7 +122,8 @@ mod tests {
 
     #[test]
     fn the_area_is_that_on_the_left_of_the_edge() {
-        // Circles around the axis of each support that run counter-clockwise, from one height or radius to another.
+        // Circles around the axis of each support, which run counter-clockwise. Each moves from one height or radius to
+        // another.
         let count = 400;
         // The radius of a plane is not used.
         for (support, centre, axis, radius) in [

@@ -1,22 +1,23 @@
-//! Small dense systems of the constraints.
+//! A solver for the small dense systems of the constraints.
 //!
-//! A library's kernels use fused multiply-adds where the processor has them, which changes the last bits of a result
-//! from one machine to the next. These systems have one row for each constraint, so that plain loops are fast enough,
-//! and their results have the same bits everywhere.
+//! The kernels of a linear algebra library use fused multiply-adds where the processor has them, which changes the last
+//! bits of a result from one machine to the next. The systems here have one row per constraint, so plain loops are fast
+//! enough, and they give the same bits on every machine.
 
-/// P A Q = L U with complete pivoting.
+/// The factorisation P A Q = L U of a matrix A, with complete pivoting.
 #[derive(Debug)]
 pub(crate) struct Lu {
     n: usize,
     /// L below the diagonal and U on and above it, row by row.
     entries: Vec<f64>,
-    /// Row and column of A that step k eliminates.
+    /// For each step k of the elimination, the row and the column of A that it eliminates.
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
 
 impl Lu {
-    /// Factorises the matrix with the given entries, in O(n³). A singular matrix gives solutions that are not finite.
+    /// Factorises the n × n matrix with the given entries, in O(n³). For a singular matrix, [`solve`](Self::solve)
+    /// returns values that are not finite.
     pub fn new(n: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let mut entries: Vec<f64> = (0..n * n).map(|k| entry(k / n, k % n)).collect();
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
@@ -78,7 +79,7 @@ mod tests {
             seed in prop::collection::vec(-1.0..1.0f64, 144),
             zeros in 0usize..4,
         ) {
-            // Leading zeros need pivots from elsewhere.
+            // A block of zeros at the top left has no pivot of its own, so the pivots must come from elsewhere.
             let entry = |i: usize, j: usize| {
                 if i < zeros && j < zeros && zeros < n / 2 { 0.0 } else { seed[i * 12 + j] }
             };

@@ -3,35 +3,35 @@
 /// The directions in which a vertex may move. There is one unknown for each direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Freedom {
-    /// Not at all.
+    /// In no direction.
     #[default]
     Fixed,
     /// Along the area-weighted normal of its triangles: one unknown. This is for vertices inside a sheet, where sliding
     /// within the sheet hardly changes the area and would ruin the triangles.
     Normal,
-    /// Across the curve through it, which runs from the first of these vertices to the second: two unknowns. This is
-    /// for vertices inside a junction or a cable.
+    /// At right angles to the curve on which it lies: two unknowns. The curve's direction there is from the first of
+    /// these vertices to the second. This is for vertices inside a junction or a cable.
     Across([u32; 2]),
-    /// On the support of this number: one unknown on a curve, two on a surface.
+    /// Along the tangents of the support of this number: one unknown on a curve, two on a surface.
     On(u32),
-    /// On a surface, across the edge of the film that runs from the first of these vertices to the second: one unknown.
-    /// This is for an edge that slides on a surface, where sliding along the edge hardly changes the area and would
-    /// ruin the triangles.
+    /// On a surface, at right angles to the edge of the film: one unknown. The edge's direction is from the first
+    /// vertex of `beside` to the second. This is for an edge that slides on a surface, where sliding along the edge
+    /// hardly changes the area and would ruin the triangles.
     AcrossOn {
         /// The number of the support.
         support: u32,
-        /// The neighbours on the film's edge.
+        /// The two neighbours of the vertex on the edge of the film.
         beside: [u32; 2],
     },
-    /// Along the direction of the group of this number, by the same distance as all other vertices of the group: one
-    /// unknown for the whole group. This is for a rigid ring that is guided along its axis.
+    /// Along the direction of the group of this number, by the same distance as all other vertices of the group. The
+    /// whole group has one unknown. This is for a rigid ring that is guided along its axis.
     Together(u32),
-    /// Anywhere: three unknowns.
+    /// In every direction: three unknowns.
     Free,
 }
 
 impl Freedom {
-    /// The number of the vertex's support.
+    /// The number of the support on which the vertex moves, if any.
     #[must_use]
     pub fn support(self) -> Option<u32> {
         match self {

@@ -21,18 +21,19 @@ pub(crate) struct Motion<'a> {
     radius: f64,
 }
 
-/// The directions of all unknowns, vertex by vertex, and the forces that the supports bear.
+/// The directions of all unknowns, vertex by vertex, with the force and the share of each vertex.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
     pub directions: Vec<DVec3>,
-    /// Per vertex the gradient of the Lagrangian.
+    /// The gradient of the Lagrangian by the position of each vertex.
     pub gradient: Vec<DVec3>,
-    /// Per vertex the share by which its force is divided for the [`residual`](super::residual).
+    /// For each vertex, the share of tension times size by which its force is divided in the
+    /// [`residual`](super::residual).
     pub shares: Vec<f64>,
 }
 
 impl<'a> Motion<'a> {
-    /// The body must have passed its check.
+    /// Sets up the equations of `body`, which must have passed [`Body::check`].
     pub fn new(body: &'a Body) -> Self {
         let mut first_of = vec![None; body.groups.len()];
         let owner_of = |(v, freedom): (usize, &Freedom)| match *freedom {
@@ -54,7 +55,7 @@ impl<'a> Motion<'a> {
         Self { body, owner, pattern, radius: body.radius() }
     }
 
-    /// The unknowns of a vertex, which are those of all vertices of its group.
+    /// The range of the unknowns of a vertex. All vertices of a group share the same range.
     fn unknowns(&self, v: u32) -> Range<usize> {
         self.pattern.unknowns(self.owner[v as usize])
     }
@@ -88,8 +89,8 @@ impl<'a> Motion<'a> {
         directions
     }
 
-    /// Projects one vector per vertex on the directions of the unknowns. Returns one number per unknown; the unknown of
-    /// a group sums over its vertices.
+    /// Projects one vector per vertex on the directions of the unknowns. Returns one number per unknown; for the
+    /// unknown of a group it is the sum over the vertices of the group.
     fn components(&self, directions: &[DVec3], vectors: &[DVec3]) -> Vec<f64> {
         let mut components = vec![0.0; directions.len()];
         for (v, vector) in vectors.iter().enumerate() {
@@ -98,8 +99,8 @@ impl<'a> Motion<'a> {
         components
     }
 
-    /// The displacement of each vertex in a motion given as one number per unknown, scaled so that the largest has
-    /// length 1.
+    /// Returns the displacement of each vertex in `motion`, which has one number per unknown. The displacements are
+    /// scaled so that the largest has length 1.
     pub fn displacements(&self, state: &State<Frame>, motion: &[f64]) -> Vec<DVec3> {
         let of = |v: usize| self.unknowns(v as u32).map(|k| motion[k] * state.frame.directions[k]).sum();
         let moved: Vec<DVec3> = (0..self.body.vertices.len()).map(of).collect();
@@ -107,8 +108,8 @@ impl<'a> Motion<'a> {
         moved.into_iter().map(|d| d / largest).collect()
     }
 
-    /// For each vertex that can move: its number, the length of the gradient's part along its directions, and its
-    /// share. The residual is computed from the last two.
+    /// Lists, for each vertex that can move, its number, the length of the gradient's part along its directions, and
+    /// its share. The residual is computed from the length and the share.
     pub fn unbalanced_forces<'s>(&'s self, state: &'s State<Frame>) -> impl Iterator<Item = (usize, f64, f64)> + 's {
         // The unknowns of a group belong to its first vertex, whose share is that of the whole group.
         let free = (0..state.frame.shares.len()).filter(|&v| !self.pattern.unknowns(v as u32).is_empty());

@@ -1,23 +1,26 @@
-//! Newton's method for a stationary point of an energy: one iteration for every body.
+//! Newton's method for a stationary point of an energy. The same iteration serves every body. Each of its steps
+//! consists of four parts:
 //!
-//! 1. The state at the present positions ([`Equations::state`]): the directions in which the vertices may move, the
-//!    energy's gradient along them, the residual. Stop at the tolerance.
-//! 2. The second variation in these directions, factorised as L D Lᵀ. Its inertia, on the constraints' tangent space if
-//!    there are constraints, is the Morse index at that moment.
-//! 3. If it is indefinite, add growing multiples of the energy's positive semidefinite part until it is positive
-//!    definite: the step then goes down in energy. (With [`Aim::Stationary`] the step is taken as it is.)
-//! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. With
-//!    [`Aim::Stationary`], or where an equation determines a multiplier, the residual must decrease instead.
+//! 1. Compute the state at the present positions ([`Equations::state`]): the directions in which the vertices may move,
+//!    the gradient of the energy along them, and the residual. Stop if the residual is at most the tolerance.
+//! 2. Assemble the second variation in these directions and factorise it as L D Lᵀ. Its number of negative eigenvalues,
+//!    on the constraints' tangent space if there are constraints, is the Morse index of the present state.
+//! 3. If the second variation is indefinite, add growing multiples of the energy's positive semidefinite part until it
+//!    is positive definite, so that the step is a descent direction of the energy. With [`Aim::Stationary`] this is
+//!    left out.
+//! 4. Line search: halve the step while a triangle would turn over or the energy does not decrease. With
+//!    [`Aim::Stationary`], or where an equation determines a multiplier, the residual must decrease instead of the
+//!    energy.
 //!
 //! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
 //! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
 //!
-//! Inside a sheet vertices move along normals only. Sliding vertices within the surface hardly changes the area, so the
-//! full 3n x 3n matrix is nearly singular, and minimising over all coordinates lowers the last digits of the area by
-//! making triangles with angles of 1e-10 degrees. Motion along the normals keeps the quality of the mesh. In exchange
-//! the tangential part of the gradient does not vanish; it is reported as `residual_full`. Since the normals turn with
-//! the surface, the iteration is Newton's method only in the limit of a fine mesh. The observed rate is three to four
-//! digits a step.
+//! Inside a sheet, vertices move only along their normals. Sliding a vertex within the surface hardly changes the area,
+//! so the full 3n x 3n matrix is nearly singular. Minimising over all coordinates lowers the last digits of the area by
+//! making triangles with angles of 1e-10 degrees, whereas motion along the normals keeps the quality of the mesh. In
+//! exchange the tangential part of the gradient does not vanish; it is reported as `residual_full`. The normals turn
+//! with the surface, so the iteration is exactly Newton's method only in the limit of a fine mesh. The observed rate is
+//! three to four digits a step.
 
 use super::constraint::{Bordered, ConstraintState};
 use plateau_mesh::measure;
@@ -25,26 +28,28 @@ use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::fmt;
 
-/// Shortest fraction of Newton's step that the line search tries. If none improves the state, the run ends as
+/// Shortest fraction of Newton's step that the line search tries. If no fraction improves the state, the run ends as
 /// stalled.
 const LEAST_STEP: f64 = 1.0 / 4096.0;
-/// First multiple of the semidefinite part that is added to an indefinite matrix, the factor to the next multiple, and
-/// the last one.
+/// First multiple of the semidefinite part that is added to an indefinite matrix.
 const FIRST_SHIFT: f64 = 0.125;
+/// Factor from one multiple of the semidefinite part to the next.
 const SHIFT_GROWTH: f64 = 4.0;
+/// Largest multiple of the semidefinite part that is added. If the matrix is still indefinite, the step is refused as
+/// singular.
 const LAST_SHIFT: f64 = 1e4;
 /// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition, with the
 /// usual value).
 const LEAST_GAIN: f64 = 1e-4;
-/// Changes of the energy below this fraction of its magnitude are rounding errors, and the residual decides instead.
+/// Changes of the energy below this fraction of its magnitude may be rounding errors, so the residual decides instead.
 const ENERGY_ROUNDING: f64 = 1e-12;
-/// With constraints a step is also taken if the residual falls to this fraction, because the merit function may refuse
-/// a good step near the solution (Maratos).
+/// With constraints, a step is also accepted if the residual falls to this fraction, because the merit function may
+/// refuse a good step near the solution (the Maratos effect).
 const RESIDUAL_GAIN: f64 = 0.5;
 
 /// The equations of equilibrium of a body with a fixed connectivity.
 pub(crate) trait Equations {
-    /// The directions in which the vertices may move at one position, and other results that are computed with them.
+    /// The directions of motion at one position, together with other results that are computed along with them.
     type Frame: Clone + fmt::Debug;
 
     /// Whether every unknown is a height along a normal, so that the lowest mode of the second variation has one sign.
@@ -53,8 +58,8 @@ pub(crate) trait Equations {
     /// The first variation at a position.
     fn state(&self, vertices: &[DVec3]) -> State<Self::Frame>;
 
-    /// Fills `matrix` with the second variation along the state's directions. The semidefinite part counts `1 + shift`
-    /// times.
+    /// Fills `matrix` with the second variation along the directions of `state`. Its semidefinite part is multiplied by
+    /// `1 + shift`.
     fn second_variation(
         &self,
         vertices: &[DVec3],
@@ -63,10 +68,10 @@ pub(crate) trait Equations {
         matrix: &mut SymmetricMatrix,
     );
 
-    /// A zero matrix with the second variation's pattern.
+    /// Returns a zero matrix with the sparsity pattern of the second variation.
     fn matrix(&self) -> SymmetricMatrix;
 
-    /// All vertices after a fraction of a step, given as one number per unknown.
+    /// Returns the positions of all vertices after `fraction` of `step`, which has one number per unknown.
     fn moved(&self, vertices: &[DVec3], state: &State<Self::Frame>, step: &[f64], fraction: f64) -> Vec<DVec3>;
 
     /// The triangles, none of which may turn over in a step.
@@ -75,7 +80,7 @@ pub(crate) trait Equations {
     /// R, the length against which curvatures are measured.
     fn radius(&self) -> f64;
 
-    /// Elementary operations of one assembly, for [`Execution::look`].
+    /// Number of elementary operations of one assembly, which [`Execution::look`] needs.
     fn work(&self) -> u64 {
         self.triangles().len() as u64
     }
@@ -89,7 +94,7 @@ pub(crate) struct State<F> {
     pub energy: f64,
     /// The sum of the absolute values of the energy's terms, which is the scale of the energy's rounding error.
     pub magnitude: f64,
-    /// Derivative of the energy by each unknown; with constraints that of the Lagrangian.
+    /// Derivative by each unknown of the energy, or of the Lagrangian if there are constraints.
     pub gradient: Vec<f64>,
     /// Mass of each unknown: the vertex's share of tension times area or length.
     pub mass: Vec<f64>,
@@ -99,8 +104,8 @@ pub(crate) struct State<F> {
 }
 
 impl<F> State<F> {
-    /// The function that the line search lowers: the energy plus a penalty for constraints that are not met. The
-    /// penalty is exact for weights above the multipliers.
+    /// The merit function that the line search lowers: the energy plus a penalty for unmet constraints. The penalty is
+    /// exact if the weights exceed the magnitudes of the multipliers.
     fn merit(&self, weights: &[f64]) -> f64 {
         let penalties =
             self.constraints.iter().zip(weights).map(|(constraint, weight)| weight * constraint.excess.abs());
@@ -112,7 +117,7 @@ impl<F> State<F> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
     /// A minimum: every step descends in energy, so that the iteration moves away from saddles. A start that already
-    /// meets the tolerance is kept, whatever its index.
+    /// meets the tolerance is kept, even if it is a saddle.
     Minimum,
     /// The nearest stationary state, whatever its index.
     Stationary,
@@ -123,7 +128,7 @@ pub enum Aim {
 pub struct Settings {
     /// The goal of the iteration.
     pub aim: Aim,
-    /// The residual at which the iteration ends.
+    /// The iteration ends when the residual is at most this.
     pub tolerance: f64,
     /// Largest number of Newton steps.
     pub max_steps: u32,
@@ -153,7 +158,7 @@ pub enum Outcome {
 
 /// A method to compute Newton's step: a factorisation, or multigrid.
 pub(crate) trait StepSolver<E: Equations> {
-    /// Steps 2 and 3: Newton's step, one number per unknown. `state` is the state at `vertices`.
+    /// Parts 2 and 3 of a step: returns Newton's step, with one number per unknown. `state` is the state at `vertices`.
     ///
     /// # Errors
     /// The outcome with which the iteration has to end.
@@ -167,10 +172,11 @@ pub(crate) trait StepSolver<E: Equations> {
     ) -> Result<Vec<f64>, Outcome>;
 }
 
-/// Takes Newton steps until the residual is small or no step improves the state. `record` receives the energy and the
-/// residual after every step.
+/// Takes Newton steps until the residual is at most the tolerance or no step improves the state. `record` receives the
+/// energy and the residual after every step.
 ///
-/// `vertices` becomes the best position that was reached. No step turns a triangle over. Also returns the state there.
+/// `vertices` becomes the last position that was reached, and the state there is returned. No step turns a triangle
+/// over.
 pub(crate) fn iterate<E: Equations>(
     vertices: &mut Vec<DVec3>,
     equations: &E,
@@ -201,17 +207,17 @@ pub(crate) fn iterate<E: Equations>(
     (if state.residual <= settings.tolerance { Outcome::Converged } else { Outcome::StepsUsed }, state)
 }
 
-/// Newton's step by factorisation. The symbolic part is made once for a connectivity.
+/// Computes Newton's step by factorisation. The symbolic factorisation is made once per connectivity.
 #[derive(Debug)]
 pub(crate) struct Direct {
     pub symbolic: Symbolic,
     pub matrix: SymmetricMatrix,
-    /// The storage of the last factor. The next factorisation reuses it.
+    /// The storage of the last factor, which the next factorisation reuses.
     pub storage: Vec<f64>,
 }
 
 impl Direct {
-    /// `matrix` has the pattern of all second variations that will be factorised.
+    /// Analyses `matrix`, whose pattern must be that of all second variations to be factorised.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -258,11 +264,11 @@ impl<E: Equations> StepSolver<E> for Direct {
     }
 }
 
-/// Step 4: the longest of the full step, its half, its quarter and so on that turns no triangle over and improves the
-/// state.
+/// Part 4 of a step, the line search: tries the full step, its half, its quarter and so on. Takes the first of them
+/// that turns no triangle over and improves the state.
 ///
 /// # Errors
-/// [`Outcome::Stalled`] if there is none, or the interruption.
+/// [`Outcome::Stalled`] if no fraction down to [`LEAST_STEP`] does, or the interruption.
 fn search<E: Equations>(
     vertices: &[DVec3],
     equations: &E,
@@ -274,8 +280,8 @@ fn search<E: Equations>(
     let along: f64 = state.gradient.iter().zip(step).map(|(gradient, step)| gradient * step).sum();
     let weights: Vec<f64> =
         state.constraints.iter().map(|c| 2.0 * c.multiplier.abs() + state.energy.abs() / c.scale).collect();
-    // The gradient is that of the Lagrangian, and the step meets the linearised constraints. The terms λ·c and the
-    // penalty therefore vanish at the end of the step.
+    // `gradient` is that of the Lagrangian E - λ·c. The step meets the linearised constraints, so it takes both λ·c and
+    // the penalty to zero. The slope of the merit function is therefore `along` minus these two.
     let unmet: f64 = state
         .constraints
         .iter()
@@ -285,7 +291,7 @@ fn search<E: Equations>(
     let slope = along - unmet;
     let before = state.merit(&weights);
     let rounding = ENERGY_ROUNDING * (state.magnitude + (before - state.energy));
-    // Under a condition the equilibrium is no minimum of the energy at the present values of the constraints, so the
+    // With a condition, the equilibrium is not a minimum of the energy at the present values of the constraints, so the
     // residual decides.
     let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
     let mut fraction = 1.0;
@@ -311,7 +317,8 @@ fn search<E: Equations>(
     Err(Outcome::Stalled)
 }
 
-/// Whether no triangle turns by a right angle or more, or vanishes, between two positions of the vertices.
+/// Whether every triangle keeps a positive area and turns by less than a right angle between two positions of the
+/// vertices.
 pub(crate) fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec3]) -> bool {
     triangles.iter().all(|&triangle| {
         let area_vector = |at: &[DVec3]| measure::double_area_vector(triangle.map(|v| at[v as usize]));
@@ -328,7 +335,7 @@ mod tests {
     use plateau_mesh::sparse::pattern::Pattern;
     use plateau_mesh::structured::{catenoid, cylinder, helicoid, patch, relax};
 
-    /// Moves the film by one harmonic map from itself. The solvers begin with such a map.
+    /// Moves the film by one harmonic map from itself, because the solvers begin with such a map too.
     fn harmonic_step(film: &mut Film) {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let (mut matrix, mut image) = (pattern.matrix(), Vec::new());
@@ -357,8 +364,8 @@ mod tests {
 
     #[test]
     fn beside_a_saddle_of_the_area_a_step_to_a_minimum_goes_down() {
-        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step leads back up
-        // to it, and the line search refuses it.
+        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step would lead back
+        // up to this saddle, and the line search would refuse it.
         let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let mut direct = Direct::new(pattern.matrix()).unwrap();
@@ -382,7 +389,8 @@ mod tests {
 
     #[test]
     fn a_step_looks_at_the_signal_around_each_factorisation_and_each_try_and_can_end_at_every_look() {
-        // Beside its saddle the catenoid needs a shift, so that the step factorises at least twice.
+        // The start is near a saddle of the catenoid. The second variation needs a shift there, so that the step
+        // factorises at least twice.
         let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
@@ -408,8 +416,8 @@ mod tests {
 
     #[test]
     fn the_line_search_takes_no_step_that_turns_a_triangle_over() {
-        // A cylinder of radius 1 and height 4 whose middle ring moves: a step of 1.5 inwards passes the axis, and both
-        // the step and its half lower the area.
+        // A cylinder of radius 1 and height 4 whose middle ring moves. A step of 1.5 inwards passes the axis. Both the
+        // step and its half lower the area.
         let film = cylinder(12, 2, 4.0);
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };

@@ -9,18 +9,18 @@ use plateau_mesh::measure;
 use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
-/// A force on a vertex of a film counts as zero below this many units of rounding of R. Coordinates are of the order of
-/// R, and each of the about six triangles at a vertex rounds its force by a few units. Divided by a share of the area
-/// of 1e-12 R², beside two boundary points that nearly coincide, such errors make a residual of 1e-4 or more at every
-/// position of the vertex. In films whose edges are longer than 1e-4 R the threshold is a residual of about 2e-7 or
-/// less.
+/// A force on a vertex of a film counts as zero up to this many units of rounding of R. Coordinates are of the order of
+/// R, and each of the about six triangles at a vertex rounds its force by a few units. Beside two boundary points that
+/// nearly coincide, the vertex's share of area may be 1e-12 R². Without this threshold, rounding errors divided by this
+/// share make a residual of 1e-4 or more wherever the vertex is. In films whose edges are longer than 1e-4 R the
+/// threshold corresponds to a residual of about 2e-7 or less.
 const ROUNDING: f64 = 16.0;
 
-/// The state of a film: its frame holds the vertex normals, those of fixed vertices included.
+/// The state of a film. Its frame holds the normals of all vertices, including the fixed ones.
 pub(crate) type FilmState = State<Vec<DVec3>>;
 
-/// The state of a film of surface tension 1 whose `free` vertices move along their normals: what Newton's iteration
-/// sees and what is reported.
+/// Returns the state of a film of surface tension 1 whose `free` vertices move along their normals. Newton's iteration
+/// uses it, and its residual is reported.
 pub(crate) fn film_state(free: &FreeVertices, vertices: &[DVec3], triangles: &[[u32; 3]], radius: f64) -> FilmState {
     let normals = measure::normals(vertices, triangles);
     let FirstVariation { area, gradient, mass } = first_variation(free, vertices, triangles, &normals);
@@ -36,7 +36,7 @@ pub(crate) fn film_state(free: &FreeVertices, vertices: &[DVec3], triangles: &[[
 pub(crate) struct NormalMotion<'a> {
     pub pattern: &'a Pattern,
     pub triangles: &'a [[u32; 3]],
-    /// R of the residual.
+    /// R, the length that makes the residual dimensionless.
     pub radius: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The way of a body to its equilibrium, with the stability there.
+//! Moves a body to its equilibrium ([`Body::relax`]) and analyses the stability of that equilibrium.
 
 use super::body::{Body, BodyDefect};
 use super::motion::{Frame, Motion};
@@ -12,13 +12,14 @@ use plateau_mesh::{DVec3, Execution};
 pub struct Report {
     /// Why the iteration ended.
     pub outcome: Outcome,
-    /// The sum of all terms.
+    /// The energy of the body: the sum of all its terms.
     pub energy: f64,
-    /// The dimensionless residual, which the tolerance bounds.
+    /// The dimensionless residual. The run converges when it is at most [`Settings::tolerance`].
     pub residual: f64,
-    /// Per constraint its multiplier: for a volume the pressure, for a length the force.
+    /// The multiplier of each constraint: the pressure for a volume, the force for a length.
     pub multipliers: Vec<f64>,
-    /// `None` where the body has no unknowns, did not converge, or is too degenerate to factorise.
+    /// The stability of the equilibrium. `None` if the body has no unknowns, did not converge, or is too degenerate to
+    /// factorise.
     pub stability: Option<Stability>,
     /// The displacement of each vertex in the mode of the lowest eigenvalue, scaled so that the largest has length 1.
     /// `None` where the stability is unknown.
@@ -26,9 +27,9 @@ pub struct Report {
 }
 
 impl Report {
-    /// The report about a solve of a body with this number of constraints.
+    /// Makes the report on one solve of a body with `constraints` constraints. The stability is left out.
     fn new(outcome: Outcome, constraints: usize, state: &State<Frame>) -> Self {
-        // The rows of the terms' rank-one parts follow those of the constraints.
+        // `state.constraints` lists the body's constraints first, then the rank-one parts of the terms.
         let multipliers = state.constraints[..constraints].iter().map(|constraint| constraint.multiplier).collect();
         let (energy, residual) = (state.energy, state.residual);
         Self { outcome, energy, residual, multipliers, stability: None, lowest_mode: None }
@@ -39,11 +40,11 @@ impl Body {
     /// Moves the body to the nearest equilibrium and analyses its stability there. `record` receives the energy and the
     /// residual after every step.
     ///
-    /// Terms that renew their coefficients do so after each solve, and the next solve follows, until no coefficient
-    /// changes by more than the tolerance or the steps are used up.
+    /// Some terms renew their coefficients after each solve ([`Body::renew`]). The body is then solved again, until no
+    /// coefficient changes by more than the tolerance or the steps are used up.
     ///
     /// # Errors
-    /// The first [`BodyDefect`]; nothing moves then.
+    /// The first [`BodyDefect`]; the body does not move then.
     pub fn relax(
         &mut self,
         settings: &Settings,
@@ -96,8 +97,8 @@ impl Body {
     }
 
     /// Runs one solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the
-    /// state that was reached. `kept` has the symbolic factorisation and the storage of the last solve, which are used
-    /// again if the pattern is the same, and gets those of this one.
+    /// state that was reached. `kept` passes the symbolic factorisation and its storage from one solve to the next:
+    /// they are reused if the matrix has the same pattern.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].

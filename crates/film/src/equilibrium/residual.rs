@@ -1,19 +1,20 @@
-//! The residual: how far a body is from equilibrium. The same function ends Newton's iteration and is reported.
+//! The residual: how far a body is from equilibrium. The same figure ends Newton's iteration and is reported.
 //!
-//! At a vertex of a film the residual is the mean curvature times the body's radius R: |g·n| R / (2 A_h), with the
-//! energy's gradient g, the unit normal n and the vertex's share A_h of tension times area. In general the part of g
-//! along all directions of the vertex takes the place of g·n, and A_h is a share of tension times size. On a curve
-//! where sheets end or meet, the forces that must balance are σ per length, so the share is at least σ ℓ R / 2, with ℓ
-//! the length of the curve that belongs to the vertex; the residual there is the unbalanced part of the sheets'
-//! tension.
+//! At a vertex inside a film the residual is the mean curvature times the body's radius R: |g·n| R / (2 A_h). Here g is
+//! the gradient of the energy, n the unit normal and A_h the vertex's share of tension times area. At other vertices,
+//! the part of g along all directions in which the vertex may move replaces g·n, and A_h is a share of tension times
+//! size. On a curve where sheets end or meet, the forces that must balance are σ per length. The share there is
+//! therefore at least σ ℓ R / 2, where ℓ is the length of the curve that belongs to the vertex, and the residual is the
+//! unbalanced fraction of the sheets' tension.
 
-/// |force| / (2 share), in 1/unit: mean curvature, for a film. A vertex whose whole ring has no area is as far from
-/// equilibrium as can be.
+/// Returns |force| / (2 share), in 1/unit; for a film this is the mean curvature. If no triangle around a vertex has
+/// any area, the share is 0 and the result is a very large number.
 pub(crate) fn curvature(force: f64, share: f64) -> f64 {
     if share > 0.0 { force.abs() / (2.0 * share) } else { f64::MAX.sqrt() }
 }
 
-/// The largest [`curvature`] of pairs (force, share), times `radius`; 0 without pairs, infinite if one is not a number.
+/// The largest [`curvature`] of the pairs (force, share), times `radius`. It is 0 if there are no pairs, and infinite
+/// if a curvature is NaN.
 pub(crate) fn residual(pairs: impl Iterator<Item = (f64, f64)>, radius: f64) -> f64 {
     let largest = pairs.fold(0.0, |max: f64, (force, share)| {
         let curvature = curvature(force, share);

@@ -1,16 +1,17 @@
-//! A round of the settling: a step that lowers the energy from anywhere, however far the equilibrium is.
+//! The settling of a body: rounds of steps that lower the energy from any start, however far the equilibrium is.
 //!
-//! At the present shape every energy is replaced by springs (`Term::visit_springs`) that touch it there and exceed it
-//! elsewhere: for a film the cotangent Laplacian of the present triangles, for a segment of a cable of force F and
-//! length ℓ the spring F / ℓ. The step d solves H d = -∇E with the springs' matrix H, and ω d lowers E on any mesh for
-//! 0 < ω < 2. A chain of springs F / ℓ has the stiffness F / L of its whole length L, so that a corner moves by a whole
-//! span within a few rounds. Every vertex slides freely: along its cable, along its support, within the film.
+//! At the present shape each energy is replaced by springs (`Term::visit_springs`). Together with the energy's gradient
+//! they give an upper bound that touches the energy at this shape. For a film the springs are the cotangent Laplacian
+//! of the present triangles; for a segment of a cable of force F and length ℓ there is one spring of stiffness F / ℓ.
+//! With the springs' matrix H the step d solves H d = -∇E, and on any mesh ω d lowers E for 0 < ω < 2. A chain of
+//! springs F / ℓ has the stiffness F / L of its whole length L, so a corner moves by a whole span within a few rounds.
+//! Every vertex slides freely: along its cable, along its support, within the film.
 //!
-//! - If no vertex slides on a support, the equations of x, y and z are not coupled, and one scalar factorisation serves
-//!   the three right-hand sides.
+//! - If no vertex slides on a support, the equations of x, y and z are not coupled. One scalar factorisation then
+//!   serves the three right-hand sides.
 //! - On a curved support the positive part of its curvature is added to H.
 //! - A constraint adds a row to the system. The row of an elastic cable has a compliance.
-//! - A step that breaks a triangle is halved: any fraction lowers the energy.
+//! - A step that breaks a triangle is halved, because any fraction of the step lowers the energy.
 //! - While the energy falls and no triangle breaks, the step is doubled. Near the equilibrium the directions are those
 //!   of conjugate gradients.
 //!
@@ -28,59 +29,62 @@ use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::sparse::{LinearError, Symbolic};
 use springs::Springs;
 
-/// A step may turn no triangle by more than the angle of this cosine. With any angle from 30° to 80° the solver finds
-/// the equilibria of random structures equally often.
+/// Cosine of the largest angle by which a step may turn a triangle (60°). With any angle from 30° to 80° the solver
+/// finds the equilibria of random structures equally often.
 const LEAST_COSINE: f64 = 0.5;
-/// A step may not make the quality 4 √3 A / Σ ℓ² of a triangle (area A, edges ℓ) fall both below this and below half of
-/// its value. With any value from 0.05 to 0.3 the solver finds the equilibria of random structures equally often.
+/// Lowest quality 4 √3 A / Σ ℓ² of a triangle (area A, edges ℓ) that a step may cause freely. Below it, a step may at
+/// most halve the quality of a triangle. With any value from 0.05 to 0.3 the solver finds the equilibria of random
+/// structures equally often.
 const LEAST_QUALITY: f64 = 0.15;
-/// A step must lower the energy by this fraction of what its slope promises (Armijo).
+/// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition).
 const LEAST_GAIN: f64 = 1e-4;
-/// Changes of the energy below this fraction of it are rounding errors.
+/// An increase of the energy by less than this fraction of its magnitude is regarded as a rounding error.
 const ROUNDING: f64 = 1e-12;
-/// The shortest fraction of a step that is tried.
+/// Shortest fraction of a step that the line search tries.
 const LEAST_FRACTION: f64 = 1e-3;
-/// Largest number of fractions of a step that are tried. Halving from 1 to [`LEAST_FRACTION`] takes ten, and a longer
-/// step one more.
+/// Maximum number of fractions of a step that the line search tries. Halving from 1 down to [`LEAST_FRACTION`] takes
+/// ten, and a first fraction above 1 takes one more.
 const MOST_FRACTIONS: u32 = 16;
-/// Directions are made conjugate while the largest motion of a vertex in the whole step is below this, in edge lengths.
+/// Directions are made conjugate only if no vertex moves farther than this, in edge lengths, in the whole step of the
+/// springs.
 const CONJUGATE_BELOW: f64 = 0.5;
-/// A step is doubled only while its multiple of the springs' step is below this.
+/// A step is doubled only while it is less than this multiple of the step that the springs give.
 const LONGEST_FACTOR: f64 = 30.0;
 /// Limits of the steps, and whether they are accelerated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pace {
     /// ω, the multiple of the springs' step that is tried first.
     pub relaxation: f64,
-    /// Largest motion of a vertex in a round, in edges.
+    /// Largest motion of a vertex in the first fraction that is tried, in edge lengths.
     pub longest: f64,
-    /// Whether steps are lengthened and directions conjugate.
+    /// Whether steps may be lengthened and directions made conjugate.
     pub accelerated: bool,
 }
 
 impl Pace {
-    /// Steps of any length, over-relaxed.
+    /// Over-relaxed and accelerated steps, of any length.
     pub const BOLD: Self = Self { relaxation: 1.5, longest: f64::INFINITY, accelerated: true };
-    /// The gradient flow: short steps without acceleration.
+    /// Short steps without acceleration, which follow the gradient flow.
     pub const CAUTIOUS: Self = Self { relaxation: 1.0, longest: 0.2, accelerated: false };
 }
 
 /// The result of a round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Round {
-    /// The largest motion of a vertex in the whole step of the springs.
+    /// The largest motion of a vertex in the whole step that the springs give.
     pub step: f64,
-    /// The fraction of the direction that was taken; 0 if no fraction keeps the mesh and lowers the energy.
+    /// The fraction of the direction that was taken. It is 0 if no fraction keeps the mesh intact and lowers the
+    /// energy.
     pub fraction: f64,
-    /// The largest motion of a vertex in the part that was taken.
+    /// The largest motion of a vertex in the fraction that was taken.
     pub moved: f64,
     pub energy: f64,
 }
 
-/// The multipliers and the last direction, which each round hands to the next.
+/// The state that each round passes to the next: the multipliers and the last direction.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Settler {
-    /// The multiplier of each constraint. The caller sets those of the start.
+    /// The multiplier of each constraint. The caller sets the initial values.
     pub multipliers: Vec<f64>,
     last: Option<Last>,
 }
@@ -100,13 +104,13 @@ struct Row {
 }
 
 impl Settler {
-    /// Forgets the last direction, because the mesh has changed.
+    /// Forgets the last direction. This is needed after a change of the mesh.
     pub fn restart(&mut self) {
         self.last = None;
     }
 
-    /// Moves the body's vertices by one round. `edge` is the edge length of the mesh. The constraints of the body keep
-    /// their value or yield; those that are determined by a condition are left out.
+    /// Moves the body's vertices by one round. `edge` is the edge length of the mesh. Constraints that are kept at a
+    /// value or yield are taken into account; those that are determined by a condition are ignored.
     ///
     /// # Errors
     /// The linear solver's error, if the matrix of the springs and constraints is singular.
@@ -180,8 +184,8 @@ impl Settler {
         Ok(Round { step, fraction: 0.0, moved: 0.0, energy: before })
     }
 
-    /// Solves the system of the springs and rows. Returns the displacement of each vertex, and for each row the amount
-    /// by which its multiplier falls.
+    /// Solves the system of the springs and of `rows`. Returns the displacement of each vertex, and the decrease of the
+    /// multiplier of each row.
     fn direction(
         &self,
         body: &Body,
@@ -222,7 +226,7 @@ fn largest(vectors: &[DVec3]) -> f64 {
     vectors.iter().map(|vector| vector.length()).fold(0.0, f64::max)
 }
 
-/// The energy that the rounds lower: that of the terms and of the constraints that yield.
+/// The energy that the rounds lower: the sum of the terms and of the energies stored in the constraints that yield.
 pub(crate) fn energy(body: &Body, at: &[DVec3]) -> f64 {
     let yielding = body.constraints.iter().map(|constraint| match constraint.by {
         Determined::Yielding { value, compliance } => {
@@ -242,9 +246,10 @@ fn moved(body: &Body, at: &[DVec3], direction: &[DVec3], fraction: f64) -> Vec<D
     body.freedoms.iter().zip(at).zip(direction).map(one).collect()
 }
 
-/// Halves the fraction `first` until the step keeps the mesh and lowers the energy (with `constrained` the mesh alone
-/// decides). Then doubles the fraction while `may_lengthen` allows it and the energy falls. Returns the positions, the
-/// fraction and the energy there, or `None` if no fraction is good enough.
+/// Line search along `direction`. Halves the fraction `first` until the step keeps the mesh intact and lowers the
+/// energy; with `constrained` it only has to keep the mesh intact. Then doubles the fraction while `may_lengthen`
+/// allows it and the energy falls. Returns the positions, the fraction and the energy there, or `None` if no fraction
+/// is accepted.
 #[expect(clippy::too_many_arguments, reason = "a line search: everything it has is needed at each step")]
 fn search(
     body: &Body,
@@ -257,7 +262,8 @@ fn search(
     may_lengthen: impl Fn(f64) -> bool,
 ) -> Option<(Vec<DVec3>, f64, f64)> {
     let (mut fraction, mut tried) = (first, 0);
-    // A direction that is not finite has the fraction 0, which stays 0 however often it is halved.
+    // At most MOST_FRACTIONS passes, because `tried` counts them. The fraction of an infinite direction may be 0, which
+    // halving does not change.
     while tried < MOST_FRACTIONS && fraction >= LEAST_FRACTION * first.min(1.0) {
         tried += 1;
         let places = moved(body, at, direction, fraction);
@@ -278,7 +284,7 @@ fn search(
                     }
                     best = (places, 2.0 * best.1, after);
                 }
-                // The minimum of the parabola through the slope and the two energies.
+                // Try the minimum of the parabola that has the slope and the energies at both ends.
                 let bend = best.2 - before + best.1 * slope;
                 if may_lengthen(0.0) && bend > 0.0 {
                     let bottom = best.1 * best.1 * slope / (2.0 * bend);
@@ -300,7 +306,7 @@ fn search(
     None
 }
 
-/// Whether no triangle breaks: turns by too large an angle, or becomes too thin.
+/// Whether a step keeps every triangle intact: none turns by too large an angle, and none becomes too thin.
 pub(crate) fn keeps_mesh(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec3]) -> bool {
     let quality = |[p, q, r]: [DVec3; 3], double_area: f64| {
         let squares = p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);

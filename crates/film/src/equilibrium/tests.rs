@@ -1,4 +1,4 @@
-//! Bodies against closed forms and finite differences.
+//! Compares bodies with closed forms and with finite differences.
 
 use super::constraint::add_rank_one_products;
 use super::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
@@ -26,13 +26,14 @@ fn relaxed(body: &mut Body) -> Report {
     report
 }
 
-/// Errors on meshes of half the edge length each fall to about a quarter.
+/// Asserts that errors on meshes, each with half the edge length of the one before, fall to about a quarter from one to
+/// the next.
 fn assert_second_order(errors: &[f64]) {
     assert!(errors.windows(2).all(|pair| (3.6..4.4).contains(&(pair[0] / pair[1]).abs())), "{errors:?}");
 }
 
-/// The unit disc as (radius, angle) of its vertices, the centre first, in `rings` rings of 6, 12, 18, … vertices; and
-/// its triangles.
+/// A mesh of the unit disc with a vertex at the centre and `rings` rings of 6, 12, 18, … vertices. Returns the polar
+/// coordinates (radius, angle) of the vertices, the centre first, and the triangles.
 fn disc(rings: u32) -> (Vec<(f64, f64)>, Vec<[u32; 3]>) {
     let first = |ring: u32| if ring == 0 { 0 } else { 1 + 3 * ring * (ring - 1) };
     let mut places = vec![(0.0, 0.0)];
@@ -56,7 +57,8 @@ fn disc(rings: u32) -> (Vec<(f64, f64)>, Vec<[u32; 3]>) {
     (places, triangles)
 }
 
-/// The body of a disc's image, with the neighbours of each boundary vertex on the boundary.
+/// Makes the body of the image of a disc under `at`. Also returns each boundary vertex together with its neighbours on
+/// the boundary: the vertex before, the vertex, the vertex after.
 fn disc_body(rings: u32, at: impl Fn(f64, f64) -> DVec3) -> (Body, Vec<[u32; 3]>) {
     let (places, triangles) = disc(rings);
     let complex = Complex::build(triangles, places.len()).unwrap();
@@ -125,7 +127,7 @@ fn assert_agrees_with_finite_differences(body: &Body, tolerance: f64) {
     let n = state.gradient.len();
     let mut matrix = motion.matrix();
     motion.second_variation(&body.vertices, &state, 0.0, &mut matrix);
-    // The Lagrangian with the multipliers held.
+    // The Lagrangian with fixed multipliers.
     let value = |moves: &[(usize, f64)]| {
         let mut step = vec![0.0; n];
         moves.iter().for_each(|&(k, by)| step[k] += by);
@@ -216,8 +218,8 @@ fn a_body_of_normals_is_the_film_of_the_fast_path() {
     }
 }
 
-/// A plane film with a round hole of radius about `inner` in a fixed circle of radius 2; the loop of the hole's
-/// segments.
+/// A plane film between a fixed circle of radius 2 and a round hole of radius about `inner`. Also returns the loop of
+/// segments around the hole.
 fn holed(n: usize, inner: f64) -> (Body, Vec<[u32; 2]>) {
     let mut film = cylinder(n, n / 6, 1.0);
     let rings = n / 6;
@@ -236,7 +238,7 @@ fn holed(n: usize, inner: f64) -> (Body, Vec<[u32; 2]>) {
 
 #[test]
 fn a_soap_film_against_an_elastic_loop() {
-    // The film pulls the loop outward with σ per length, the loop resists with T / r: EA (2 π r / L0 - 1) = σ r.
+    // The film pulls the loop outward with σ per length, and the loop resists with T / r: EA (2 π r / L0 - 1) = σ r.
     let (stiffness, unstressed) = (3.0, TAU * 0.8);
     let exact = stiffness / (TAU * stiffness / unstressed - 1.0);
     let mut errors = Vec::new();
@@ -255,8 +257,8 @@ fn a_soap_film_against_an_elastic_loop() {
 
 #[test]
 fn a_loop_too_soft_to_hold_the_film_has_no_equilibrium() {
-    // At 2 π EA / L0 < σ the energy falls as long as the loop grows. Newton's method finds no step that goes down,
-    // because the loop's growth has no stiffness of the kind that a shift multiplies.
+    // If 2 π EA / L0 < σ, the energy falls for as long as the loop grows. Newton's method then finds no descent
+    // direction, because the growth of the loop has no positive semidefinite part that a shift could multiply.
     let at = |radius: f64| {
         let (mut body, segments) = holed(24, radius);
         body.terms.push(Box::new(Cable::new(segments, Law::Elastic { unstressed: TAU * 0.8, stiffness: 0.7 })));
@@ -269,7 +271,7 @@ fn a_loop_too_soft_to_hold_the_film_has_no_equilibrium() {
     assert_eq!((report.outcome, report.stability), (Outcome::Refused(LinearError::Singular), None));
 }
 
-/// A square of side 10 whose four edges are arcs of the given sag inward, and each edge's vertices.
+/// A square of side 10 whose four edges are arcs with the given sag inward. Also returns the segments of the edges.
 fn sail(n: usize, sag: f64) -> (Body, Vec<[u32; 2]>) {
     let arc = |t: f64| {
         let radius = (25.0 + sag * sag) / (2.0 * sag);
@@ -367,14 +369,14 @@ fn force_densities_that_are_renewed_between_solves_reach_the_target_force() {
     let densities = vec![10.0 / 1.3; segments.len()];
     body.terms.push(Box::new(TargetForce { segments: segments.clone(), densities, target: 10.0 }));
     relaxed(&mut body);
-    // The body is in equilibrium with a cable of that force throughout, too.
+    // The body is also in equilibrium with a cable that has this force throughout.
     *body.terms.last_mut().unwrap() = Box::new(Length { segments, tension: 10.0 });
     let residual = Motion::new(&body).state(&body.vertices).residual;
     assert!(residual < 1e-8, "{residual}");
 }
 
-/// The body and the triangles of a spherical cap over the unit circle, with `angle` from its pole to the rim. All
-/// heights are raised by the fraction `bulge`.
+/// A spherical cap over the unit circle, with the angle `angle` from its pole to its rim. All heights are raised by the
+/// fraction `bulge`. Returns the body and its triangles.
 fn cap(rings: u32, angle: f64, bulge: f64) -> (Body, Vec<[u32; 3]>) {
     let sphere = 1.0 / libm::sin(angle);
     let (body, _) = disc_body(rings, |radius, azimuth| {
@@ -420,7 +422,7 @@ fn beyond_the_hemisphere_a_cap_is_stable_at_constant_volume_and_not_at_constant_
         assert_eq!(report.stability.unwrap().morse_index, Some(0));
         assert!(report.stability.unwrap().lowest_eigenvalue > 0.0);
         assert!((report.multipliers[0] - pressure).abs() < 0.02 * pressure, "{report:?} {pressure}");
-        // The same surface at the pressure that was found.
+        // The same surface, with the pressure that was found as a constant in place of the volume.
         body.constraints.clear();
         body.terms.push(Box::new(Volume { triangles, pressure: report.multipliers[0] }));
         let stationary = Settings { aim: Aim::Stationary, ..Settings::default() };
@@ -452,8 +454,8 @@ fn a_constraint_is_reached_from_a_start_that_does_not_meet_it() {
 
 #[test]
 fn energies_that_cancel_do_not_stall_a_body() {
-    // The energies of two lines along a fixed edge are large and cancel that of the sheet, so that the sum is zero and
-    // does not show how much a step gains.
+    // Two lines along a fixed edge have large energies of opposite signs, which together cancel the energy of the
+    // sheet. The total energy is zero and therefore does not show how much a step gains.
     let film = patch(12, 12, |u, v| DVec3::new(u, v, 0.3 * (u - v) * (u + v - 1.0)));
     let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
     let mut body = Body::new(film.vertices, &complex, &[1.0]);
@@ -473,8 +475,8 @@ fn energies_that_cancel_do_not_stall_a_body() {
 
 #[test]
 fn the_index_of_a_film_that_moves_freely_is_undecided_at_every_size() {
-    // A plane film whose edge moves along its normals moves as a whole without resistance. In the finer film the share
-    // of area of a vertex is below 2e-3 R², so that a small multiple of the mass does not make up for a pivot that
+    // A plane film whose edge moves along its normals moves as a whole without resistance. In the finer film a vertex's
+    // share of area is below 2e-3 R². A small multiple of the mass therefore does not make up for the pivot that
     // vanishes.
     for n in [4, 32] {
         for size in [1e-3, 1.0, 1e3] {
@@ -493,9 +495,9 @@ fn the_index_of_a_film_that_moves_freely_is_undecided_at_every_size() {
 
 #[test]
 fn a_mode_that_has_not_the_symmetry_of_the_start_is_found() {
-    // A cylinder of radius 1 and length L at constant volume is unstable beyond L = 2 π (Plateau): by sin(2 π z / L),
-    // whose eigenvalue is (2 π / L)² - 1. The mesh is symmetric under half a turn about a horizontal axis, and so is
-    // the constant height, but the mode changes its sign.
+    // A cylinder of radius 1 and length L at constant volume is unstable beyond L = 2 π (Plateau). The unstable mode is
+    // sin(2 π z / L), whose eigenvalue is (2 π / L)² - 1. The mesh and a constant height are symmetric under half a
+    // turn about a horizontal axis, but this mode changes its sign.
     let length = 7.0;
     let film = cylinder(32, 36, length);
     let complex = Complex::build(film.triangles().to_vec(), film.vertices.len()).unwrap();
@@ -517,7 +519,7 @@ fn a_mode_that_has_not_the_symmetry_of_the_start_is_found() {
 fn a_body_whose_constraints_leave_no_motion_has_no_modes() {
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
     let mut vertices = corners.to_vec();
-    // Below its place, so that a step is needed.
+    // The start is below the equilibrium, so that a step is needed.
     vertices.push(DVec3::new(0.0, 0.0, 0.4));
     let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
     let complex = Complex::build(triangles.clone(), 5).unwrap();
@@ -529,7 +531,8 @@ fn a_body_whose_constraints_leave_no_motion_has_no_modes() {
 
 #[test]
 fn a_half_catenoid_slides_on_a_plane() {
-    // Between a ring of radius 1 at height 1/2 and the plane: c cosh(1 / 2c) = 1, area π c (h + c sinh(2h / c) / 2).
+    // A catenoid between a ring of radius 1 at height 1/2 and the plane: c cosh(1 / 2c) = 1, area π c (h + c sinh(2h /
+    // c) / 2).
     let mut neck: f64 = 0.85;
     for _ in 0..50 {
         neck = 1.0 / libm::cosh(0.5 / neck);
@@ -586,7 +589,7 @@ fn a_disc_inside_a_sphere_is_unstable_through_the_spheres_curvature() {
         let report = body.relax(&stationary, &Execution::default(), &mut |_, _| {}).unwrap();
         assert_eq!(report.outcome, Outcome::Converged);
         let stability = report.stability.unwrap();
-        // The sphere turns about its centre with the disc: two motions without resistance.
+        // The sphere can turn about its centre together with the disc, which gives two motions without resistance.
         assert_eq!((stability.morse_index, stability.least_index), (None, 1));
         errors.push(stability.lowest_eigenvalue + low * low);
     }
@@ -607,7 +610,8 @@ fn three_cables_meet_at_120_degrees_and_a_point_on_a_circle_finds_the_nearest_pl
     for k in 0..3 {
         assert!((towards(k).dot(towards((k + 1) % 3)) + 0.5).abs() < 1e-9);
     }
-    // A cable from a point in the circle's plane: the nearest point of the circle is on the line through the centre.
+    // A cable from a point in the plane of a circle to the circle. The circle's nearest point is on the line through
+    // the centre.
     let circle = Arc::new(Circle { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0 });
     let mut body = Body::new(vec![DVec3::new(3.0, 4.0, 0.0), DVec3::new(0.0, 1.0, 0.0)], &nothing, &[]);
     body.supports = vec![circle];
@@ -648,11 +652,11 @@ fn bodies_whose_parts_do_not_fit_are_named() {
     assert_eq!(refused(&|body| body.supports.push(long.clone())), BodyDefect::Support(0));
     let flat = Arc::new(Sphere { centre: DVec3::ZERO, radius: 0.0 });
     assert_eq!(refused(&|body| body.supports.push(flat.clone())), BodyDefect::Support(0));
-    // A tube that runs through the axis crosses itself.
+    // The tube is as thick as the ring's radius, so the torus touches itself on its axis.
     let spindle = Arc::new(Torus { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0, tube_radius: 1.0 });
     assert_eq!(refused(&|body| body.supports.push(spindle.clone())), BodyDefect::Support(0));
     assert_eq!(refused(&|body| body.groups.push(DVec3::ZERO)), BodyDefect::Group(0));
-    // With a vector of length 2 the film would weigh twice as much.
+    // A direction of length 2 would double the weight of the film.
     let heavy = |body: &mut Body| {
         let weight = Weight::new(body.triangles().to_vec(), 1.0, 2.0 * DVec3::Z, &body.vertices);
         body.terms.push(Box::new(weight));
@@ -678,11 +682,12 @@ fn junctions_of_a_complex_may_move_across_their_curve() {
     assert_eq!(body.freedoms[1], Freedom::Across([0, 2]));
     assert_eq!(relaxed(&mut body).stability.unwrap().morse_index, Some(0));
     assert!(body.vertices[1].distance(DVec3::Z) < 1e-9);
-    // With the tension 1.5 a sheet pulls harder than the two others together do at 120°: the line moves to its side.
+    // A sheet of tension 1.5 pulls harder than the other two together do at angles of 120°, so the line moves towards
+    // that sheet.
     let mut body = Body::new(vertices, &complex, &[1.5, 1.0, 1.0]);
     relaxed(&mut body);
     assert!(body.vertices[1].x > 0.05 && body.vertices[1].y.abs() < 1e-9);
-    // By hand: the gradient at the middle vertex by the first variation of each sheet.
+    // The gradient at the middle vertex, worked out here from the first variation of each sheet.
     let normals = measure::normals(&body.vertices, &triangles);
     let fixed = [true, false, true, true, true, true];
     let free = plateau_mesh::sparse::pattern::FreeVertices::new(&fixed);

@@ -5,15 +5,15 @@ use plateau_mesh::sparse::multigrid::{Hierarchy, Parents};
 use plateau_mesh::sparse::{CgFailure, LinearError, SymmetricMatrix};
 use plateau_mesh::{DVec3, Execution};
 
-/// The linear system of a Newton step is solved until its own residual is this fraction of the right-hand side.
+/// The linear system of a Newton step is solved until its residual falls to this fraction of the residual of the state.
 const FORCING: f64 = 1e-3;
-/// Below this residual of the state, one Newton step ends the run, so that the linear system is solved as far as the
-/// run's tolerance needs.
+/// If the residual of the state is below this, the Newton step is expected to be the last. Its linear system is
+/// therefore solved to the accuracy that the tolerance of the run needs.
 const LAST_STEP_BELOW: f64 = 2e-2;
-/// The residual of the linear system of this last step, as a fraction of the run's tolerance.
+/// Residual to which the linear system of the last step is solved, as a fraction of the tolerance of the run.
 const LAST_STEP_GOAL: f64 = 0.2;
 
-/// Returns the test whether a residual of the linear system is small enough for a Newton step from `state`.
+/// Returns a test that tells whether a residual of the linear system is small enough for a Newton step from `state`.
 pub(crate) fn accepts<F>(state: &State<F>, settings: &Settings, radius: f64) -> impl Fn(&[f64]) -> bool {
     let rest = LAST_STEP_GOAL * settings.tolerance;
     let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
@@ -21,7 +21,8 @@ pub(crate) fn accepts<F>(state: &State<F>, settings: &Settings, radius: f64) -> 
     move |residual| residual.iter().zip(&state.mass).all(|(residual, mass)| residual.abs() <= allowed * mass)
 }
 
-/// Newton's step by conjugate gradients over the nested levels. The body must have no constraints.
+/// Computes Newton's step by conjugate gradients, preconditioned by V-cycles over nested meshes. The body must have no
+/// constraints.
 pub(crate) struct VCycleSteps<'a> {
     pub hierarchy: &'a Hierarchy,
     pub parents: Parents,

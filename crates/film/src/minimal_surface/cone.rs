@@ -1,33 +1,33 @@
-//! Shows by a cone, before any film is solved, that no connected minimal surface spans some boundaries.
+//! Proves by a separating cone, before any film is solved, that no connected minimal surface spans some boundaries.
 //!
-//! **Theorem** (J. C. C. Nitsche, S. Hildebrandt; Dierkes, Hildebrandt, Sauvigny, *Minimal Surfaces*, section 6.2). A
-//! double cone r ≤ z sinh τ, where τ tanh τ = 1, contains in its two halves the parts A and B of a boundary. Then no
-//! connected minimal surface, of any genus, has this boundary, because the catenoids that touch the cone sweep the
-//! space between its halves, and the surface could not touch the first of them that it meets. The bound is sharp for
-//! two equal coaxial circles.
+//! **Theorem** (J. C. C. Nitsche, S. Hildebrandt; Dierkes, Hildebrandt, Sauvigny, *Minimal Surfaces*, section 6.2). Let
+//! a double cone r ≤ |z| sinh τ, where τ tanh τ = 1, contain the part A of a boundary in one half and the part B in the
+//! other. Then no connected minimal surface, of any genus, has this boundary. The reason is that the catenoids that
+//! touch the cone sweep the space between its halves, and the surface could not touch the first of them that it meets.
+//! The bound is sharp for two equal coaxial circles.
 
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
-/// sinh τ, the slope of the cone's sides, for the solution τ = 1.1996786402577337 of τ tanh τ = 1.
+/// sinh τ, the ratio of radius to height of the cone, for the solution τ = 1.1996786402577337 of τ tanh τ = 1.
 const SLOPE: f64 = 1.508_879_561_538_319_7;
-/// Largest number of points of a boundary that are examined. The boundary is enlarged by the largest distance of a
-/// point that is left out from the examined point before it.
+/// Largest number of points of a boundary that are examined. Each examined point stands for the skipped points that
+/// follow it, so the boundary is enlarged by the largest distance of a skipped point from its examined point.
 const MOST_POINTS: usize = 64;
-/// Largest number n of boundaries that are examined, because each of the 2ⁿ⁻¹ - 1 ways to divide them into two parts is
-/// tried.
+/// Largest number n of boundaries that are examined. The number is small, because each of the 2ⁿ⁻¹ - 1 ways to divide
+/// the boundaries into two parts is tried.
 const MOST_BOUNDARIES: usize = 6;
 /// First and last step of the search for a cone, as fractions of the radius of all boundaries.
 const FIRST_STEP: f64 = 0.25;
 const LAST_STEP: f64 = 1e-3;
 /// Largest number of rounds of the search, each of which tries eight cones.
 const MOST_ROUNDS: u32 = 48;
-/// A cone counts if the halves that hold the boundaries are further apart than this fraction of the radius. It is above
-/// rounding.
+/// A cone separates the boundaries if its halves can be drawn apart by more than this fraction of the radius. It is
+/// above rounding.
 const LEAST_GAP: f64 = 1e-9;
 
-/// Some points of a boundary, and the distance within which all its other points lie from one of them.
+/// The examined points of a boundary. Each of its other points lies within the distance `within` of an examined point.
 struct Outline {
     points: Vec<DVec3>,
     within: f64,
@@ -43,7 +43,7 @@ impl Outline {
     }
 }
 
-/// Numbers of the boundaries of one part and of the other, which a cone separates.
+/// Indices of the boundaries in the two parts that a cone separates.
 pub(crate) type Parted = [Vec<usize>; 2];
 
 /// Looks for a double cone that holds some of the boundaries in one half and the others in the other half, so that no
@@ -60,7 +60,7 @@ pub(crate) fn part(boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option
     let outlines: Vec<Outline> = boundaries.iter().map(|boundary| Outline::new(boundary)).collect();
     let all: Vec<DVec3> = outlines.iter().flat_map(|outline| outline.points.iter().copied()).collect();
     let radius = polyline::radius(&all);
-    // The last boundary stays in the second part, because the parts may be exchanged.
+    // The last boundary always stays in the second part, because exchanging the parts makes no difference.
     for first in 1..1u32 << (count - 1) {
         exec.look(all.len() as u64)?;
         let (one, other): (Vec<usize>, Vec<usize>) = (0..count).partition(|&k| first & (1 << k) != 0);
@@ -72,7 +72,7 @@ pub(crate) fn part(boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option
     Ok(None)
 }
 
-/// The error of boundaries that a cone parts: no connected film spans them.
+/// The error for boundaries that a cone separates: no connected film spans them.
 pub(crate) fn refusal(parted: &Parted) -> Error {
     let [one, other] = parted.each_ref().map(|part| {
         let names: Vec<String> = part.iter().map(usize::to_string).collect();
@@ -95,8 +95,8 @@ pub(super) fn not_connected(reason: &str) -> Error {
     Error::NoResult { reason: Reason::NoConnectedFilm, detail, places: vec![place] }
 }
 
-/// The largest distance found, along the axis of a double cone, by which its halves can be drawn apart and still hold
-/// one part each. Negative if no cone was found that holds them.
+/// Searches for the double cone whose halves can be drawn apart the farthest along the axis and still hold one part
+/// each. Returns the largest distance found. Negative if no cone was found whose halves hold the parts.
 fn widest_gap(parts: &[Vec<&Outline>; 2], radius: f64) -> f64 {
     let means = parts.each_ref().map(|part| {
         let means = part.iter().map(|outline| polyline::mean(&outline.points)).sum::<DVec3>();
@@ -105,7 +105,7 @@ fn widest_gap(parts: &[Vec<&Outline>; 2], radius: f64) -> f64 {
     let Some(axis) = (means[0] - means[1]).try_normalize() else { return -f64::INFINITY };
     let (x, y) = axis.any_orthonormal_pair();
     let middle = 0.5 * (means[0] + means[1]);
-    // A cone through a point of the plane across the axis, with a tilted axis.
+    // The cone's apex lies in the plane across the initial axis (`at[0..2]`), and its axis is tilted (`at[2..4]`).
     let gap = |at: [f64; 4]| {
         let axis = (axis + at[2] / radius * x + at[3] / radius * y).normalize();
         distance_apart(parts, middle + at[0] * x + at[1] * y, axis)
@@ -128,7 +128,7 @@ fn widest_gap(parts: &[Vec<&Outline>; 2], radius: f64) -> f64 {
                 }
             }
         }
-        // A step that gained little is halved too.
+        // The step is halved if the round gained less than a tenth of it.
         if widest - before < 0.1 * step {
             step *= 0.5;
         }
@@ -145,9 +145,8 @@ fn distance_apart(parts: &[Vec<&Outline>; 2], origin: DVec3, axis: DVec3) -> f64
             let height = from.dot(axis);
             sense * height - (from - height * axis).length() / SLOPE
         });
-        // The points that are left out lie within `within` of an examined one. Their heights differ from those of the
-        // examined points by at most `within` times sqrt(1 + 1 / sinh² τ), the length of the gradient of
-        // z - r / sinh τ.
+        // The skipped points lie within `within` of an examined point. Their heights differ from those of the examined
+        // points by at most `within` times sqrt(1 + 1 / sinh² τ), the length of the gradient of z - r / sinh τ.
         heights.fold(f64::INFINITY, f64::min) - outline.within * (1.0 + SLOPE.powi(-2)).sqrt()
     };
     let least =
@@ -177,7 +176,7 @@ mod tests {
             assert!(!is_parted(&[ring(1.0, 0.0, count), ring(1.0, 0.9999 * critical, count)]));
             assert!(is_parted(&[ring(1.0, 0.0, count), ring(1.0, 1.0001 * critical, count)]));
         }
-        // With many points the distance of those that are left out counts, here a tenth of the radius.
+        // With many points, the distance of the skipped points counts. Here it is a tenth of the radius.
         assert!(!is_parted(&[ring(1.0, 0.0, 1000), ring(1.0, 0.9999 * critical, 1000)]));
         assert!(is_parted(&[ring(1.0, 0.0, 1000), ring(1.0, 1.2 * critical, 1000)]));
     }

@@ -10,11 +10,13 @@ use plateau_mesh::sparse::pattern::FreeVertices;
 /// Mean curvature and residuals of a film, vertex by vertex.
 #[derive(Clone, Debug)]
 pub struct Curvature {
-    /// Per vertex |g| / (2 A_h), in 1/unit; 0 where the vertex is fixed.
+    /// Mean curvature |g| / (2 A_h) of each vertex, in 1/unit, with the area gradient g and a third A_h of the area of
+    /// the vertex's triangles. 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
     /// See [`Statistics::residual`](super::statistics::Statistics::residual).
     pub residual: f64,
-    /// The residual by which solvers end. Forces of the size of rounding errors count as zero in it.
+    /// The residual that the solvers compare with their tolerance. Forces of the size of rounding errors count as zero
+    /// in it.
     pub(super) residual_felt: f64,
     /// See [`Statistics::residual_full`](super::statistics::Statistics::residual_full).
     pub residual_full: f64,
@@ -22,8 +24,8 @@ pub struct Curvature {
     pub(super) residual_beyond_rounding: f64,
 }
 
-/// Rounding of a sum of forces, in units in the last place of the largest coordinate times the sum's sensitivity to the
-/// coordinates.
+/// Rounding error that is assumed of a sum of forces, in units in the last place of the largest coordinate times the
+/// sensitivity of the sum to the coordinates.
 const ROUNDING: f64 = 8.0;
 
 impl Curvature {
@@ -52,9 +54,9 @@ impl Curvature {
     }
 }
 
-/// For each vertex the largest force that rounding of the coordinates alone can put on it. A triangle's force on a
-/// corner is |n × e| / 2, with e the opposite edge. Moving a corner by δ changes it by up to δ (1 + l / h) / 2, with l
-/// the longest edge and h the altitude over it.
+/// Returns for each vertex the largest force that rounding of the coordinates alone can cause. A triangle exerts the
+/// force |n × e| / 2 on a corner, where e is the opposite edge. Moving a corner by δ changes this force by up to δ (1 +
+/// l / h) / 2, where l is the longest edge and h the altitude over it.
 fn force_rounding(film: &Film) -> Vec<f64> {
     let largest = film.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let step = ROUNDING * f64::EPSILON * largest;

@@ -1,4 +1,4 @@
-//! Drivers that call a solver several times: other topologies, other resolutions.
+//! Drivers that call a solver several times, for different topologies or resolutions.
 
 pub(super) mod best_topology;
 pub(super) mod free_topology;

@@ -3,23 +3,24 @@
 use super::options::{InitialMesh, Objective, Options, Resolution};
 use plateau_mesh::{DVec3, Estimate};
 
-/// Rough number of triangles for each boundary point where the points are much closer than the edge length.
+/// Lower bound of the estimated number of triangles, per boundary point. It takes effect where the boundary points are
+/// much closer together than the edge length.
 const TRIANGLES_PER_POINT: f64 = 12.0;
 
-/// Number of bytes of memory per triangle. Area and Dirichlet energy took at most 650 bytes (100,000 and 400,000
-/// triangles, every solver, writing the mesh included). The rest is for sparse factors, which grow a little faster than
-/// the mesh.
+/// Memory per triangle, in bytes, for the objectives area and Dirichlet energy. Measured: at most 650 bytes (100,000
+/// and 400,000 triangles, every solver, writing the mesh included). The rest is for sparse factors, which grow a little
+/// faster than the mesh.
 const BYTES_PER_TRIANGLE: f64 = 1_000.0;
 
-/// Bytes per triangle for the least squares of the mean curvatures. They took 6,740 bytes, because their normal
-/// matrix also connects neighbours of neighbours.
+/// Memory per triangle, in bytes, for the least squares of the mean curvatures. Measured: 6,740 bytes. It is more than
+/// for the other objectives because the normal matrix also connects neighbours of neighbours.
 const BYTES_PER_TRIANGLE_OF_LEAST_SQUARES: f64 = 8_000.0;
 
 /// Estimates the triangles of the result and the memory that solving takes. O(points).
 ///
-/// The number of triangles is exact if the request is for a number of triangles. For an edge length it is the area of
-/// the fans from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least 12
-/// for each boundary point. This is right within a small factor unless the boundaries are far apart.
+/// The number of triangles is exact if the request names a number of triangles. For an edge length the estimate is the
+/// area of the fans from the boundaries to their common mean, divided by the area of an equilateral triangle, and at
+/// least 12 for each boundary point. This estimate is right within a small factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate(boundaries: &[Vec<DVec3>], options: &Options) -> Estimate {
     let triangles = triangles(boundaries, options);

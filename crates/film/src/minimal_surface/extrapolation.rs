@@ -1,9 +1,10 @@
 //! Estimates the area of the smooth minimal surface on the same boundary polygon from two meshes (Richardson
 //! extrapolation).
 //!
-//! If the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the
-//! area of the surface by a multiple of h². Halving every edge divides the excess by four. The limit is therefore
-//! A_fine - (A_coarse - A_fine) / 3, and the error estimate is the whole correction of the finer area.
+//! If the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the area of
+//! the surface by a multiple of h², where h is the edge length. Halving every edge divides the excess by four. The
+//! limit is therefore A_fine - (A_coarse - A_fine) / 3, and the error estimate is the whole correction that is
+//! subtracted from A_fine.
 //!
 //! At a corner of the polygon where the film has an angle ω above 180° the surface behaves like r^(π/ω), and the excess
 //! tends to fall with h^(2π/ω) only. The limit is then the mean of the two extrapolations with h^(2π/ω) and with h².
@@ -28,15 +29,16 @@ use std::f64::consts::{PI, TAU};
 const TOLERANCE: f64 = 1e-3;
 /// Largest number of Newton steps on the finer mesh.
 const MAX_STEPS: u32 = 6;
-/// Fraction of their right-hand side to which the linear systems of a margin are solved. The error of the margin is
-/// about its square.
+/// Residual to which the linear systems of a margin are solved, as a fraction of the right-hand side. The error of the
+/// margin is about its square.
 const MARGIN_SOLVES: f64 = 1e-3;
 
-/// A boundary vertex where the film's angle exceeds 180 degrees by more than this (radians) is a re-entrant corner. The
-/// vertices of a smooth curve that is sampled with a dozen points or more stay below it.
+/// A boundary vertex is a re-entrant corner if the angle of the film there exceeds 180 degrees by more than this
+/// (radians). The vertices of a smooth curve that is sampled with a dozen points or more stay below it.
 const RE_ENTRANT: f64 = std::f64::consts::FRAC_PI_6;
 
-/// Order in which the area of a film's meshes tends to its limit: 2, or 2π/ω at the widest re-entrant corner.
+/// Power of the edge length with which the area of a film's meshes tends to its limit: 2, or 2π/ω if the film has the
+/// angle ω at its widest re-entrant corner.
 pub(in crate::minimal_surface) fn order(film: &Film) -> f64 {
     let mut angles = vec![0.0; film.vertices.len()];
     for &triangle in film.triangles() {
@@ -50,18 +52,19 @@ pub(in crate::minimal_surface) fn order(film: &Film) -> f64 {
     if widest > PI + RE_ENTRANT { TAU / widest } else { 2.0 }
 }
 
-/// Figures from the film with every edge halved.
+/// Figures of the finer film, whose mesh has every edge of the film halved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::minimal_surface) struct Finer {
     pub area: ExtrapolatedArea,
-    /// The [`Margin`] of that film, if it was asked for and could be computed.
+    /// The [`Margin`] of the finer film, if it was asked for and could be computed.
     pub margin: Option<f64>,
 }
 
 impl Finer {
-    /// Halves the edges of a converged stable film, corrects that mesh, and extrapolates. The top level of `hierarchy`
-    /// is the second variation at the film. `motion` is the motion that gives the film's margin, or `None` if the
-    /// margin of the finer film is not wanted. Returns `None` if the finer mesh cannot be corrected in a few steps.
+    /// Halves the edges of a converged stable film, corrects the finer mesh by Newton's method, and extrapolates the
+    /// area. The top level of `hierarchy` is the second variation at the film. `motion` is the motion that gives the
+    /// film's margin, or `None` if the margin of the finer film is not wanted. Returns `None` if the finer mesh cannot
+    /// be corrected in a few steps.
     ///
     /// # Errors
     /// The interruption.
@@ -99,8 +102,9 @@ impl Finer {
     }
 }
 
-/// The margin at the finest of nested levels, computed from the estimate `start` of its motion by conjugate gradients
-/// over the levels below. `None` if these do not converge, or if the second variation is not positive definite.
+/// Computes the margin at the finest of nested levels. The iteration starts from `start`, an estimate of the motion
+/// that gives the margin. Its linear systems are solved by conjugate gradients, which the levels below precondition.
+/// Returns `None` if the conjugate gradients do not converge, or if the second variation is not positive definite.
 ///
 /// # Errors
 /// The interruption.

@@ -1,15 +1,16 @@
-//! Pinkall, Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates* (1993), section 3:
+//! The iteration of Pinkall and Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates* (1993), section 3:
 //!
 //! 1. Take the current mesh as the domain. Its cotangent weights give the Dirichlet energy of a piecewise linear map.
 //! 2. Minimise that energy with the boundary fixed: one sparse positive definite system, three right-hand sides.
 //! 3. The image is the next domain. Repeat.
 //!
-//! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges
-//! linearly. A few rounds make a good mesh of a poor one; a small residual takes many, and
+//! The area never rises, because area(image) <= energy(image) <= energy(identity) = area(domain). The iteration
+//! converges linearly. A few rounds make a good mesh of a poor one. A small residual takes many rounds;
 //! [`newton`](crate::equilibrium::newton) reaches it faster.
 //!
-//! Departure from the paper: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)). A
-//! collapsing neck is therefore reported by the linear solver instead of giving an infinite entry.
+//! Departure from the paper: the cotangent weights of a triangle whose area vanishes are bounded
+//! ([`area`](crate::energy::area)). The linear solver therefore reports a collapsing neck, and the matrix has no
+//! infinite entry.
 
 use crate::energy::dirichlet::laplacian;
 use plateau_mesh::codes::Reason;
@@ -18,17 +19,17 @@ use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
-/// Residual at which conjugate gradients stop, as a fraction of the residual of the present positions.
+/// Residual at which conjugate gradients stop, as a fraction of the residual at the start of the solve.
 const ITERATIVE_TOLERANCE: f64 = 1e-10;
 
-/// Whether a step needed a factorisation.
+/// Whether a step solved its linear systems by elimination, which needs a factorisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Elimination {
     Used,
     Spared,
 }
 
-/// Dirichlet problems on one connectivity. The symbolic factorisation is made once.
+/// Solver of Dirichlet problems on meshes of one connectivity. The symbolic factorisation is computed once.
 #[derive(Debug)]
 pub(crate) struct Dirichlet {
     pub pattern: Pattern,
@@ -45,7 +46,7 @@ impl Dirichlet {
         Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
     }
 
-    /// Does the same as [`new`](Self::new) for triangles of which more than two may share an edge.
+    /// Does the same as [`new`](Self::new) for a mesh in which more than two triangles may share an edge.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -59,8 +60,8 @@ impl Dirichlet {
         Ok(Self { pattern, symbolic, matrix, right_hand_side: Vec::new(), storage: Vec::new() })
     }
 
-    /// Steps 1 and 2: moves the free vertices to the image of the minimum of the energy. The film must have the
-    /// connectivity that this was made for. On an error the film stays as it was.
+    /// Steps 1 and 2: moves the free vertices to the positions of least energy. The film must have the connectivity for
+    /// which this solver was made. On an error the film stays as it was.
     ///
     /// # Errors
     /// A [`LinearError`] if the mesh has collapsed so far that the system has no trustworthy solution.
@@ -68,7 +69,7 @@ impl Dirichlet {
         self.move_to_minimum(&mut film.vertices, film.topology.triangles())
     }
 
-    /// Makes the [`step`](Self::step) on vertices and triangles.
+    /// Does the same as [`step`](Self::step) for separate vertices and triangles.
     ///
     /// # Errors
     /// The errors of [`step`](Self::step).
@@ -88,9 +89,9 @@ impl Dirichlet {
         Ok(())
     }
 
-    /// Makes the [`step`](Self::step) by conjugate gradients from the present positions. If one of the three
-    /// coordinates does not converge, the step is made by elimination. Returns which of the two it was, or why
-    /// elimination failed. On an error the film stays as it was.
+    /// Does the same as [`step`](Self::step) by conjugate gradients from the present positions. If one of the three
+    /// coordinates does not converge, all three are solved by elimination. Returns which of the two methods was used,
+    /// or why elimination failed. On an error the film stays as it was.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -117,8 +118,8 @@ impl Dirichlet {
         Ok(Ok(Elimination::Spared))
     }
 
-    /// Conjugate gradients from `x` until the residual has decreased to [`ITERATIVE_TOLERANCE`] of its first value. The
-    /// number of iterations is at most the order of the matrix plus one.
+    /// Solves by conjugate gradients from `x` until the residual has decreased to [`ITERATIVE_TOLERANCE`] of its first
+    /// value. The number of iterations is at most the order of the matrix plus one.
     fn solve_from(&self, x: &mut [f64], b: &[f64], exec: &Execution) -> Result<usize, CgFailure> {
         let square = |residual: &[f64]| residual.iter().map(|r| r * r).sum::<f64>();
         let mut first = vec![0.0; b.len()];

@@ -1,5 +1,6 @@
-//! The mesh that a solver starts from. It determines the topology of the result. If a boundary bounds several minimal
-//! surfaces, it also determines which of them comes out.
+//! Builds the initial mesh from which a solver starts. The initial mesh determines the topology of the result. If
+//! several minimal surfaces have the same boundary, the initial mesh also determines to which of them the solver
+//! converges.
 
 mod barycentres;
 mod domain;
@@ -37,28 +38,29 @@ pub(super) use first_point::{first_point, turned};
 pub(super) use given::ON_SEGMENT;
 pub(super) use spanning::Start;
 
-/// Which initial mesh was built.
+/// Kind of initial mesh that was built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InitialMeshKind {
-    /// Delaunay triangles in the best plane, heights extended harmonically.
+    /// Delaunay triangles in the best plane. The heights above the plane are extended harmonically from the boundary.
     Planar,
-    /// Delaunay triangles in a round disc, mapped harmonically.
+    /// Delaunay triangles in a round disc, mapped harmonically into space.
     Disk,
-    /// Two boundaries: Delaunay triangles in a round annulus, mapped harmonically.
+    /// For two boundaries: Delaunay triangles in a round annulus, mapped harmonically into space.
     Annulus,
-    /// Three and more: Delaunay triangles between the loops as they are seen from a point in their middle, or in a disc
-    /// with round holes, mapped harmonically.
+    /// For three or more boundaries: Delaunay triangles, mapped harmonically into space. Their plane domain is bounded
+    /// either by the stereographic images of the boundary loops, seen from a point in their middle, or by a circle with
+    /// round holes.
     SphereWithHoles,
-    /// Chen, Cai, Zheng's rings. [`InitialMesh::Auto`] stands for them between two boundaries that nearly coincide.
+    /// The rings of Chen, Cai, Zheng. [`InitialMesh::Auto`] chooses them if two boundaries nearly coincide.
     Rings,
-    /// Liu, Wang's seeded choice of barycentres.
+    /// Liu and Wang's candidate points at barycentres, chosen by a seed.
     Barycentres,
     /// The caller's own mesh.
     Given,
 }
 
 impl InitialMeshKind {
-    /// A stable name in snake case.
+    /// Stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -73,17 +75,17 @@ impl InitialMeshKind {
     }
 }
 
-/// A film between the boundaries (centred, without equal neighbours), and how it was made. Its triangles run along the
-/// first boundary in the direction of the boundary. The point with which the list of a boundary begins affects only the
-/// numbers of the vertices.
+/// Builds the initial mesh, a film that spans the boundaries, and returns the film with the kind of the mesh. The
+/// boundaries must be centred and must not have equal neighbouring points. The triangles run along the first boundary
+/// in its direction. The point with which the list of a boundary begins affects only the numbers of the vertices.
 ///
-/// Three and more boundaries of a film in space can be laid out in the plane in several ways, of which `arrangement`
-/// asks for one by its number. Without a number the initial mesh of least area is taken among those that do not cross
-/// themselves.
+/// Three or more boundaries of a film in space can be laid out in the plane in several ways, and `arrangement` is the
+/// number of the layout to use. Without it, the layout is used whose initial mesh has the least area among those that
+/// do not cross themselves.
 ///
 /// # Errors
-/// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
-/// crosses itself; the interruptions of `exec`.
+/// [`Error::Input`] for a resolution that is impossible for these boundaries; [`Error::NoResult`] for a plane boundary
+/// that crosses itself; the interruptions of `exec`.
 pub(super) fn build(
     boundaries: &[Vec<DVec3>],
     options: &Options,
@@ -106,8 +108,8 @@ pub(super) fn build(
     Ok((start, kind))
 }
 
-/// Meshes the boundaries. `as_given` are the same boundaries as the caller numbers their points; errors name these
-/// numbers.
+/// Meshes the boundaries. `as_given` are the same boundaries with their points in the caller's order, because errors
+/// name points by the caller's numbers.
 fn spanning(
     boundaries: &[Vec<DVec3>],
     as_given: &[Vec<DVec3>],
@@ -164,14 +166,14 @@ fn spanning(
     }
 }
 
-/// The number of ways to lay out the boundaries in the plane, or 0 if there is only one.
+/// Number of ways to lay out three or more boundaries in the plane. 0 for one or two boundaries, which have one layout.
 pub(super) fn arrangements(boundaries: &[Vec<DVec3>]) -> usize {
     if boundaries.len() > 2 { Shape::arrangements(boundaries).len() } else { 0 }
 }
 
-/// Meshes a disc, an annulus or a sphere with holes and maps it into space. If no `arrangement` is asked for, the
-/// layout of the boundaries is chosen whose mesh has the least area without crossing itself. Among nearly equal areas
-/// the more trusted layout is preferred.
+/// Meshes a disc, an annulus or a sphere with holes and maps it into space. Without `arrangement`, the layout is chosen
+/// whose mesh has the least area without crossing itself. If areas are nearly equal, the layout that comes first in
+/// [`Shape::arrangements`] wins.
 fn curved(
     boundaries: &[Vec<DVec3>],
     as_given: &[Vec<DVec3>],
@@ -202,7 +204,7 @@ fn curved(
             }
         };
         // Among the meshes that do not cross themselves, the one of least area is nearest to a film. Meshes of larger
-        // area are not examined for crossings, so that rounding in these tests cannot change the choice.
+        // area are not examined for crossings, so that rounding in the examination cannot change the choice.
         let area = start.film.area();
         let is_less = least.as_ref().is_none_or(|(least, _)| area < (1.0 - SIMILAR_AREA) * least);
         if !is_less || !is_in_one_piece(&start.film) {
@@ -214,7 +216,7 @@ fn curved(
             least = Some((area, start));
         }
     }
-    // If all of them cross themselves, the first one is as good as any.
+    // If all meshes cross themselves, the first of them is returned.
     let Some(start) = least.map(|(_, start)| start).or(crossing) else {
         let error = failure.unwrap_or(PlaneError::NotSimple([0; 2]));
         return Err(refusal((as_given, constraints), error, None, exec));
@@ -233,13 +235,13 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &E
     };
     let interior_vertices = match options.resolution {
         Resolution::InteriorVertices(count) => count,
-        // A disk of m boundary points and n others has m + 2 n - 2 triangles.
+        // A disc with m boundary points and n interior points has m + 2 n - 2 triangles.
         _ => ((estimate(boundaries, options).triangles + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
     candidate_mesh(boundary, interior_vertices, seed, exec)
 }
 
-/// Refuses what [`build`] would refuse, as far as that can be seen without meshing. Linear in the size of the input.
+/// Refuses inputs that [`build`] would refuse, as far as this can be seen without meshing. Linear in the input's size.
 ///
 /// # Errors
 /// [`Error::Input`].
@@ -255,7 +257,8 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
         _ => {}
     }
     let points: usize = boundaries.iter().map(Vec::len).sum();
-    // By Euler's formula F = 2 (interior) + (boundary) - 2 χ, and a connected surface with k boundaries has χ = 2 - k.
+    // Without interior points, F = (boundary points) - 2 χ, and a connected surface of genus 0 with k boundaries has
+    // χ = 2 - k.
     let least = points as f64 + 2.0 * boundaries.len() as f64 - 4.0;
     match options.resolution {
         Resolution::Triangles(count) if options.keeps_topology() && (count as f64) < 0.9 * least => {
@@ -266,7 +269,7 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
     }
 }
 
-/// Whether a film is a sphere with one hole for each of its boundaries.
+/// Whether a film is one connected sphere with a hole for each of its boundaries.
 fn is_in_one_piece(film: &Film) -> bool {
     let holes = film.boundaries.len() as i64;
     film.topology.components() == 1 && film.topology.euler_characteristic() == 2 - holes
@@ -280,8 +283,8 @@ fn crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
 /// A boundary counts as plane if its distances from the plane are below this fraction of its extent.
 const FLAT: f64 = 1e-9;
 
-/// Relative difference of areas up to which the more trusted of two initial meshes is preferred. It is above the errors
-/// of coarse meshes, and both usually lead to the same film.
+/// Relative difference of areas up to which two initial meshes count as equally good, so that the first layout wins. It
+/// is above the errors of coarse meshes, and two meshes that differ by less usually lead to the same film.
 const SIMILAR_AREA: f64 = 1e-2;
 
 /// A projection counts as too steep if a segment keeps less than this fraction of its length. The boundary is then
@@ -292,7 +295,8 @@ fn extent(boundaries: &[Vec<DVec3>]) -> f64 {
     boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
 }
 
-/// Whether no segment is so steep that the projection would crowd the points around it.
+/// Whether the projection onto the plane keeps at least [`STEEP`] of the length of each boundary segment. A steeper
+/// segment would crowd the points around it.
 fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
     boundaries.iter().all(|points| {
         (0..points.len()).all(|k| {
@@ -302,11 +306,11 @@ fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
     })
 }
 
-/// Largest distance, as a fraction of the boundaries' extent, at which sides touch when they are seen in their plane.
+/// Largest distance at which two projected sides of the boundaries count as touching, as a fraction of the extent.
 const TOUCHING: f64 = 1e-12;
 
-/// The start points of the first two sides that meet when they are projected onto a plane, as the places of an error.
-/// Empty if no sides meet.
+/// Finds the first two sides of the boundaries that meet when they are projected onto the plane. Returns an error at
+/// the start point of each of the two. Empty if no sides meet.
 fn crossing_places(
     boundaries: &[Vec<DVec3>],
     frame: &Frame,
@@ -335,7 +339,7 @@ fn crossing_places(
     Ok(Vec::new())
 }
 
-/// The first point of the constraints that does not lie inside the boundaries, seen in their plane.
+/// Finds the first point of the constraints whose projection onto the plane does not lie inside the boundaries.
 fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) -> Option<Place> {
     let loops: Vec<Vec<DVec2>> =
         boundaries.iter().map(|points| points.iter().map(|&p| frame.project(p)).collect()).collect();
@@ -355,7 +359,8 @@ fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) 
         .map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
 }
 
-/// The error for a domain that has no mesh. `plane` is the plane in which the mesh was made.
+/// Converts a failure of the plane mesher into the error for the caller. `plane` is the plane of the mesh, if the mesh
+/// was made by projection.
 fn refusal(
     (boundaries, constraints): (&[Vec<DVec3>], &Constraints),
     error: PlaneError,

@@ -1,4 +1,4 @@
-//! The figures of a film with junctions that other films do not have.
+//! Statistics that only films with junctions have.
 
 use plateau_mesh::measure::Spread;
 
@@ -12,27 +12,29 @@ pub struct JunctionStatistics {
     pub curves: Vec<Vec<u32>>,
     /// Number of edges of three triangles.
     pub edges: usize,
-    /// Number of vertices inside the film where such curves meet.
+    /// Number of vertices inside the film where junctions meet.
     pub points: usize,
-    /// Length of all junctions.
+    /// Total length of the junctions.
     pub length: f64,
-    /// Largest net force of the sheets across a junction, per length. It is 0 where the forces balance, and 1 for a
-    /// single sheet. Dimensionless.
+    /// Largest net force of the sheets across a junction, per length of the junction. Dimensionless, because the
+    /// surface tension is 1. It is 0 where the forces balance, and 1 for a single sheet.
     pub residual: f64,
     /// Angles between neighbouring facets around the junction edges, in radians.
     pub facet_angles: Spread,
-    /// Angles between the forces of neighbouring sheets at the inner vertices of the junctions, in radians.
+    /// Angles between the forces of neighbouring sheets, in radians, at the vertices inside the junctions.
     pub sheet_angles: Spread,
     /// Largest deviation of [`Self::sheet_angles`] from 120°, in radians, over the vertices that are not next to an end
-    /// of their junction. If every vertex is next to an end, over all of them.
+    /// of their junction. If every vertex is next to an end, over all vertices. If no junction has a vertex inside,
+    /// over [`Self::facet_angles`].
     pub largest_deviation: f64,
-    /// Largest deviation at the vertices next to an end, where it may hardly decrease with the size of the mesh; 0 if
-    /// there are none.
+    /// Largest deviation of [`Self::sheet_angles`] from 120°, in radians, over the vertices next to an end of their
+    /// junction. There the deviation may hardly decrease on finer meshes. 0 if there are no such vertices.
     pub largest_deviation_at_ends: f64,
-    /// Mean deviation over all these vertices.
+    /// Mean deviation from 120°, in radians, of all [`Self::sheet_angles`], or of [`Self::facet_angles`] if no junction
+    /// has a vertex inside.
     pub mean_deviation: f64,
-    /// Number of negative eigenvalues of the second variation. `None` if it was not computed, or if a number of
-    /// junctions other than four meet in a point: the second variation includes the motions of the point, but not its
-    /// splitting.
+    /// Number of negative eigenvalues of the second variation. `None` if it was not computed. Also `None` if a number
+    /// of junctions other than four meet in a point, because the second variation includes the motions of the point,
+    /// but not its splitting.
     pub morse_index: Option<usize>,
 }

@@ -1,15 +1,16 @@
-//! A solved film that follows its boundary while a user drags it. The mesh and two matrix factors are kept between the
-//! moves.
+//! A solved film that follows its boundary while a user drags it. The mesh and two matrix factors are kept from one
+//! move to the next. A move has two steps:
 //!
 //! 1. The boundary takes its new places, and the interior follows harmonically: L d = -L_free,fixed d_fixed, with the
-//!    cotangent Laplacian L of the film as it was solved. L is factorised once. The vertices' distribution within the
-//!    surface therefore depends on the place of the boundary only, not on its way there.
-//! 2. A few Newton steps in normal heights ([`newton`](crate::equilibrium::newton)) correct the heights, up to
-//!    [`PREVIEW_TOLERANCE`]. Their systems are solved by conjugate gradients, which an earlier factor of the second
-//!    variation preconditions. The factor is renewed when the conjugate gradients converge slowly.
+//!    displacements d and the cotangent Laplacian L of the film as it was solved. L is factorised once. The
+//!    distribution of the vertices within the surface therefore depends only on the place of the boundary, not on the
+//!    path by which the boundary got there.
+//! 2. A few Newton steps in normal heights ([`newton`](crate::equilibrium::newton)) correct the film to a residual of
+//!    [`PREVIEW_TOLERANCE`]. Their linear systems are solved by conjugate gradients. The preconditioner is the factor
+//!    of an earlier second variation. The factor is renewed when the conjugate gradients converge slowly.
 //!
-//! The result is a preview: its heights agree with the minimal surface to the preview's tolerance. A solve of the same
-//! boundary would build another mesh.
+//! The result is a preview: its heights agree with those of the minimal surface to the preview's tolerance. A new solve
+//! of the same boundary would build another mesh.
 
 use super::harmonic::too_large;
 use super::options::{Constraints, InitialMesh, Method, Newton, Options, TopologyRule};
@@ -29,13 +30,14 @@ const PREVIEW_TOLERANCE: f64 = 1e-4;
 /// Largest number of Newton steps of one move. A move usually takes one or two. More than four steps would cost as much
 /// as a solve.
 const MOST_STEPS: u32 = 4;
-/// Largest number of iterations of conjugate gradients with a factor of an earlier matrix. A step that needs more
-/// renews the factor, which costs about as much as this many iterations.
+/// Largest number of iterations of conjugate gradients with the factor of an earlier matrix. If more are needed, the
+/// factor is renewed, which costs about as much as this many iterations.
 const MOST_ITERATIONS: usize = 12;
-/// A moved film is not used if its smallest angle falls below this fraction of the kept film's.
+/// Smallest angle that a moved film may have, as a fraction of the smallest angle of the kept film. A film with a
+/// smaller angle is rejected.
 const LEAST_ANGLE: f64 = 0.5;
 
-/// A vertex that was added on a boundary: its place on the segment between two input points.
+/// A vertex that was added on a boundary, by its place on the segment between two input points.
 #[derive(Clone, Copy, Debug)]
 struct Added {
     vertex: u32,
@@ -44,13 +46,13 @@ struct Added {
     fraction: f64,
 }
 
-/// A film of least area, kept to be moved with its boundary.
+/// A film of least area that can be moved with its boundary.
 #[derive(Debug)]
 pub struct KeptFilm {
-    /// The film at its last place, relative to `centre`.
+    /// The film after the last move, relative to `centre`.
     film: Film,
     centre: DVec3,
-    /// The input points at their last places, not centred.
+    /// The input points after the last move, not centred.
     points: Vec<DVec3>,
     /// Number of input points of each boundary.
     counts: Vec<usize>,
@@ -58,10 +60,11 @@ pub struct KeptFilm {
     pattern: Pattern,
     symbolic: Symbolic,
     laplacian: Vec<f64>,
-    /// The entries of L between a free and a fixed vertex: the row, the fixed vertex, the entry.
+    /// The entries of L between a free and a fixed vertex. Each has the row of the free vertex, the fixed vertex, and
+    /// the entry.
     couplings: Vec<(u32, u32, f64)>,
     matrix: SymmetricMatrix,
-    /// Factor of the second variation at this or an earlier place. It preconditions the conjugate gradients.
+    /// Factor of the second variation at the present or an earlier place. It preconditions the conjugate gradients.
     factor: Vec<f64>,
     settings: Settings,
     least_angle: f64,
@@ -148,11 +151,10 @@ impl KeptFilm {
         }))
     }
 
-    /// Moves the film to other places of the same boundary points.
+    /// Moves the film so that its boundary points lie at the points of `boundaries`.
     ///
-    /// Returns `None` and leaves the film where it is if the film cannot follow. That is so if the boundaries have
-    /// other numbers of points, if a triangle would turn over or become thin, and if Newton's method does not converge
-    /// in a few steps.
+    /// Returns `None` and leaves the film where it is in these cases: the boundaries have other numbers of points, a
+    /// triangle would turn over or become thin, or Newton's method does not converge in a few steps.
     ///
     /// # Errors
     /// The interruptions of `exec`. The film then stays where it is.
@@ -172,14 +174,14 @@ impl KeptFilm {
         moved
     }
 
-    /// Returns the vertices of the film at its last place, in the order of the solved mesh. The input points have
+    /// Returns the vertices of the film after the last move, in the order of the solved mesh. The input points have
     /// exactly the given coordinates.
     pub fn vertices(&self) -> impl Iterator<Item = DVec3> {
         let others = self.film.vertices.iter().skip(self.points.len()).map(|vertex| vertex + self.centre);
         self.points.iter().copied().chain(others)
     }
 
-    /// Step 1: moves the boundary, and the interior harmonically.
+    /// Step 1: moves the boundary to its new places, and the interior harmonically.
     fn follow(&mut self, boundaries: &[Vec<DVec3>]) {
         let Self { film, added, couplings, symbolic, laplacian, pattern, .. } = self;
         let vertices = &mut film.vertices;
@@ -210,7 +212,8 @@ impl KeptFilm {
         }
     }
 
-    /// Step 2, and the checks of the moved film.
+    /// Step 2: corrects the film by Newton's method. Then checks its triangles. Returns `None` if the film cannot be
+    /// used.
     fn correct(&mut self, before: &[DVec3], exec: &Execution) -> Result<Option<MovedFilm>, Interruption> {
         if !keeps_orientation(self.film.triangles(), before, &self.film.vertices) {
             return Ok(None);
@@ -231,8 +234,9 @@ impl KeptFilm {
     }
 }
 
-/// The places of the vertices that were added on the boundaries. `None` if a loop does not begin at its first input
-/// point and run through the others in order, because then the boundary touches itself or another one.
+/// Returns the places of the vertices that were added on the boundaries. Returns `None` if a loop does not begin at its
+/// first input point and run through the other points in order, because then the boundary touches itself or another
+/// boundary.
 fn places(mesh: &Mesh, loops: &[Vec<u32>], boundaries: &[Vec<DVec3>]) -> Option<Vec<Added>> {
     let mut added = Vec::new();
     let mut first = 0;
@@ -261,7 +265,7 @@ fn places(mesh: &Mesh, loops: &[Vec<u32>], boundaries: &[Vec<DVec3>]) -> Option<
     added.iter().all(|added| added.vertex >= first).then_some(added)
 }
 
-/// The cotangent Laplacian of the free vertices, and its entries between free and fixed vertices.
+/// Returns the cotangent Laplacian of the free vertices, and its entries between free and fixed vertices.
 fn laplacian(pattern: &Pattern, film: &Film) -> (SymmetricMatrix, Vec<(u32, u32, f64)>) {
     let (mut matrix, mut right_hand_side) = (pattern.matrix(), Vec::new());
     crate::energy::dirichlet::laplacian(pattern, &film.vertices, film.triangles(), &mut matrix, &mut right_hand_side);
@@ -282,13 +286,13 @@ fn laplacian(pattern: &Pattern, film: &Film) -> (SymmetricMatrix, Vec<(u32, u32,
     (matrix, couplings)
 }
 
-/// The factor of a matrix, or `None` if the matrix is not positive definite.
+/// Returns the factor of a matrix, or `None` if the matrix is not positive definite.
 fn positive_factor(symbolic: &Symbolic, matrix: &SymmetricMatrix, storage: Vec<f64>) -> Option<Vec<f64>> {
     let factorisation = symbolic.factorise_into(matrix, storage).ok()?;
     factorisation.inertia().is_positive_definite().then(|| factorisation.into_storage())
 }
 
-/// Newton's step by conjugate gradients, preconditioned with the factor of an earlier matrix.
+/// Computes Newton's step by conjugate gradients, preconditioned with the factor of an earlier matrix.
 struct KeptFactor<'a> {
     symbolic: &'a Symbolic,
     matrix: &'a mut SymmetricMatrix,

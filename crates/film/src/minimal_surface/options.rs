@@ -11,8 +11,8 @@ const AREA_TOLERANCE: f64 = 1e-6;
 const LEAST_SQUARES_TOLERANCE: f64 = 1e-6;
 /// Default angle (radians) below which triangles are removed: one degree.
 const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
-/// Largest degenerate angle that may be asked for: a third of the angle of an equilateral triangle, so that good
-/// triangles are left alone.
+/// Largest value of `degenerate_angle` that is accepted, in radians: a third of the angle of an equilateral triangle,
+/// so that good triangles are never removed.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 /// A quantity that is minimised.
@@ -21,13 +21,14 @@ pub enum Objective {
     /// The sum of the triangles' areas.
     #[default]
     MinimalArea,
-    /// The Dirichlet energy of the piecewise linear map from the (Delaunay) initial mesh: one linear solve.
+    /// The Dirichlet energy of the piecewise linear map from the Delaunay-flipped initial mesh. It takes one linear
+    /// solve.
     MinimalDirichletEnergy,
-    /// Liu and Wang: half the sum of the squared discrete mean curvatures.
+    /// Half the sum of the squared discrete mean curvatures (Liu, Wang).
     MinimalMeanCurvature,
 }
 
-/// A description of an objective, for people and for catalogues.
+/// Description of an objective, for documentation and for catalogues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Description {
     /// A stable name in snake case.
@@ -106,16 +107,16 @@ impl Process {
     }
 }
 
-/// A solver of this crate, as the statistics name it.
+/// A solver of this crate. The statistics report it by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
-    /// Chen, Cai, Zheng: Laplacian fairing, area minimising vertex by vertex, edge swapping.
+    /// Laplacian fairing, area minimising vertex by vertex, and edge swapping (Chen, Cai, Zheng).
     VertexRelaxation,
-    /// Pinkall, Polthier: the harmonic map from the current mesh.
+    /// Repeated harmonic maps, each from the current mesh (Pinkall, Polthier).
     PinkallPolthier,
     /// A few Pinkall-Polthier solves, then Newton's method in normal heights.
     Newton,
-    /// Liu, Wang: Levenberg and Marquardt on the mean curvatures.
+    /// Levenberg and Marquardt's method on the mean curvatures (Liu, Wang).
     LevenbergMarquardt,
 }
 
@@ -135,7 +136,7 @@ impl Solver {
     }
 }
 
-/// Objective and solver, with a variant for each solver that has that solver's own options.
+/// Objective and solver. Each variant stands for a solver and holds the options of that solver.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Method {
     /// Least area by Newton's method. It is the default and the fastest, and it also computes the Morse index.
@@ -173,7 +174,8 @@ impl Method {
 pub struct Newton {
     /// Whether the film keeps the topology of the initial mesh.
     pub topology: TopologyRule,
-    /// Treatment of an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] it is always left.
+    /// Treatment of an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] this option has no
+    /// effect: the solver always moves away from an unstable surface.
     pub on_unstable: OnUnstable,
 }
 
@@ -183,10 +185,10 @@ pub enum TopologyRule {
     /// The topology stays.
     #[default]
     Fixed,
-    /// Necks may close. A film then comes apart where no connected one is stable (Bento, Cavalcanti).
+    /// Necks may close. The film then comes apart if no connected film is stable (Bento, Cavalcanti).
     Free(FreeTopology),
-    /// The film of least area among all that span the boundaries: connected ones, separate discs, and everything
-    /// between. The statistics list the others.
+    /// The film of least area among all that span the boundaries: connected films, separate discs, and everything
+    /// between. The statistics list the other films.
     Best,
 }
 
@@ -208,9 +210,9 @@ impl Default for FreeTopology {
 /// Options of [`Method::VertexRelaxation`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct VertexRelaxation {
-    /// Relative change of area per iteration at which the area minimising ends (ε₂).
+    /// Relative change of area per iteration at which a stage with area minimising ends (ε₂).
     pub area_tolerance: f64,
-    /// Relative change of area per iteration at which the Laplacian fairing ends (ε₁). `None` stands for
+    /// Relative change of area per iteration at which a stage of Laplacian fairing ends (ε₁). `None` stands for
     /// `area_tolerance`.
     pub fairing_tolerance: Option<f64>,
     /// The stages and their processes in the caller's order. Each stage is repeated until its tolerance is met. `None`
@@ -253,12 +255,12 @@ impl Default for PinkallPolthier {
 pub struct LiuWang {
     /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
     pub tolerance: f64,
-    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper. Off by default,
-    /// because a boundary vertex has only half a ring of triangles, so that its curvature does not vanish on a minimal
-    /// surface. The film would be pulled off that surface.
+    /// Whether the curvatures at boundary vertices (from their interior edges) are part of the objective, as in the
+    /// paper. Off by default, because a boundary vertex has only half a ring of triangles. Its curvature does not
+    /// vanish on a minimal surface, and would pull the film off that surface.
     pub boundary_curvature: bool,
-    /// The seed that chooses the candidate points of the initial mesh, if [`InitialMesh::Auto`] stands for
-    /// [`InitialMesh::Barycentres`].
+    /// The seed by which the points of the initial mesh are chosen from the candidates, if [`InitialMesh::Auto`] stands
+    /// for [`InitialMesh::Barycentres`].
     pub seed: u64,
 }
 
@@ -320,35 +322,36 @@ pub enum BoundarySampling {
 /// The mesh that the solver starts from. It also determines the topology of the result.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum InitialMesh {
-    /// The most suitable of the others. The statistics name it.
+    /// The most suitable of the other variants for the boundaries. The statistics name the variant that was used.
     #[default]
     Auto,
-    /// Delaunay triangles in the plane in which the boundaries enclose the largest area. Their projection onto it must
-    /// be simple.
+    /// A Delaunay triangulation in the plane in which the boundaries enclose the largest area. The projection of the
+    /// boundaries onto this plane must be simple.
     Planar,
-    /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
+    /// A Delaunay triangulation of a round disc (with a round hole for every further boundary), mapped harmonically.
     Disk,
-    /// Rings towards the mean of the boundary, or from one of two boundaries to the other (Chen, Cai, Zheng, section
-    /// 3.4).
+    /// Rings of vertices towards the mean of the boundary, or from one of two boundaries to the other (Chen, Cai,
+    /// Zheng, section 3.4).
     Rings,
-    /// Points at barycentres inside one boundary, in a Delaunay triangulation (Liu, Wang). [`InitialMesh::Auto`] stands
-    /// for this mesh for one boundary under [`Method::LiuWang`].
+    /// A Delaunay triangulation with points at barycentres inside one boundary (Liu, Wang). [`InitialMesh::Auto`]
+    /// stands for this mesh under [`Method::LiuWang`] if there is one boundary and no constraint.
     Barycentres {
         /// The seed that chooses among the candidate points.
         seed: u64,
     },
     /// The caller's own mesh. It must be an oriented manifold whose boundary loops are exactly the boundaries, with or
-    /// without further vertices on their segments. The resolution has no effect. A mesh in which some edges have three
-    /// triangles is a film with junctions: in the result the sheets meet there at 120°. The boundaries together must
-    /// then be the edges with one triangle.
+    /// without further vertices on their segments. The resolution has no effect.
+    ///
+    /// A mesh in which some edges have three triangles is a film with junctions: in the result the sheets meet there at
+    /// 120°. The edges with one triangle must then be exactly the segments of the boundaries.
     Given(Mesh),
 }
 
 /// Points and curves inside the surface that do not move. They become mesh vertices and edges at exactly these
 /// positions.
 ///
-/// A point that equals a boundary point, or another of these points, is one vertex with it. Curves may share points,
-/// but must not cross. With [`BoundarySampling::Refine`] points are added on long segments.
+/// A fixed point that equals a boundary point or another fixed point shares a vertex with that point. Curves may share
+/// points, but must not cross. With [`BoundarySampling::Refine`] points are added on long segments.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Constraints {
     /// Fixed points.
@@ -399,10 +402,10 @@ pub enum OnUnstable {
     Descend,
 }
 
-/// Largest number of triangles or vertices that may be asked for, because half-edges are numbered with 32 bits.
+/// Largest number of triangles or vertices that a request may ask for, because half-edges are numbered with 32 bits.
 pub const LARGEST_COUNT: usize = 100_000_000;
 
-/// Options of a solve. [`Options::new`] gives the defaults; only the resolution has none.
+/// Options of a solve. [`Options::new`] fills in the default of every option but the resolution, which has none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Objective and solver.
@@ -416,13 +419,13 @@ pub struct Options {
     /// Points and curves inside the surface that do not move.
     pub constraints: Constraints,
     /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which the default
-    /// solver and Pinkall and Polthier's have converged. A film of least area with a larger residual carries the
-    /// warning `not_minimal`.
+    /// solver and Pinkall and Polthier's solver count as converged. If a solver stops by its own rule at a film of
+    /// least area with a larger residual, the film carries the warning `not_minimal`.
     pub tolerance: f64,
     /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
     pub max_iterations: Option<u32>,
-    /// Whether the vertices slide along a film of least area in the end, to where its triangles have less area
+    /// Whether the vertices of a film of least area finally slide along the film to where its triangles have less area
     /// ([`sliding`](plateau_mesh::remesh::sliding)). Without sliding the triangles are more even. Films of
     /// [`TopologyRule::Free`] always slide.
     pub slides: bool,
@@ -438,7 +441,8 @@ pub(crate) struct Limits {
 }
 
 impl Options {
-    /// The default options at a resolution: least area by Newton's method, with the topology of the initial mesh.
+    /// Returns the default options for a resolution: least area by Newton's method, with the topology of the initial
+    /// mesh.
     #[must_use]
     pub fn new(resolution: Resolution) -> Self {
         Self {
@@ -474,8 +478,8 @@ impl Options {
         }
     }
 
-    /// The seed of the candidate points, if the initial mesh for this number of boundaries is one of
-    /// [`InitialMesh::Barycentres`]. `None` for other initial meshes.
+    /// Returns the seed of the candidate points if the initial mesh for this number of boundaries is of the kind
+    /// [`InitialMesh::Barycentres`]. Returns `None` for other initial meshes.
     pub(crate) fn barycentres(&self, boundaries: usize) -> Option<u64> {
         match (&self.initial_mesh, &self.method) {
             (InitialMesh::Barycentres { seed }, _) => Some(*seed),
@@ -486,7 +490,7 @@ impl Options {
         }
     }
 
-    /// These options with all positions relative to a centre.
+    /// Returns these options with all positions relative to a centre.
     pub(crate) fn centred(&self, centre: DVec3) -> Self {
         let mut options = self.clone();
         if let InitialMesh::Given(mesh) = &mut options.initial_mesh {

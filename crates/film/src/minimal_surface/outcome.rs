@@ -14,49 +14,53 @@ use plateau_mesh::measure::Quality;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Error, Mesh};
 
-/// Largest fraction by which a resolution may be missed without a warning.
+/// Largest relative difference between the requested and the actual resolution that gives no warning.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
 
-/// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
+/// The mesh vertices at the points of [`Constraints`], in the order of these points. Points that the solver added on
+/// curves are not listed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ConstraintVertices {
-    /// For each fixed point its vertex.
+    /// The vertex of each fixed point.
     pub points: Vec<u32>,
-    /// For each point of each fixed curve its vertex.
+    /// The vertex of each point of each fixed curve.
     pub polylines: Vec<Vec<u32>>,
 }
 
-/// A mesh that spans the boundaries, and what is known about it.
+/// A mesh that spans the boundaries, with its measurements and warnings.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MinimalSurface {
-    /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
-    /// coordinates; then points added on the boundaries; then the interior.
+    /// The mesh. Its vertices are in this order: first the input points at exactly the given coordinates, boundary by
+    /// boundary, with one vertex for equal neighbours; then points added on the boundaries; then the interior.
     pub mesh: Mesh,
-    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included. Where boundaries
-    /// touch, the mesh has a vertex for each of them at the same place, and an edge of a loop may begin or end at the
-    /// vertex of another boundary.
+    /// Each boundary as a loop of mesh vertices, in the direction of the input, with the added points. Where boundaries
+    /// touch, each has a vertex of its own at the same place, and an edge of a loop may begin or end at the vertex of
+    /// the other boundary.
     pub boundaries: Vec<Vec<u32>>,
-    /// For each input point its vertex.
+    /// The vertex of each input point, boundary by boundary.
     pub input_vertices: Vec<Vec<u32>>,
-    /// For each fixed point, and each fixed curve's point, its vertex.
+    /// The vertex of each fixed point, and of each point of each fixed curve.
     pub constraints: ConstraintVertices,
-    /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
+    /// Mean curvature of each vertex: |area gradient| / (2/3 of the area of the triangles around the vertex), in
+    /// 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
-    /// For an unstable surface its lowest mode: for each vertex a displacement along the normal, the largest of length
+    /// The lowest mode of an unstable surface: a displacement of each vertex along the normal, scaled so that the
+    /// largest has length 1. Moving along it in either direction lowers the area.
     /// 1. Moving along it in either direction lowers the area.
     pub unstable_mode: Option<Vec<DVec3>>,
     /// Figures of the surface and of the run.
     pub statistics: Statistics,
-    /// Facts that the caller should know although the solve went through.
+    /// Warnings about a solve that succeeded.
     pub warnings: Vec<Warning>,
 }
 
-/// A stable film counts as near its limit if its margin is below this. Between two rings of any radii it is passed at
-/// 0.99 of the largest distance.
+/// A stable film counts as near its limit if its margin is below this. Between two rings of any radii the margin
+/// reaches this value at 0.99 of the largest distance.
 const NEAR_CRITICAL: f64 = 0.2;
 
-/// The warning about a stable film near its limit, because after a small change of the boundary it may not exist.
+/// Returns the warning that a stable film is near its limit, because it may not exist after a small change of the
+/// boundary.
 fn near_critical(statistics: &Statistics) -> Option<Warning> {
     let margin = statistics.stability?.margin.filter(|&margin| margin < NEAR_CRITICAL)?;
     let detail = format!(
@@ -66,9 +70,8 @@ fn near_critical(statistics: &Statistics) -> Option<Warning> {
     Some(Warning::new(WarningCode::NearCritical, detail).with("margin", margin))
 }
 
-/// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. A tolerance below
-/// what rounding allows counts as met where the residual is rounding. The least Dirichlet energy and the least squares
-/// have other objectives than the area.
+/// Returns a warning if the solver met its own rule, but the residual of the film exceeds the tolerance by more than
+/// rounding. Only films of least area are checked, because the other objectives do not lead to a minimal surface.
 fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) -> Option<Warning> {
     let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
     let rule_met = stop_reason.meets_the_rule_of(solver, measured.residual_felt, tolerance);
@@ -83,7 +86,7 @@ fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) ->
     })
 }
 
-/// A warning if a neck needed a finer mesh than was asked for.
+/// Returns a warning if a neck needed a finer mesh than was asked for.
 fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
     let Statistics { triangles, quality: Quality { edge_lengths, .. }, .. } = statistics;
     let asked = match options.resolution {
@@ -101,7 +104,7 @@ fn refined(statistics: &Statistics, options: &Options) -> Option<Warning> {
     })
 }
 
-/// A warning if the mean edge length differs from the wanted one.
+/// Returns a warning if the mean edge length differs from the requested edge length.
 fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
     let Resolution::EdgeLength(length) = options.resolution else { return None };
     let mean = statistics.quality.edge_lengths.mean;
@@ -120,7 +123,7 @@ fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warn
     })
 }
 
-/// A warning if the mesh has far fewer or more triangles than were asked for.
+/// Returns a warning if the mesh has far fewer or far more triangles than were asked for.
 fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warning> {
     let Resolution::Triangles(count) = options.resolution else { return None };
     let triangles = statistics.triangles;
@@ -136,7 +139,7 @@ fn missed_triangles(statistics: &Statistics, options: &Options) -> Option<Warnin
     })
 }
 
-/// The fixed vertices, sorted by the bits of their (centred) coordinates.
+/// Returns the fixed vertices, sorted by the bits of their (centred) coordinates.
 fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
     let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
         .filter(|&v| film.fixed[v as usize])
@@ -165,13 +168,13 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
     }
 }
 
-/// A fixed point counts as holding the film if the pull of the film on it exceeds this fraction of the largest possible
-/// pull, which the triangles at the point would exert if all of them pulled in the same direction. If the film passes
-/// smoothly through the point, the fraction is only about its curvature times the edge length.
+/// A fixed point counts as holding the film if the pull of the film on the point exceeds this fraction of the largest
+/// possible pull, which the triangles at the point would exert if all of them pulled in the same direction. If the film
+/// passes smoothly through the point, the fraction is only about the film's curvature times the edge length.
 const HOLDS: f64 = 0.1;
 
-/// The warning that single points hold the film. A smooth film would reach such a point by a thread of no area, so the
-/// shape around the point is an effect of the mesh.
+/// Returns the warning that single points hold the film. A smooth film would reach such a point by a thread of no area,
+/// so the shape of the mesh around the point depends on the edge length.
 fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
     if points.is_empty() {
         return None;
@@ -199,7 +202,7 @@ fn held_points(mesh: &Mesh, points: &[u32]) -> Option<Warning> {
     (count > 0).then(|| Warning::new(WarningCode::HeldPoints, detail).with_count("count", count))
 }
 
-/// The warnings that follow from the figures of the film and of the run.
+/// Returns the warnings that follow from the figures of the film and of the run.
 fn of_statistics(statistics: &Statistics, measured: &Curvature, options: &Options) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if !statistics.pinches.is_empty() {

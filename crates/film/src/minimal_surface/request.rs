@@ -7,20 +7,22 @@ use plateau_mesh::error::{InputError, Step, Warning};
 use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours, position_key};
 use plateau_mesh::{DVec3, Error, Place};
 
-/// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
+/// The boundaries without equal neighbours, at their given position and relative to their centre. The solver works with
+/// the centred points, so that an offset of 1e7 costs no digits.
 #[derive(Debug)]
 pub(super) struct Input {
     pub centre: DVec3,
     pub given: Vec<Vec<DVec3>>,
     pub centred: Vec<Vec<DVec3>>,
-    /// For each input point its vertex.
+    /// The vertex of each input point, boundary by boundary.
     pub vertices: Vec<Vec<u32>>,
-    /// For each point of `given` the index of its input point.
+    /// For each point of `given` the index of the input point on its boundary.
     sources: Vec<Vec<usize>>,
     dropped: usize,
 }
 
-/// Smallest distance between neighbours on a boundary. At smaller distances products of six lengths would vanish.
+/// Smallest accepted distance between neighbours on a boundary, in the caller's unit. At smaller distances products of
+/// six lengths would vanish.
 const SMALLEST_DISTANCE: f64 = 1e-50;
 
 impl Input {
@@ -61,7 +63,8 @@ impl Input {
             given.push(merged.points);
             sources.push(merged.source);
         }
-        // The film between a loop and its copy has no area, so no size of triangle suits it.
+        // Two boundaries with the same points are refused. The film between them has no area, so no size of triangle
+        // suits it.
         let mut seen = std::collections::BTreeMap::new();
         for (k, points) in given.iter().enumerate() {
             let mut keys: Vec<[u64; 3]> = points.iter().copied().map(position_key).collect();
@@ -76,8 +79,9 @@ impl Input {
         if !errors.is_empty() {
             return Err(Error::Input(errors));
         }
-        // The sum begins at a point of each boundary that its shape determines. Otherwise the rounding of the centre
-        // would depend on the points with which the lists begin, and remeshing would then give other triangles.
+        // The sum for the centre begins at a point of each boundary that depends only on the shape of the boundary.
+        // Otherwise the rounding of the centre would depend on the points with which the lists begin, and remeshing
+        // would then give other triangles.
         let centre = polyline::mean(&turned(&given).0.concat());
         let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
         Ok(Self { centre, given, centred, vertices, sources, dropped })
@@ -93,14 +97,15 @@ impl Input {
         merged.into_iter().chain(shared).collect()
     }
 
-    /// The first point that two boundaries have in common, with an explanation for the caller. The place is that of the
-    /// point on the later boundary.
+    /// Returns the first point that two boundaries have in common, with an explanation for the caller. The place is
+    /// that of the point on the later boundary.
     pub fn shared_point(&self) -> Option<InputError> {
         let ([k, i], detail) = self.shared()?;
         Some(InputError::new(Place::field("boundaries").at(k).at(i), detail))
     }
 
-    /// The later boundary, the number of the shared point on it, and the explanation for the caller.
+    /// Returns the first shared point and an explanation for the caller. The point is given by the later boundary and
+    /// its number there.
     fn shared(&self) -> Option<([usize; 2], String)> {
         let mut owners = std::collections::BTreeMap::new();
         let (mut first, mut count) = (None, 0);
@@ -123,7 +128,8 @@ impl Input {
         Some(([k, self.sources[k][i]], detail))
     }
 
-    /// The error with the numbers of the input's points instead of those that are left after merging.
+    /// Returns the error with the numbers of points in the input. The given error has the numbers of the points that
+    /// are left after merging.
     pub fn placed_as_given(&self, mut error: Error) -> Error {
         if let Error::NoResult { places, .. } = &mut error {
             for place in places {
@@ -135,7 +141,8 @@ impl Input {
         error
     }
 
-    /// The error with the first point that two boundaries share, which may be the reason for having no mesh.
+    /// Returns the error with the first point that two boundaries share, because this point may be the reason why no
+    /// mesh was found.
     pub fn with_shared_point(shared: Option<InputError>, mut error: Error) -> Error {
         if let Error::NoResult { places, .. } = &mut error {
             places.extend(shared);

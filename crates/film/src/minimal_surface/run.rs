@@ -12,9 +12,9 @@ use plateau_mesh::{DVec3, Execution, Interruption, Progress};
 pub enum StopReason {
     /// The residual fell to the tolerance.
     Residual,
-    /// The area changed by less than its tolerance, which is the rule of the papers.
+    /// The relative change of the area fell below `area_tolerance`, which is the rule of the papers.
     AreaChange,
-    /// A neck closed, and the run was to end there.
+    /// A neck closed in a run that ends at the first change of topology.
     TopologyChange,
     /// The single linear system of the objective is solved.
     Solved,
@@ -38,7 +38,7 @@ pub enum StopReason {
 }
 
 impl StopReason {
-    /// The reason for which a run stops whose last Newton iteration had this outcome.
+    /// Returns the stop reason of a run whose last Newton iteration had this outcome.
     ///
     /// # Errors
     /// The interruption.
@@ -53,8 +53,8 @@ impl StopReason {
     }
 
     /// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default
-    /// solver's rule is the residual; those of the papers' solvers are their own, and a residual at the tolerance ends
-    /// Pinkall and Polthier's too.
+    /// solver has met its rule if the residual is at most the tolerance. The solvers of the papers have rules of their
+    /// own; for Pinkall and Polthier's solver a residual at the tolerance suffices too.
     pub(super) fn meets_the_rule_of(self, solver: Solver, residual: f64, tolerance: f64) -> bool {
         let by_residual = matches!(solver, Solver::Newton | Solver::PinkallPolthier) && residual <= tolerance;
         let by_another = match self {
@@ -135,7 +135,7 @@ pub struct Stability {
 }
 
 impl Stability {
-    /// The stability by the inertia of a factorisation, without a margin.
+    /// Returns the stability as the inertia of a factorisation gives it, without a margin.
     pub(crate) fn of(variation: &SecondVariation) -> Self {
         let equilibrium::Stability { stable, morse_index, least_index, lowest_eigenvalue } = variation.stability();
         Self { stable, morse_index, least_index, lowest_eigenvalue, method: StabilityMethod::Inertia, margin: None }
@@ -178,8 +178,8 @@ pub struct ExtrapolatedArea {
 }
 
 impl ExtrapolatedArea {
-    /// Extrapolates from the areas of two minimal meshes on one boundary polygon. The finer mesh has half the edge
-    /// length. The error of an area is taken to be of an order between `order` and 2; see
+    /// Extrapolates from the areas of two minimal meshes on one boundary polygon. The edges of the finer mesh are half
+    /// as long. The error of an area is assumed to fall with a power of the edge length between `order` and 2; see
     /// [`extrapolation`](super::extrapolation).
     pub(crate) fn new(coarse: f64, fine: f64, order: f64) -> Self {
         let correction = |order: f64| (coarse - fine) / (libm::exp2(order) - 1.0);
@@ -189,33 +189,34 @@ impl ExtrapolatedArea {
     }
 }
 
-/// A way to span the boundaries.
+/// A way to span the boundaries: a partition of the boundaries into sets, each of which is spanned by a connected film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningTopology {
-    /// The sets of boundaries that are each spanned by a connected film, by their numbers, ascending.
+    /// The sets of the partition, each with the numbers of its boundaries in ascending order.
     pub films: Vec<Vec<usize>>,
-    /// The sum of the areas of the films; `None` if one of them does not hold.
+    /// The sum of the areas of the films; `None` if the film of one of the sets does not hold.
     pub area: Option<f64>,
     /// The stability of all films together.
     pub stability: Option<Stability>,
-    /// Whether its films pass through each other or themselves, so that no soap film takes this shape.
-    /// `None` if the deadline has cut the search short and no crossing was found.
+    /// Whether the films pass through each other or themselves, so that no soap film takes this shape. `None` if the
+    /// deadline has cut the search short and no crossing was found.
     pub films_cross: Option<bool>,
     /// Whether this is the topology of the result.
     pub chosen: bool,
 }
 
-/// The films that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
+/// The ways to span the boundaries that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningComparison {
-    /// Topologies solved at the full size come before those that were solved on coarse meshes only. Each group is
-    /// sorted: first the topologies whose films do not cross, then those whose films cross, each by area, and last
-    /// those without an area.
+    /// The compared topologies. Topologies solved at the full size come before topologies solved on coarse meshes only.
+    /// Each group is sorted: first the topologies whose films do not cross, then those whose films cross, each by area,
+    /// and last those without an area.
     pub topologies: Vec<SpanningTopology>,
-    /// Whether a film that connects all boundaries holds.
+    /// Whether a film holds that connects all boundaries.
     pub connected_film_exists: bool,
-    /// If there is no connected film over two boundaries: the largest fraction of their gap, along the line of their
-    /// centroids, at which one holds, to within 0.001. `None` if there is no gap or no film was found.
+    /// The largest fraction of the gap between two boundaries at which a connected film holds, to within 0.001. It is
+    /// determined only if no connected film holds at the whole gap. The gap is measured along the line through the
+    /// centroids of the boundaries. `None` if there is no gap or no film was found.
     pub largest_gap_fraction: Option<f64>,
 }
 
@@ -229,19 +230,19 @@ pub(crate) struct Run {
     pub edges_swapped: u64,
     pub pinches: Vec<Pinch>,
     pub stability: Option<Stability>,
-    /// For each vertex its displacement in the lowest mode of an unstable film.
+    /// The displacement of each vertex in the lowest mode of an unstable film.
     pub unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
-    /// Whether the mesh was refined beyond the asked resolution, where a neck needs it.
+    /// Whether the mesh was refined beyond the requested resolution, because a neck needed it.
     pub refined: bool,
-    /// The value of the objective, if that is not the area.
+    /// The value of the objective, if the objective is not the area.
     pub objective_value: Option<f64>,
     /// The comparison of topologies, if there was one.
     pub spanning: Option<SpanningComparison>,
 }
 
 impl Run {
-    /// The report of a run that has not begun.
+    /// Returns the report of a run that has not begun.
     pub fn new(solver: Solver) -> Self {
         Self {
             solver,
@@ -283,7 +284,7 @@ pub(crate) struct Record<'a> {
     pub history: Vec<HistoryRow>,
     pub iterations: u32,
     fraction: f64,
-    /// The interval of the whole progress that belongs to the present iterations.
+    /// The interval of the total progress, within 0 to 1, that the present iterations cover.
     pub share: [f64; 2],
 }
 
@@ -292,7 +293,7 @@ impl<'a> Record<'a> {
         Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
     }
 
-    /// Records an iteration. `fraction` is the part of the present interval that is done after it.
+    /// Records an iteration. `fraction` is the part of the present interval that is done after this iteration.
     pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
         self.iterations += 1;
         self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
@@ -307,8 +308,8 @@ impl<'a> Record<'a> {
         });
     }
 
-    /// Runs Newton's method on a fixed connectivity and records each step under `phase`. `done` gives the part of the
-    /// present interval that is done once the residual has covered a part of its way to the tolerance.
+    /// Runs Newton's method on a fixed connectivity and records each step under `phase`. `done` converts the progress
+    /// of the residual towards the tolerance (0 to 1) into the part of the present interval that is done.
     ///
     /// # Errors
     /// The interruption.
@@ -331,7 +332,7 @@ impl<'a> Record<'a> {
     }
 }
 
-/// The progress, from 0 to 1, of a value that decreases geometrically from `start` to `goal`.
+/// Returns the progress, from 0 to 1, of a value that decreases geometrically from `start` to `goal`.
 pub(crate) fn geometric_part(start: f64, value: f64, goal: f64) -> f64 {
     let part = libm::log(start / value) / libm::log(start / goal.max(1e-16));
     if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }

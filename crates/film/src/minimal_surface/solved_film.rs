@@ -1,4 +1,4 @@
-//! A film that a solver has finished, with the facts that the statistics need besides the film itself.
+//! A film that a solver has finished, with the further facts that the statistics need.
 
 use super::initial_mesh::InitialMeshKind;
 use super::run::{Run, StopReason};
@@ -9,9 +9,9 @@ use plateau_mesh::measure;
 #[derive(Clone, Debug)]
 pub(crate) struct SolvedFilm {
     pub film: Film,
-    /// How its initial mesh was made.
+    /// How the initial mesh was made.
     pub kind: InitialMeshKind,
-    /// The number of the layout of its boundaries in the plane, if a layout was asked for.
+    /// The number of the layout by which the boundaries were arranged in the plane, if a layout was asked for.
     pub arrangement: Option<usize>,
     /// Area of the initial mesh.
     pub initial_area: f64,

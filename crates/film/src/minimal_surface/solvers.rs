@@ -1,4 +1,4 @@
-//! Solvers of a film of the full size, each with its paper.
+//! The solvers, each after its paper. They work on a film of the full size.
 
 pub(super) mod chen_cai_zheng;
 pub(super) mod dirichlet;

@@ -1,4 +1,4 @@
-//! The report about a film: size, shape, curvature, residual, and how the solver got there.
+//! The statistics of a film: size, shape, curvature, residual, and how the solver got there.
 
 use super::curvature::Curvature;
 use super::initial_mesh::InitialMeshKind;
@@ -25,13 +25,13 @@ pub struct MeanCurvature {
     pub rms: f64,
 }
 
-/// Everything that is reported about a minimal surface. Lengths in the caller's unit u, areas in u², angles in radians.
+/// The statistics of a minimal surface. Lengths are in the caller's unit u, areas in u², angles in radians.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
     /// The objective that was minimised.
     pub objective: Objective,
-    /// Its value, in the objective's unit.
+    /// The value of the objective, in its own unit.
     pub objective_value: f64,
     /// The solver that ran.
     pub solver: Solver,
@@ -53,9 +53,9 @@ pub struct Statistics {
     pub area: f64,
     /// Area of the initial mesh, in u².
     pub initial_area: f64,
-    /// Estimate of the area of the smooth surface on the same polygon, from this mesh and one with twice or half its
-    /// edge length. Computed for stable surfaces of the default solver: always up to 10,000 triangles, and above that
-    /// if the boundary has enough points for a coarser mesh.
+    /// Estimate of the area of the smooth surface on the same polygon, from this mesh and a mesh with twice or half its
+    /// edge length. It is computed for stable surfaces of the default solver: always up to 10,000 triangles, and above
+    /// that if the boundary has enough points for a coarser mesh.
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Mean curvature over the vertices that are free to move.
     pub mean_curvature: MeanCurvature,
@@ -63,19 +63,19 @@ pub struct Statistics {
     /// is the area gradient, n the vertex normal, A_h a third of the area of the vertex's triangles, and R the largest
     /// distance of a boundary vertex from the mean of the boundary vertices. Dimensionless.
     pub residual: f64,
-    /// The residual with the whole gradient, tangential part included.
+    /// The residual with the whole gradient in place of its normal part.
     pub residual_full: f64,
-    /// Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule of the default solver is
+    /// Whether the solver met its own rule and no triangle is flipped or degenerate. The rule of the default solver is
     /// that the residual is at most the tolerance.
     pub converged: bool,
     /// Why the solver stopped.
     pub stop_reason: StopReason,
     /// Number of iterations.
     pub iterations: u32,
-    /// A row for each iteration. Long runs keep every iteration up to 100, every 10th up to 1000, every 100th beyond,
+    /// The recorded iterations. Long runs keep every iteration up to 100, every 10th up to 1000, every 100th beyond,
     /// and the last.
     pub history: Vec<HistoryRow>,
-    /// Whether the mesh is finer than was asked for, where a neck needs it.
+    /// Whether the mesh is finer than was asked for, because a neck needed it.
     pub refined: bool,
     /// The second variation of area; `None` where it was not computed.
     pub stability: Option<Stability>,
@@ -85,14 +85,14 @@ pub struct Statistics {
     pub edges_swapped: u64,
     /// The changes of topology, in order.
     pub pinches: Vec<Pinch>,
-    /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
+    /// The comparison of the ways to span the boundaries, under [`TopologyRule::Best`](super::TopologyRule::Best).
     pub spanning: Option<SpanningComparison>,
     /// The junctions of a film whose sheets meet three by three along curves.
     pub junctions: Option<JunctionStatistics>,
 }
 
 impl MeanCurvature {
-    /// The figures of the free vertices; all zero if there is none.
+    /// Returns the figures of the free vertices; all are zero if there is no free vertex.
     pub(super) fn of(free: impl Iterator<Item = f64> + Clone) -> Self {
         let count = free.clone().count().max(1) as f64;
         Self {
@@ -104,8 +104,8 @@ impl MeanCurvature {
 }
 
 impl Statistics {
-    /// The warning that the surface does not count as converged, with the reasons. `residual_felt` is the residual by
-    /// which solvers end (see [`Curvature`]).
+    /// Returns the warning that the surface does not count as converged, with the reasons. `residual_felt` is the
+    /// residual that the solvers compare with their tolerance (see [`Curvature`]).
     pub(super) fn not_converged(&self, residual_felt: f64, tolerance: f64) -> Warning {
         let mut reasons = Vec::new();
         if !self.stop_reason.meets_the_rule_of(self.solver, residual_felt, tolerance) {
@@ -132,7 +132,7 @@ impl Statistics {
     }
 }
 
-/// Facts about a run that the film itself does not show.
+/// Facts about the origin of a film, which the film itself does not show.
 pub(super) struct Origin {
     pub kind: InitialMeshKind,
     pub initial_area: f64,
@@ -177,7 +177,7 @@ impl Facts {
     }
 }
 
-/// The report about a film. `rule_met` says whether the solver has met its own rule.
+/// Assembles the statistics of a film. `rule_met` says whether the solver has met its own rule.
 pub(super) fn collect(facts: Facts, rule_met: bool, origin: Origin, options: &Options) -> Statistics {
     let Origin { kind, initial_area, run } = origin;
     let converged = rule_met && facts.quality.is_sound();

@@ -1,4 +1,4 @@
-//! Plane boundaries that touch at points: the film between them is bounded by joined loops.
+//! Plane boundaries that touch at points. They are joined to loops that bound the film between them.
 
 use super::initial_mesh::plane_of;
 use super::options::{InitialMesh, Options};
@@ -12,24 +12,24 @@ use plateau_mesh::polyline::{self, SAME_POINT, position_key};
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Mesh, Place};
 use std::collections::BTreeMap;
 
-/// The joined loops of boundaries that touch, and which of their points are those of the input.
+/// The joined loops of boundaries that touch, and the input points that they consist of.
 pub(super) struct JoinedLoops {
-    /// Loops without equal neighbours. Points that touch have the same coordinates.
+    /// The loops, without equal neighbours. Points that touch have the same coordinates.
     pub loops: Vec<Vec<DVec3>>,
-    /// For each point of the loops its number: the input's points first, then those that were added where a point of
-    /// another boundary lies on a side.
+    /// The number of each point of the loops. Input points keep their numbers. Points that were added where a point of
+    /// another boundary lies on a side have the numbers that follow.
     numbers: Vec<u32>,
-    /// For the centred position of each added point its position as given.
+    /// The given position of each added point, by the bits of its centred position.
     given: BTreeMap<[u64; 3], DVec3>,
 }
 
 impl JoinedLoops {
-    /// Joins boundaries that touch. `None` if the boundaries do not lie in one plane or do not touch, or if the options
-    /// ask for an initial mesh other than `auto` and `planar`.
+    /// Joins boundaries that touch. Returns `None` if the boundaries do not lie in one plane or do not touch, or if the
+    /// options ask for an initial mesh other than `auto` and `planar`.
     ///
     /// # Errors
-    /// `self_intersecting_boundary` for plane boundaries that cross or share a piece of a side, if the film has to
-    /// connect them. The interruptions of `exec`.
+    /// `self_intersecting_boundary` if plane boundaries cross or share a piece of a side, and the film has to connect
+    /// them. The interruptions of `exec`.
     pub fn of(input: &Input, options: &Options, exec: &Execution) -> Result<Option<Self>, Error> {
         let boundaries = &input.centred;
         if boundaries.len() < 2 || !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar) {
@@ -70,8 +70,8 @@ impl JoinedLoops {
         Ok(Some(loops))
     }
 
-    /// Renumbers the vertices of a film over the loops so that those of the input's points come first, in input order,
-    /// and sets these vertices to exactly the centred points.
+    /// Renumbers the vertices of a film over the joined loops so that the vertices at the input points come first, in
+    /// input order. Sets these vertices to exactly the centred points.
     pub fn restore(&self, solved: &mut SolvedFilm, input: &Input) {
         let film = &solved.film;
         let place: Vec<u32> =
@@ -89,8 +89,8 @@ impl JoinedLoops {
             .for_each(|(vertex, &point)| *vertex = point);
     }
 
-    /// Sets the vertices that were added on the boundaries to exactly the points of the input at the same places.
-    /// `mesh` is at the position of the input, and `centred` are its vertices relative to the centre.
+    /// Sets the vertices that were added on the boundaries to exactly the input points at the same places. `mesh` is at
+    /// the position of the input. `centred` are its vertices relative to the centre.
     pub fn place_added(&self, mesh: &mut Mesh, centred: &[DVec3]) {
         for (vertex, &point) in mesh.vertices.iter_mut().zip(centred) {
             if let Some(&given) = self.given.get(&position_key(point)) {
@@ -100,15 +100,16 @@ impl JoinedLoops {
     }
 }
 
-/// Returns each of the input's boundaries as a loop of vertices along border edges of a film over joined loops. The
-/// first vertices of the film are the points of the boundaries, in order.
+/// Returns each boundary of the input as a loop of vertices along the border edges of a film over joined loops. The
+/// first vertices of the film must be the points of the boundaries, in order.
 ///
 /// # Errors
 /// `invalid_mesh` if the border does not lead from each point to the next one.
 pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<Vec<Vec<u32>>, Error> {
     let position = |v: u32| film.vertices[v as usize];
     let key = |v: u32| position_key(position(v));
-    // The border's edges in both directions, and its vertices, sorted by the position of their (first) vertex.
+    // The edges of the border in both directions, sorted by the position of their first vertex, and the vertices of the
+    // border, sorted by their position.
     let mut edges: Vec<([u64; 3], u32)> = Vec::new();
     let mut vertices: Vec<([u64; 3], u32)> = Vec::new();
     for rim in &film.boundaries {
@@ -144,8 +145,8 @@ pub(super) fn own_boundaries(film: &Film, boundaries: &[Vec<DVec3>]) -> Result<V
                     here = target;
                     break;
                 }
-                // If several vertices lie at this place, this boundary takes an added one that no boundary has taken
-                // yet, because the input's points at the place belong to other boundaries.
+                // If several vertices lie at this place, this boundary takes an added vertex that no boundary has taken
+                // yet, because the input points at the place belong to other boundaries.
                 let is_own = |v: &u32| *v >= points && !is_taken[*v as usize];
                 here = from(&vertices, key(next)).into_iter().find(is_own).unwrap_or(next);
                 is_taken[here as usize] = true;

@@ -6,25 +6,26 @@
 //! y = a cosh(x / a)        force w y        length from the lowest point a sinh(x / a)
 //! ```
 //!
-//! (any text on cables). The first end is at x0, the second at x0 + d at a height v above the first:
-//! x0 = a asinh(v / (2 a sinh(d / 2a))) - d / 2. Form finding begins with this curve; its own cable is a chain of
-//! segments.
+//! (any text on cables). The first end is at x0, the second at x0 + d at a height v above the first: x0 = a asinh(v /
+//! (2 a sinh(d / 2a))) - d / 2. Form finding places the vertices of the cable on this curve at first. Its own model of
+//! the cable is a chain of straight segments.
 
 use super::options::{Cable, CableMode};
 use plateau_mesh::DVec3;
 
-/// Range of a / d in which a catenary is looked for. At the upper end the sag is 1e-7 of the span, at the lower one the
-/// cable is 1e11 times as long as the span.
+/// Smallest a / d at which a catenary is looked for. There the cable is 1e11 times as long as the span.
 const LEAST_PARAMETER: f64 = 1.0 / 60.0;
+/// Largest a / d at which a catenary is looked for. There the sag is 1e-7 of the span.
 const LARGEST_PARAMETER: f64 = 1e6;
-/// Factor between the values of a among which the tautest solution is looked for.
+/// Ratio of successive values of a in the search for the tautest solution.
 const SCAN: f64 = 1.02;
-/// The ends count as one above the other if their horizontal distance is below this fraction of the chord: the cable is
-/// then straight.
+/// If the horizontal distance between the ends is at most this fraction of the chord, the cable hangs straight down
+/// from the upper end.
 const VERTICAL: f64 = 1e-6;
 
-/// A heavy cable between two points one above the other, which hangs straight: its force at the height zero. The force
-/// grows with the height by the weight per length. `None` for other cables, and for modes that leave its force open.
+/// Returns the force at height 0 of a heavy cable between two points, one above the other. The cable hangs straight,
+/// and its force grows with the height by the weight per length. Returns `None` for all other cables, and for modes
+/// that do not determine the force.
 ///
 /// # Errors
 /// The bound on the cable's value beyond which a part of the cable would have to push.
@@ -36,7 +37,7 @@ pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<
     }
     let [first, second] = ends.map(|end| end.dot(up));
     let (mean, lowest) = (0.5 * (first + second), first.min(second));
-    // The force at the height of reference, and that height.
+    // The force that the mode determines, and the height at which the cable has this force.
     let (force, height) = match cable.mode {
         CableMode::Force(force) => (force, mean),
         CableMode::EndTension(force) => (force, first),
@@ -58,7 +59,7 @@ pub(super) fn plumb_force(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Option<
     Some(Ok(force - cable.weight * height))
 }
 
-/// Whether two points are one above the other.
+/// Whether one of two points is above the other.
 pub(super) fn are_plumb(ends: [DVec3; 2], up: DVec3) -> bool {
     let span = ends[1] - ends[0];
     span.reject_from_normalized(up).length() <= VERTICAL * span.length()
@@ -68,29 +69,33 @@ pub(super) fn are_plumb(ends: [DVec3; 2], up: DVec3) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Catenary {
     first: DVec3,
-    /// The unit vector from the first end towards the second across the vertical.
+    /// The horizontal unit vector from the first end towards the second.
     level: DVec3,
     up: DVec3,
     weight: f64,
     a: f64,
     x0: f64,
-    /// d and v.
+    /// d, the horizontal distance between the ends.
     width: f64,
+    /// v, the height of the second end above the first.
     rise: f64,
 }
 
-/// No cable that only pulls hangs between two points with the given value.
+/// Error: no cable in tension hangs between two points with the given value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NoCatenary {
-    /// The bound on the value beyond which there is such a cable: the largest unstressed length, or the least of any
-    /// other value.
+    /// The bound of the values for which there is a cable: the largest unstressed length, or the least value of any
+    /// other mode.
     pub bound: f64,
 }
 
 impl Catenary {
-    /// The tautest catenary of a cable between two points. `None` if the cable has no weight, if the points are one
-    /// above the other, or if the cable's value is beyond all catenaries in a way that [`NoCatenary`] does not
-    /// describe.
+    /// Returns the tautest catenary of a cable between two points. Returns `None` if the cable has no weight, if one
+    /// point is above the other, or if no catenary has the value of a mode other than force, end tension and force
+    /// density.
+    ///
+    /// # Errors
+    /// For these three modes: the bound of the values for which there is a catenary.
     pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, NoCatenary> {
         let span = ends[1] - ends[0];
         let across = span.reject_from_normalized(up);
@@ -139,7 +144,7 @@ impl Catenary {
         Ok(Some(at(above)))
     }
 
-    /// The force at a length of the cable from the first end.
+    /// The force at the length `from_first` of the cable from the first end.
     pub fn force(&self, from_first: f64) -> f64 {
         let x = self.place(from_first);
         self.weight * self.a * libm::cosh(x / self.a)
@@ -150,14 +155,14 @@ impl Catenary {
         a * (libm::sinh((x0 + width) / a) - libm::sinh(x0 / a))
     }
 
-    /// ∫ w y ds / L with ds = cosh(x / a) dx.
+    /// The mean force ∫ w y ds / L with ds = cosh(x / a) dx.
     fn mean_force(&self) -> f64 {
         let Self { a, x0, width, .. } = *self;
         let integral = |x: f64| 0.5 * a * (x + 0.5 * a * libm::sinh(2.0 * x / a));
         self.weight * (integral(x0 + width) - integral(x0)) / self.length()
     }
 
-    /// The largest distance from the chord: where the cable is parallel to it.
+    /// The largest distance of the cable from its chord, at the point where the cable is parallel to the chord.
     fn sag(&self) -> f64 {
         let Self { a, x0, width, rise, .. } = *self;
         let x = a * libm::asinh(rise / width);
@@ -165,12 +170,12 @@ impl Catenary {
         (chord - a * libm::cosh(x / a)) * width / libm::hypot(width, rise)
     }
 
-    /// x at a length of the cable from the first end.
+    /// x at the length `from_first` of the cable from the first end.
     fn place(&self, from_first: f64) -> f64 {
         self.a * libm::asinh(from_first / self.a + libm::sinh(self.x0 / self.a))
     }
 
-    /// The point at a length of the cable from the first end.
+    /// The point at the length `from_first` of the cable from the first end.
     pub fn point(&self, from_first: f64) -> DVec3 {
         let (x, a) = (self.place(from_first), self.a);
         // cosh(p) - cosh(q) = 2 sinh((p + q) / 2) sinh((p - q) / 2) keeps the digits of a shallow cable.
@@ -199,7 +204,7 @@ mod tests {
         let curve = find(CableMode::HorizontalComponent(12.0), None);
         assert!((curve.a - 6.0).abs() < 1e-12);
         assert!(curve.point(curve.length()).distance(ends[1]) < 1e-12);
-        // Figures of the curve by its own points.
+        // Length, sag and mean force measured on points of the curve.
         let count = 20_000;
         let points: Vec<DVec3> =
             (0..=count).map(|k| curve.point(curve.length() * f64::from(k) / f64::from(count))).collect();

@@ -1,4 +1,4 @@
-//! The checks of a tensile structure that need no mesh.
+//! Checks of a tensile structure that need no mesh.
 
 mod across;
 mod boundary;
@@ -15,7 +15,8 @@ use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::{DVec3, Error, Place};
 use requirement::{COORDINATE, UNIT_VECTOR, is_usable, require};
 
-/// Checks what needs no mesh. The boundaries themselves are checked by the minimal surface that they span.
+/// Checks the structure and the options as far as this needs no mesh. `minimal_surface::check` checks the boundaries
+/// themselves.
 pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     let positive = |value: f64| value.is_finite() && value > 0.0;
@@ -71,8 +72,9 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Largest ratio of the stresses of warp and weft, either way. Fabrics are prestressed by ratios up to about 5. From
-/// about 100 on the film is nearly a sheaf of threads, and the rounds of form finding end above the tolerance.
+/// Largest ratio of the larger to the smaller of the stresses of warp and weft. Fabrics are prestressed with ratios up
+/// to about 5. From about 100 on the film behaves almost like a bundle of parallel threads, and form finding ends above
+/// the tolerance.
 const MOST_UNEQUAL: f64 = 100.0;
 
 fn check_weave(weave: &Weave, errors: &mut Vec<InputError>) {
@@ -128,7 +130,8 @@ fn check_warp(structure: &Structure, errors: &mut Vec<InputError>) {
     );
 }
 
-/// Fewest cables and masts that can hold a joint. Two hold it on the line between their other ends.
+/// Minimum number of cables and masts that end at a joint. Two of them hold the joint on the line between their other
+/// ends.
 const FEWEST_AT_JOINT: usize = 2;
 
 fn check_joints(structure: &Structure, errors: &mut Vec<InputError>) {
@@ -177,11 +180,11 @@ fn check_free_points(structure: &Structure, errors: &mut Vec<InputError>) {
     }
 }
 
-/// Supports count as lying on one line up to this fraction of their extent. A structure on such supports turns about
-/// the line.
+/// Supports count as collinear if each lies within this distance of one line, as a fraction of the supports' extent. A
+/// structure on collinear supports can turn about their line.
 const COLLINEAR: f64 = 1e-9;
 
-/// For each boundary and each of its points whether a support holds it.
+/// Marks, for each boundary, the points that a support holds.
 fn held(structure: &Structure) -> Vec<Vec<bool>> {
     let mut held: Vec<Vec<bool>> = structure.boundaries.iter().map(|points| vec![true; points.len()]).collect();
     for cable in &structure.cables {
@@ -194,7 +197,8 @@ fn held(structure: &Structure) -> Vec<Vec<bool>> {
     held
 }
 
-/// Refuses a mechanism: supports on one line, about which a structure without weight turns freely.
+/// Refuses a mechanism: fewer than two distinct supports, or a structure without weight whose supports are collinear,
+/// so that it turns freely about their line.
 fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
     let held = held(structure);
     let mut supports: Vec<DVec3> = Vec::new();

@@ -4,13 +4,14 @@
 //! g - Σ γ (Δx + Δf) with the coefficients γ for which Σ γ Δf comes nearest to f. For a linear iteration this is GMRES
 //! on a window of rounds. Source: Walker, Ni, *Anderson Acceleration for Fixed-Point Iterations* (2011).
 
-/// Number of differences that are kept. With a larger number the oldest ones belong to a shape that is far away.
+/// Maximum number of differences that are kept. With a larger number the oldest differences belong to a shape that is
+/// far away.
 const WINDOW: usize = 8;
-/// A difference that lies in the span of the others up to this fraction of it is left out, because its coefficient
-/// would be rounding errors.
+/// A difference Δf is left out if its part outside the span of the newer differences is at most this fraction of it,
+/// because its coefficient would consist of rounding errors.
 const INDEPENDENT: f64 = 1e-7;
-/// If the residual grows by more than this factor, the differences are forgotten, because the iteration is far from
-/// linear.
+/// If the residual grows by more than this factor in a round, all differences are dropped, because the iteration is far
+/// from linear.
 const GROWTH: f64 = 2.0;
 
 #[derive(Debug, Default)]

@@ -1,9 +1,9 @@
-//! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may
-//! do.
+//! The model of a tensile structure: the meshes of its layers, the vertices of its cables, and the supports of its
+//! vertices.
 //!
-//! - [`build`]: makes the model of a structure.
-//! - [`cable_force`]: what determines the force of a cable, and estimates of that force.
-//! - [`assembly`]: makes the body with the energies of the structure at the model's present shape.
+//! - [`build`]: builds the model of a structure.
+//! - [`cable_force`]: the quantity that determines the force of a cable, and estimates of that force.
+//! - [`assembly`]: builds the body with the energies of the structure at the model's present shape.
 
 mod assembly;
 mod build;
@@ -25,7 +25,7 @@ use plateau_mesh::{DVec3, Mesh};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// A structure as a mesh. Positions are relative to the mean of the boundaries' points.
+/// A structure with its meshes. Positions are relative to `centre`, the mean of the boundaries' points.
 #[derive(Clone, Debug)]
 pub(super) struct Model {
     pub centre: DVec3,
@@ -44,20 +44,22 @@ pub(super) struct Model {
     pub cables: Vec<ModelCable>,
     /// The vertices of the free points.
     pub free: Vec<u32>,
-    /// For each input point its vertex.
+    /// For each boundary the vertices of its input points.
     pub input_vertices: Vec<Vec<u32>>,
-    /// Signed volume between the origin and the fan of each boundary (the triangles from its edges to its mean). It is
-    /// the part that the surface integral over the last layer lacks, because nothing closes the last layer below.
+    /// Sum of the signed volumes between the origin and the fan of each boundary (the triangles from its edges to its
+    /// mean). The surface integral over the last layer lacks this part, because nothing closes the last layer below.
     pub cap_volume: f64,
-    /// The surfaces on which vertices slide, and the freedom of each vertex that does.
+    /// The lines and surfaces on which vertices slide.
     pub supports: Vec<Arc<dyn Support>>,
+    /// The vertices that slide, each with its freedom.
     pub sliding: Vec<(u32, Freedom)>,
-    /// The energies of the edges that meet their surface at a given angle, and the vertices of these edges.
+    /// The energies of the edges that meet their surface at a given contact angle.
     pub contacts: Vec<Contact>,
+    /// The vertices of the edges with a contact angle.
     pub at_contacts: BTreeSet<u32>,
-    /// Mean length of the edges of the initial mesh.
+    /// Mean edge length of the initial mesh, scaled to that of the final mesh.
     start_edge: f64,
-    /// The stresses of a woven film.
+    /// The stresses of a woven film; `None` for an isotropic one.
     pub stress_field: Option<StressField>,
     pub warnings: Vec<Warning>,
 }
@@ -73,7 +75,7 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// The triangles with the numbers of the model.
+    /// The triangles, with the vertex numbers of the model.
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
         self.film.triangles().iter().map(|triangle| triangle.map(|v| self.numbers[v as usize]))
     }
@@ -84,13 +86,13 @@ impl Layer {
 pub(super) struct ModelCable {
     /// Its vertices from the first end to the last.
     pub chain: Vec<u32>,
-    /// Its energy.
+    /// The energy of the cable.
     pub term: energy::Cable,
-    /// The quantity that determines its force.
+    /// The quantity that determines the force of the cable.
     pub by: ForceBy,
     /// The force with which form finding begins.
     pub start_force: f64,
-    /// The damping of the changes of that force.
+    /// The damping of the changes of `start_force`.
     swing: Swing,
     /// For each segment the force that the pull of a woven film along the cable adds; empty for other films and for
     /// cables in the air.
@@ -119,7 +121,7 @@ fn segments(chain: &[u32]) -> Vec<[u32; 2]> {
 #[derive(Clone, Debug)]
 pub(super) struct MovingRing {
     pub axis: DVec3,
-    /// The vertices of its boundary, then that of its hub.
+    /// The vertices of the ring's boundary, then the vertex of its hub, if it has one.
     pub vertices: Vec<u32>,
 }
 
@@ -134,21 +136,21 @@ pub(super) enum Renewal {
     Required,
 }
 
-/// The purpose of a body, which decides how its cables act.
+/// The stage of form finding for which a body is built. It decides how the cables act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// The first rounds, far from the equilibrium. An elastic cable is a constraint that yields. A cable whose length
-    /// is given, or whose force an equation determines, has the force densities and the loads of its present shape.
+    /// The first rounds, far from the equilibrium. The length of an elastic cable is a constraint that yields. A cable
+    /// acts with its start force if its length is given or an equation determines its force.
     Settling,
-    /// The rounds on a mesh that stays. Every cable has the force densities and the loads of its present shape and of a
-    /// force near the required one.
+    /// The rounds on a mesh that is not remeshed. Every cable acts with its start force unless the law of its energy
+    /// gives the force. Only a cable of one segment whose length or stiffness is given has a constraint.
     Reference,
-    /// The equilibrium itself.
+    /// The equilibrium itself: every cable has its own energy and the constraint that determines its force.
     Exact,
 }
 
 impl Model {
-    /// Whether the length of a cable is given, exactly or by its stiffness.
+    /// Whether the length of a cable is prescribed, either exactly or by an unstressed length and a stiffness.
     pub fn holds_length(&self, k: usize) -> bool {
         matches!(self.cables[k].by, ForceBy::Length(_) | ForceBy::Elastic { .. })
     }
@@ -162,8 +164,8 @@ impl Model {
         }
     }
 
-    /// The points of the boundaries at which cables end but through which no cable passes, without those of edges that
-    /// slide; each as its vertex, the index of its boundary and its index among the points of that boundary.
+    /// The boundary points at which cables end, except points inside another cable and points of sliding edges. Each is
+    /// given as its vertex, the index of its boundary and its index among the points of that boundary.
     pub fn corners(&self) -> Vec<(u32, usize, usize)> {
         let mut moves = vec![false; self.films];
         for ModelCable { chain, .. } in &self.cables {
@@ -191,7 +193,7 @@ impl Model {
         self.input_vertices[boundary][point]
     }
 
-    /// Lets a cable bear no force.
+    /// Releases a cable, so that it bears no force.
     pub fn let_go(&mut self, k: usize) {
         self.cables[k].by = ForceBy::Law;
         self.cables[k].term.law = Law::Force(0.0);
@@ -201,7 +203,7 @@ impl Model {
         self.cables[k].by == ForceBy::Law && self.cables[k].term.law == Law::Force(0.0)
     }
 
-    /// All vertices: those of the layers, then those in the air.
+    /// The positions of all vertices: those of the layers, then those in the air.
     pub fn vertices(&self) -> Vec<DVec3> {
         let mut vertices = vec![DVec3::ZERO; self.films];
         for layer in &self.layers {
@@ -265,7 +267,7 @@ impl Model {
         Catenary::find(cable, ends, structure.up).ok().flatten()
     }
 
-    /// Hangs the heavy cables in the air in the catenaries between their present ends.
+    /// Moves the vertices of the heavy cables in the air onto the catenaries between the cables' present ends.
     pub fn hang(&mut self, structure: &Structure) {
         let at = self.vertices();
         let count = self.films;
@@ -279,8 +281,8 @@ impl Model {
         }
     }
 
-    /// Computes the start forces that follow from the shape anew from the present shape. Because the shape depends on
-    /// these forces in turn, they may oscillate; their changes are damped therefore.
+    /// Recomputes the start forces that follow from the shape. Their changes are damped, because the shape depends on
+    /// these forces in turn and both could oscillate.
     pub fn renew_start_forces(&mut self, structure: &Structure) {
         let at = self.vertices();
         for (k, cable) in structure.cables.iter().enumerate() {
@@ -303,7 +305,8 @@ impl Model {
         }
     }
 
-    /// The triangles of the layers around the space below a layer, oriented so that their normals point out of it.
+    /// The triangles of the layers around the space below a layer, oriented so that their normals point out of this
+    /// space.
     pub fn walls(&self, below: usize) -> Vec<[u32; 3]> {
         let mut walls: Vec<[u32; 3]> = self.layers[below].triangles().collect();
         if let Some(next) = self.layers.get(below + 1) {
@@ -312,19 +315,21 @@ impl Model {
         walls
     }
 
-    /// The volume to add to the surface integral over the [`walls`](Self::walls) of the space below a layer: that space
-    /// is open below the last layer.
+    /// The volume to add to the surface integral over the [`walls`](Self::walls) of the space below a layer. It is 0
+    /// except below the last layer, where the space is open.
     fn cap(&self, below: usize) -> f64 {
         if below + 1 == self.layers.len() { self.cap_volume } else { 0.0 }
     }
 
-    /// The volume below a layer: up to the next one, or up to fans from each boundary to its mean.
+    /// The volume of the space below a layer. The space ends at the next layer or, below the last layer, at fans from
+    /// each boundary to its mean.
     pub fn volume(&self, below: usize, vertices: &[DVec3]) -> f64 {
         Volume { triangles: self.walls(below), pressure: -1.0 }.value(vertices) + self.cap(below)
     }
 
-    /// The unknowns of the rounds of a woven film: the coordinates of all vertices, then ln m of each vertex of the
-    /// film (m: the factor of its stresses) times an edge length, so that all unknowns are lengths.
+    /// The unknowns of the fixed-point iteration of a woven film: the coordinates of all vertices, then ln m of each
+    /// vertex of the film, where m is the factor of the stresses. Each ln m is multiplied by an edge length, so that
+    /// all unknowns are lengths.
     pub fn unknowns(&self) -> Vec<f64> {
         let mut unknowns: Vec<f64> = self.vertices().iter().flat_map(|p| p.to_array()).collect();
         let edge = self.start_edge;
@@ -332,8 +337,8 @@ impl Model {
         unknowns
     }
 
-    /// Sets the values that [`unknowns`](Self::unknowns) returned, or a combination of several. Vertices that slide are
-    /// moved back to the nearest points of their supports.
+    /// Sets the unknowns to values that [`unknowns`](Self::unknowns) returned or to a linear combination of them.
+    /// Vertices that slide are moved back to the nearest points of their supports.
     pub fn set_unknowns(&mut self, unknowns: &[f64]) {
         let count = self.films + self.air.len();
         let mut vertices: Vec<DVec3> = unknowns[..3 * count].chunks_exact(3).map(DVec3::from_slice).collect();
@@ -350,7 +355,7 @@ impl Model {
         }
     }
 
-    /// Number of flipped triangles of all layers.
+    /// Number of flipped triangles in all layers.
     pub fn flipped(&self) -> usize {
         self.layers.iter().map(|layer| layer.film.flipped_triangles()).sum()
     }

@@ -8,15 +8,16 @@ use std::sync::Arc;
 /// A film with its cables, loads and supports.
 ///
 /// Every point of the boundaries is a support unless it lies strictly inside the stretch of a cable or is one of
-/// [`free_points`](Self::free_points). The segments between supports without a cable are supports, too.
+/// [`free_points`](Self::free_points). The segments between supports along which no cable runs are supports, too.
+/// Points of [`sliding`](Self::sliding) parts and of [`rings`](Self::rings) are held in some directions only.
 #[derive(Clone, Debug)]
 pub struct Structure {
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
     pub boundaries: Vec<Vec<DVec3>>,
-    /// The films over the boundaries, which share their edges: the first on the side from which the first boundary runs
-    /// counter-clockwise, each next one behind it. Usually one.
+    /// The films over the boundaries; usually there is one. They share their edges. The first film is on the side from
+    /// which the first boundary runs counter-clockwise, and each further film lies behind the one before.
     pub layers: Vec<FilmStress>,
-    /// Cables along the boundaries and in the air.
+    /// Cables and masts: along the boundaries, across the film and in the air.
     pub cables: Vec<Cable>,
     /// Points of the boundaries at which cables end and which no support holds.
     pub free_points: Vec<BoundaryPoint>,
@@ -26,7 +27,8 @@ pub struct Structure {
     pub rings: Vec<Ring>,
     /// Points in the air at which cables and masts end and which no support holds.
     pub joints: Vec<DVec3>,
-    /// The closed spaces behind layers. Every space between two layers is a chamber, or the layers would touch.
+    /// The closed spaces behind layers. Every space between two layers must be a chamber, because otherwise the layers
+    /// would touch.
     pub chambers: Vec<Chamber>,
     /// The unit vector that points up. Weights pull against it.
     pub up: DVec3,
@@ -53,13 +55,13 @@ impl Structure {
 /// The stress of the film and its weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmStress {
-    /// The stress that the found shape is to have.
+    /// The required stress in the found shape.
     pub prestress: FilmPrestress,
     /// The weight per area of the found shape.
     pub weight: f64,
 }
 
-/// The stress that a film is to have, a force per length.
+/// The required stress of a film, a force per length.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FilmPrestress {
     /// The tension σ in every direction. It is the same at every point, apart from what the weight adds.
@@ -78,7 +80,7 @@ impl FilmStress {
         }
     }
 
-    /// The weave of a film whose stresses differ between warp and weft.
+    /// The weave of a woven film; `None` for an isotropic one.
     #[must_use]
     pub fn weave(&self) -> Option<&Weave> {
         match &self.prestress {
@@ -95,13 +97,14 @@ pub struct Weave {
     pub warp: f64,
     /// The stress along the weft, a force per length.
     pub weft: f64,
-    /// The field of directions.
+    /// The field of directions of the warp.
     pub direction: WarpDirection,
-    /// The quantity of the two stresses that is prescribed.
+    /// Whether the ratio or the magnitudes of the two stresses are prescribed.
     pub hold: WeaveHold,
 }
 
-/// A field of directions in space. The film's warp is its projection onto the film.
+/// A field of directions in space. At each point of the film, the warp is the projection of the direction there onto
+/// the film.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WarpDirection {
     /// The weft runs around the axis, and the warp away from it.
@@ -139,17 +142,17 @@ pub struct BoundaryPoint {
     pub point: usize,
 }
 
-/// A support without friction: it bears forces at right angles to a surface, or across a line. Along a surface it bears
-/// only what holds a given contact angle.
+/// A support without friction. It bears forces at right angles to its surface, or across its line. Along a surface it
+/// bears only the force that holds a given contact angle.
 #[derive(Clone, Debug)]
 pub struct Sliding {
     /// The part of a boundary that slides.
     pub part: SlidingPart,
-    /// The line or surface on which it slides. Directions and axes are unit vectors.
+    /// The line or surface on which the part slides. Directions and axes are unit vectors.
     pub on: Arc<dyn Support>,
-    /// The angle in radians between the film and the surface on the left of the edge's direction, as seen from the side
-    /// to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None` stands for a right
-    /// angle.
+    /// The contact angle in radians: the angle between the film and the surface on the left of the edge's direction, as
+    /// seen from the side to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None`
+    /// stands for a right angle.
     pub contact_angle: Option<f64>,
 }
 
@@ -171,8 +174,8 @@ pub enum SlidingPart {
     Point(BoundaryPoint),
 }
 
-/// A boundary that is a rigid ring, guided along an axis without friction. The guide bears all other forces and keeps
-/// the ring from turning.
+/// A boundary that is a rigid ring, guided along an axis without friction. The guide bears all forces across the axis
+/// and keeps the ring from turning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
     /// The number of the boundary.
@@ -190,7 +193,7 @@ pub struct Ring {
 /// each boundary to its mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chamber {
-    /// The number of the layer.
+    /// The number of the layer behind which the chamber lies.
     pub below: usize,
     /// Prescribed gauge pressure, or prescribed volume.
     pub holds: Pressure,
@@ -206,7 +209,7 @@ pub enum Pressure {
 }
 
 impl Pressure {
-    /// The name in requests.
+    /// The name of the field in requests.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -245,7 +248,8 @@ pub struct Cable {
     pub course: Course,
     /// The prescribed quantity of the cable.
     pub mode: CableMode,
-    /// EA, a force. It is needed for [`CableMode::UnstressedLength`]; otherwise it gives the unstressed length.
+    /// EA, the axial stiffness, a force. It is required for [`CableMode::UnstressedLength`]. With any other mode it
+    /// only serves to report the unstressed length.
     pub axial_stiffness: Option<f64>,
     /// The weight per length of the found shape.
     pub weight: f64,
@@ -275,7 +279,7 @@ pub enum Course {
 }
 
 impl Course {
-    /// The two ends of a cable or a mast in the air.
+    /// The two ends of a cable or a mast in the air; `None` for other courses.
     #[must_use]
     pub fn ends_in_the_air(&self) -> Option<[DVec3; 2]> {
         match self {
@@ -284,7 +288,7 @@ impl Course {
         }
     }
 
-    /// Whether it is a mast.
+    /// Whether this is the course of a mast.
     #[must_use]
     pub fn is_mast(&self) -> bool {
         matches!(self, Self::Mast(_))
@@ -294,15 +298,15 @@ impl Course {
 /// The prescribed quantity of a cable. Lengths and forces are those of the whole cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CableMode {
-    /// The (mean) force.
+    /// The force. In a heavy cable it is the mean force, weighted by length.
     Force(f64),
     /// The force at the first end.
     EndTension(f64),
-    /// The part of the force at the first end that is across the vertical.
+    /// The horizontal component of the force at the first end.
     HorizontalComponent(f64),
     /// The force divided by the length.
     ForceDensity(f64),
-    /// The length.
+    /// The length in the found shape.
     Length(f64),
     /// The length without force; needs the axial stiffness.
     UnstressedLength(f64),
@@ -311,7 +315,7 @@ pub enum CableMode {
 }
 
 impl CableMode {
-    /// The name in requests.
+    /// The name of the mode in requests.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -325,7 +329,7 @@ impl CableMode {
         }
     }
 
-    /// The value that is held.
+    /// The prescribed value.
     #[must_use]
     pub fn value(self) -> f64 {
         match self {
@@ -343,11 +347,11 @@ impl CableMode {
 /// Options of form finding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// How fine the mesh of the film is to be.
+    /// The fineness of the film's mesh.
     pub resolution: Resolution,
     /// The residual at which the shape counts as found.
     pub tolerance: f64,
-    /// Largest number of linear solves. `None` stands for 400.
+    /// Largest number of linear solves. With `None` each attempt of form finding may take 400.
     pub max_iterations: Option<u32>,
 }
 
@@ -359,14 +363,14 @@ impl Options {
     }
 }
 
-/// The place of a cable or a mast in a request, which lists the masts apart.
+/// The place of a cable or a mast in a request, where masts are listed separately.
 pub(super) fn cable_place(structure: &Structure, k: usize) -> Place {
     let is_mast = structure.cables[k].course.is_mast();
     let before = structure.cables[..k].iter().filter(|cable| cable.course.is_mast() == is_mast).count();
     Place::field(if is_mast { "masts" } else { "cables" }).at(before)
 }
 
-/// The place of a layer in a request, where a single one is the film.
+/// The place of a layer in a request: the field `film` for a single layer, an entry of `layers` otherwise.
 pub(super) fn layer_place(structure: &Structure, k: usize) -> Place {
     if structure.layers.len() > 1 { Place::field("layers").at(k) } else { Place::field("film") }
 }
@@ -378,7 +382,8 @@ pub(super) fn chamber_place(structure: &Structure, k: usize) -> Place {
     if structure.layers.len() > 1 { Place::field("chambers").at(k).then(name) } else { Place::field(name) }
 }
 
-/// The chord of a cable before form finding, if its course is in range.
+/// The distance between the ends of a cable before form finding; `None` if the course refers to a boundary or a point
+/// that does not exist.
 pub(super) fn chord(structure: &Structure, cable: &Cable) -> Option<f64> {
     match &cable.course {
         Course::Boundary { boundary, from, to } => {
@@ -390,7 +395,8 @@ pub(super) fn chord(structure: &Structure, cable: &Cable) -> Option<f64> {
     }
 }
 
-/// The segments of a boundary from one point to another, by the number of their first point.
+/// The segments of a boundary with `count` points from one point to another. Each segment has the number of its first
+/// point.
 pub(super) fn stretch(count: usize, from: usize, to: usize) -> impl Iterator<Item = usize> {
     (0..(to + count - from) % count).map(move |k| (from + k) % count)
 }

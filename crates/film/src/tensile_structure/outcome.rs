@@ -1,4 +1,5 @@
-//! A shape that was found: mesh, forces, figures and warnings, at the position of the caller's boundaries.
+//! Makes the result from a found shape: mesh, forces, figures and warnings, moved back to the position of the caller's
+//! boundaries.
 
 use super::form_finding::{Ending, Found};
 use super::model::{Model, ModelCable, MovingRing, forces};
@@ -16,11 +17,13 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{self, Quality, double_area_vector};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
 
-/// A cable counts as slack below this fraction of the film's tension times the cable's length. Rounding errors are far
-/// below, and every force that holds an edge of the film is above 1/2.
+/// A cable counts as slack if its largest force is at most this fraction of the film's tension times the cable's
+/// length. Rounding errors are far below this bound. The force of a cable that holds a plane edge is far above it, at
+/// least half the tension times the chord.
 const SLACK: f64 = 1e-9;
 
-/// The errors of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
+/// Errors for edge cables whose force is too small to hold a plane edge: the arc of radius F / σ does not reach across
+/// the chord.
 fn weak_cables(structure: &Structure) -> Vec<InputError> {
     let [FilmStress { prestress: FilmPrestress::Isotropic(tension), .. }] = structure.layers[..] else {
         return Vec::new();
@@ -39,7 +42,7 @@ fn weak_cables(structure: &Structure) -> Vec<InputError> {
     structure.cables.iter().enumerate().filter_map(weak).collect()
 }
 
-/// The error of a search that found no shape.
+/// The error for a search that found no shape.
 fn no_shape(structure: &Structure, found: &Found) -> Error {
     let places = weak_cables(structure);
     let named = |detail: &str, own: Option<&InputError>| {
@@ -61,7 +64,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
             );
             Error::NoResult { reason: Reason::EquilibriumNotFound, detail, places }
         }
-        // Form finding on a mesh that stays has no ending; weak cables are its only evidence that there is no shape.
+        // Form finding without remeshing has no ending; weak cables are its only evidence that there is no shape.
         None if !places.is_empty() => named("the film pulls the edge cables in without end", None),
         None => {
             let detail = "no shape in equilibrium was found, which does not say that there is none; try larger cable \
@@ -71,7 +74,7 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
     }
 }
 
-/// The error of the first cable that would have to push, or that is slack at its given length.
+/// The error for the first cable that would have to push, or that is slack at its given length.
 fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec3]) -> Option<Error> {
     let mean = |(cable, &further): (&ModelCable, &f64)| forces(&cable.term, further, at).0;
     let is_cable = |k: &usize| !structure.cables[*k].course.is_mast();
@@ -88,7 +91,8 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
     Some(Error::NoResult { reason: Reason::SlackCable, detail, places: vec![place] })
 }
 
-/// The error of the first layer whose weight takes more tension from its lowest point than it has. A film cannot push.
+/// The error for the first layer that would be in compression, because its weight is more than its tension can hold. A
+/// film cannot push.
 fn pushing_film(structure: &Structure, layers: &[LayerResult]) -> Option<Error> {
     let least = |layer: &LayerResult| layer.stress.map_or(f64::INFINITY, |stress| stress.min);
     let k = layers.iter().position(|layer| least(layer) < 0.0)?;
@@ -160,7 +164,7 @@ pub(super) fn finish(
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
     match piercing(&model, structure, exec) {
         Ok(found) => warnings.extend(found),
-        // The structure is found, and is returned without the search.
+        // The shape is complete, so it is returned without this search.
         Err(Interruption::DeadlinePassed) => {}
         Err(cancelled) => return Err(cancelled.into()),
     }
@@ -183,7 +187,7 @@ pub(super) fn finish(
     })
 }
 
-/// The distance of each ring from its place in the input, along its axis.
+/// The displacement of each ring along its axis, from its place in the input.
 fn ring_travels(structure: &Structure, model: &Model, vertices: &[DVec3]) -> Vec<f64> {
     let travel = |(ring, moving): (&Ring, &MovingRing)| {
         let start = structure.boundaries[ring.boundary][0];
@@ -195,7 +199,7 @@ fn ring_travels(structure: &Structure, model: &Model, vertices: &[DVec3]) -> Vec
 /// Gives the boundary's fixed vertices exactly the coordinates of the input.
 fn place_supports(structure: &Structure, model: &Model, holds: &[Hold], vertices: &mut [DVec3]) {
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
-        // Backwards, so that of merged points the first gives the place.
+        // In reverse order, so that the first of several merged points gives the place.
         for (&point, &v) in points.iter().zip(numbers).rev() {
             if matches!(holds[v as usize], Hold::Fixed) {
                 vertices[v as usize] = point;
@@ -204,7 +208,7 @@ fn place_supports(structure: &Structure, model: &Model, holds: &[Hold], vertices
     }
 }
 
-/// The figures of each layer, and the lengths of the edges of all.
+/// The figures of each layer, and the edge lengths of all layers.
 fn measure_layers(
     model: &Model,
     found: &Found,

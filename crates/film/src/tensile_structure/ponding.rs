@@ -7,10 +7,10 @@
 //! level(v) = min over the paths from v to an edge of the film, max over the path, of the height
 //! ```
 //!
-//! It is found by priority flooding: from the edges inwards, always on from the lowest vertex that was reached (Barnes,
-//! Lehman, Mulla, *Priority-flood: an optimal depression-filling and watershed-labeling algorithm for digital elevation
-//! models*, 2014). On a surface of triangles the best path runs along edges of triangles, so the levels are exact for
-//! the mesh. Vertices below their level that are connected form a pond.
+//! The levels are found by priority flooding, which goes from the edges inwards and always continues from the lowest
+//! vertex that was reached (Barnes, Lehman, Mulla, *Priority-flood: an optimal depression-filling and
+//! watershed-labeling algorithm for digital elevation models*, 2014). On a surface of triangles the best path runs
+//! along edges of triangles, so the levels are exact for the mesh. Connected vertices below their levels form a pond.
 
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::measure::{self, double_area_vector};
@@ -48,19 +48,19 @@ pub(super) struct Roof<'a> {
     pub up: DVec3,
 }
 
-/// The number in place of a pond's at a vertex that stays dry.
+/// Marks a vertex that stays dry, in place of the number of a pond.
 const DRY: u32 = u32::MAX;
 
-/// The ponds on a roof; `None` if all water runs off.
+/// Returns the water that stands on a roof; `None` if all water runs off.
 ///
-/// A pond counts if it is deeper than a false one that the mesh alone can make: in a sloping valley whose lowest line
-/// runs between the vertices, a vertex may be lower than all its neighbours by up to κ h² / 2 with the curvature κ of
-/// the film and the length h of its edges, which is h θ / 2 with the angle θ between the two triangles of an edge. A
-/// pond whose deepest place lies below another part of the film does not count either, because no rain falls there:
-/// inside a chamber, for example.
+/// A pond counts only if it is deeper than a false pond that the mesh alone can make. In a sloping valley whose lowest
+/// line runs between the vertices, a vertex may be lower than all its neighbours by up to κ h² / 2, where κ is the
+/// curvature of the film and h is the length of its edges. This equals h θ / 2 with the angle θ between the two
+/// triangles of an edge. A pond whose deepest place lies below another part of the film, for example inside a chamber,
+/// does not count either, because no rain falls there.
 ///
 /// # Errors
-/// [`Interruption::Cancelled`]. After a deadline the search goes on, because it is short.
+/// [`Interruption::Cancelled`]. A deadline does not stop the search, because the search is short.
 pub(super) fn find(roof: &Roof, exec: &Execution) -> Result<Option<Ponding>, Interruption> {
     let look = |work: u64| match exec.look(work) {
         Err(Interruption::Cancelled) => Err(Interruption::Cancelled),
@@ -94,7 +94,7 @@ pub(super) fn find(roof: &Roof, exec: &Execution) -> Result<Option<Ponding>, Int
         let area = 0.5 * double_area_vector(triangle.map(|v| roof.at[v as usize])).dot(roof.up);
         let (share, depth) = under_water(triangle.map(|v| level - heights[v as usize]));
         let [own_area, volume] = &mut sums[pond_of[wet as usize] as usize];
-        // Signed, because parts of a bag that lean over the water are counted twice otherwise.
+        // The area is signed, because otherwise the parts of a bag that lean over the water would be counted twice.
         *own_area += area * share;
         *volume += area * depth;
     }
@@ -139,7 +139,8 @@ impl Roof<'_> {
     }
 }
 
-/// Every side of every triangle by its edge, sorted: smaller end, larger end, triangle.
+/// All sides of all triangles, each as its smaller end, its larger end and the triangle. They are sorted, so that the
+/// sides of an edge are adjacent.
 fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
     let mut sides = Vec::with_capacity(3 * triangles.len());
     for (t, &[a, b, c]) in triangles.iter().enumerate() {
@@ -152,7 +153,7 @@ fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
 /// The neighbours of all vertices in one list.
 #[derive(Debug)]
 struct Neighbours {
-    /// Where the neighbours of each vertex begin, and the end.
+    /// For each vertex the place in `all` at which its neighbours begin, and at the end the length of `all`.
     starts: Vec<usize>,
     all: Vec<u32>,
 }
@@ -179,7 +180,7 @@ impl Neighbours {
     }
 }
 
-/// The level of the water at every vertex: its own height where it stays dry.
+/// The level of the water at every vertex. At a dry vertex it is the height of the vertex.
 fn levels(roof: &Roof, neighbours: &Neighbours, heights: &[f64]) -> Vec<f64> {
     let mut levels = heights.to_vec();
     let mut reached = vec![false; heights.len()];
@@ -206,11 +207,12 @@ fn levels(roof: &Roof, neighbours: &Neighbours, heights: &[f64]) -> Vec<f64> {
 struct Pond {
     depth: f64,
     deepest: u32,
-    /// The largest depth h θ / 2 that the mesh alone can make ([`find`]).
+    /// Depth of the deepest false pond that the mesh alone can make here: the largest h θ / 2 ([`find`]).
     mesh_error: f64,
 }
 
-/// The pond of each vertex, and the ponds.
+/// The number of the pond of each vertex, [`DRY`] for dry vertices, and the ponds. A pond is a connected set of wet
+/// vertices.
 fn ponds(neighbours: &Neighbours, heights: &[f64], levels: &[f64]) -> (Vec<u32>, Vec<Pond>) {
     let depth = |v: u32| levels[v as usize] - heights[v as usize];
     let mut pond_of = vec![DRY; heights.len()];
@@ -240,8 +242,8 @@ fn ponds(neighbours: &Neighbours, heights: &[f64], levels: &[f64]) -> (Vec<u32>,
     (pond_of, ponds)
 }
 
-/// For each edge between two triangles that is no fold, its ends and the depth h θ / 2 that it alone can make
-/// ([`find`]).
+/// For each edge between two triangles that is no fold, its ends and the depth h θ / 2 of the false pond that the mesh
+/// can make there ([`find`]).
 fn errors_of_edges<'a>(
     roof: &'a Roof,
     sides: &'a [(u32, u32, u32)],
@@ -257,10 +259,10 @@ fn errors_of_edges<'a>(
     })
 }
 
-/// The share of a triangle that is under water, and the mean depth over the whole triangle, from the depths at its
-/// corners, which are negative at dry ones.
+/// The share of a triangle that is under water, and the mean depth over the whole triangle. `depths` are the depths at
+/// the corners, negative at dry corners.
 fn under_water(depths: [f64; 3]) -> (f64, f64) {
-    // The share of the triangle that is cut off with corner k, which alone is on its side of the shore.
+    // The share of the triangle on the side of the shore on which corner k is the only corner.
     let cut_off = |k: usize| {
         let [own, next, last] = [0, 1, 2].map(|i| depths[(k + i) % 3]);
         own * own / ((own - next) * (own - last))
@@ -390,8 +392,8 @@ mod tests {
             let both = on(&disc(64, bowls)).unwrap();
             assert!((both.depth - 0.2).abs() < 2e-3, "{both:?}");
             assert!(both.place.distance(DVec3::new(0.5 * deeper, 0.0, -0.2)) < 0.05, "{both:?}");
-            // Each has the area π r² and half of it times its depth as volume. The plane around them is as high as the
-            // water, so triangles across their rims count as a whole.
+            // Each pond has the area π r² and, as its volume, half the area times the depth. The plane around the ponds
+            // is as high as the water, so triangles across their rims count as a whole.
             assert!((both.area / (2.0 * area) - 1.0).abs() < 0.15, "{both:?}");
             assert!((both.volume / (0.5 * area * 0.3) - 1.0).abs() < 0.02, "{both:?}");
         }
@@ -421,7 +423,8 @@ mod tests {
             .collect();
         let bag = Film { vertices, ..bag };
         let pond = on(&bag).unwrap();
-        // Of a sphere the cap up to the height 3/2: π h² (3 - h) / 3, with a mouth of radius √3 / 2.
+        // The water fills the spherical cap up to the height h = 3/2: its volume is π h² (3 - h) / 3, and its mouth has
+        // the radius √3 / 2.
         assert!((pond.depth - 1.5).abs() < 1e-9, "{pond:?}");
         assert!((pond.area / (0.75 * PI) - 1.0).abs() < 0.01, "{pond:?}");
         assert!((pond.volume / (PI * 2.25 * 1.5 / 3.0) - 1.0).abs() < 0.01, "{pond:?}");

@@ -15,7 +15,7 @@ pub(super) enum Hold<'a> {
     Nothing,
     Fixed,
     Slides(&'a dyn Support),
-    /// Moves with the ring of this number, along its axis alone.
+    /// The vertex moves with the ring of this number, along the ring's axis alone.
     Guided(usize),
 }
 
@@ -39,7 +39,7 @@ pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
     holds
 }
 
-/// For each ring the force along its axis that is not balanced, divided by the number of its vertices.
+/// For each ring the unbalanced force along its axis, divided by the number of its vertices.
 fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
     let of = |ring: &MovingRing| {
         let along: f64 = ring.vertices.iter().map(|&v| balance.forces[v as usize].dot(ring.axis)).sum();
@@ -48,7 +48,7 @@ fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
     model.rings.iter().map(of).collect()
 }
 
-/// The part of a force along a line or surface.
+/// The component of a force along a line or surface at one of its points.
 fn along(support: &dyn Support, at: DVec3, force: DVec3) -> DVec3 {
     let tangents = support.tangents(at);
     tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
@@ -79,8 +79,8 @@ pub(super) fn sums(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3
     }
 }
 
-/// The angles between the film's pull on a sliding edge and the surface on which it slides, least and largest. Where an
-/// angle is given it is that on the left of the edge.
+/// Returns the least and the largest angle, in radians, between the film's pull on a sliding edge and the surface on
+/// which the edge slides. At an edge with a given contact angle, the angle on the left of the edge is taken.
 pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Option<(f64, f64)> {
     let mut range = None;
     for &(v, freedom) in &model.sliding {
@@ -91,7 +91,7 @@ pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], a
         }
         let tangential = along(support, place, force);
         let towards = match freedom {
-            // The support's force on the film is against the film's pull.
+            // `force` is the support's force on the film, which is opposite to the film's pull.
             Freedom::AcrossOn { beside: [a, b], .. } if model.at_contacts.contains(&v) => {
                 let left = support.normal(place).cross(at[b as usize] - at[a as usize]);
                 -tangential.dot(left.normalize_or_zero())
@@ -108,15 +108,15 @@ pub(super) fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], a
 /// The reactions of a shape.
 #[derive(Default)]
 pub(super) struct Reactions {
-    /// Those of supports at single vertices.
+    /// Reactions of supports at single vertices.
     pub single: Vec<Reaction>,
-    /// Those along edges, boundary by boundary.
+    /// For each boundary the sum of the reactions along its edges.
     pub edges: Vec<EdgeReaction>,
-    /// Those along edges, vertex by vertex.
+    /// Reactions along edges, vertex by vertex.
     pub edge_supports: Vec<(u32, DVec3)>,
 }
 
-/// The reactions of the shape. `edge_forces` are those of [`edge_forces`].
+/// Computes the reactions of the shape. `edge_forces` is the result of [`edge_forces`].
 pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold], edge_forces: &[Vec<EdgeForce>]) -> Reactions {
     let Some(balance) = &found.balance else { return Reactions::default() };
     let held = |v: u32| !matches!(holds[v as usize], Hold::Nothing);
@@ -128,7 +128,7 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold], edge_force
     }
     let at = model.vertices();
     let ends = clamped_ends(model, balance, holds, &at);
-    // At a clamped edge the support of a cable's end bears the cable, and that of the edge the film.
+    // Where a cable ends at a clamped edge, the reaction at the vertex bears the cable and that of the edge the film.
     let of_point = |v: u32| ends.get(&v).copied().unwrap_or(balance.forces[v as usize]);
     let of_edge = |v: u32| {
         let all = balance.forces[v as usize];
@@ -165,8 +165,8 @@ pub(super) fn reactions(model: &Model, found: &Found, holds: &[Hold], edge_force
     result
 }
 
-/// For each boundary the force of the supports along its held segments, on which no cable runs. `stresses` are those of
-/// `triangles`; without them there are no forces.
+/// For each boundary the force per length of the supports along each held segment on which no cable runs. `stresses`
+/// holds the stress of each of the `triangles`. If it is empty, there are no forces.
 pub(super) fn edge_forces(
     model: &Model,
     holds: &[Hold],
@@ -198,13 +198,14 @@ pub(super) fn edge_forces(
     model.boundaries().iter().map(of_rim).collect()
 }
 
-/// The segments of all cables, with the lower number first.
+/// The segments of all cables, each with its lower vertex number first.
 fn on_chains(model: &Model) -> BTreeSet<[u32; 2]> {
     let pairs = model.cables.iter().flat_map(|cable| cable.chain.windows(2));
     pairs.map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]).collect()
 }
 
-/// For each end of cables on a clamped edge the force of the support on these cables alone.
+/// For each vertex at which cables end on a clamped edge, the force of the support on these cables alone, without the
+/// film.
 fn clamped_ends(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> BTreeMap<u32, DVec3> {
     let along = on_chains(model);
     let mut clamped = vec![false; holds.len()];

@@ -1,8 +1,9 @@
-//! The mesh of a structure that travels: remeshed while its corners and edges move.
+//! Remeshing of a structure while its corners and edges move.
 //!
-//! A vertex of the boundary is kept where the film is held, where two parts of the boundary meet, where a cable ends
-//! and where a point moves by itself. All others move along their stretch. Any vertex inside a stretch may become the
-//! vertex of an input point there, because only their order distinguishes the input points of a stretch.
+//! A stretch is a part of a boundary, or of a line across the film, along which the same cable and the same support
+//! run. A boundary vertex is kept if the film is held there, if two stretches meet there, if a cable ends there, or if
+//! the point moves by itself. All other boundary vertices move along their stretch. Any vertex inside a stretch may
+//! become the vertex of an input point there, because only their order distinguishes the input points of a stretch.
 
 use super::model::{Model, ModelCable};
 use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
@@ -13,36 +14,36 @@ use plateau_mesh::remesh::moving::{Curve, Kind, MovingFilm, Neck};
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Sweeps that even out the triangles of a mesh of the last level.
+/// Number of rounds of relaxation and edge flips that even out the triangles of the mesh on the last level.
 const POLISHES: u32 = 4;
-/// Fewest vertices inside a stretch of a cable or of a sliding edge.
+/// Minimum number of vertices inside a stretch.
 const FEWEST: usize = 3;
 
-/// The cable and the support along a part of a boundary.
+/// The cable and the support that run along an edge of a boundary, if there are any.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Along {
     cable: Option<usize>,
     support: Option<usize>,
 }
 
-/// How fine the mesh becomes.
+/// The fineness of a remeshed film.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fineness {
-    /// The length of an edge.
+    /// Target edge length.
     pub size: f64,
     pub rounds: u32,
     /// Whether every point of the input gets a vertex of its own.
     pub all_points: bool,
 }
 
-/// The curves of a film that keep their place or their kind when the film is remeshed.
+/// The boundaries of a film and the lines across it, which remeshing preserves.
 struct Outline {
     /// The kind of each vertex of the film.
     kinds: Vec<Kind>,
     curves: Vec<Curve>,
-    /// For each stretch its support; stretch 0 has all edges that are held.
+    /// For each stretch the number of the support on which it slides. Stretch 0 consists of all edges that are held.
     supports: Vec<Option<usize>>,
-    /// For each stretch whether it moves.
+    /// For each stretch whether its vertices move along it.
     flexible: Vec<bool>,
 }
 
@@ -54,7 +55,8 @@ impl Outline {
         self.flexible.len() as u32 - 1
     }
 
-    /// Adds a boundary. `along` tells for each of its edges along what it runs.
+    /// Adds a boundary loop. `along` holds the cable and the support of each of its edges. The vertices in `named` are
+    /// kept.
     fn add_rim(&mut self, rim: &[u32], along: &[Along], named: &BTreeSet<u32>) {
         let count = rim.len();
         let is_kept = |k: usize| {
@@ -79,7 +81,8 @@ impl Outline {
         self.curves.push(curve);
     }
 
-    /// Adds a line across the film. `crossed` has the vertices inside the lines before it, and gets those of this one.
+    /// Adds a line across the film. `crossed` holds the inner vertices of the lines that were added before, and those
+    /// of this line are added to it. A vertex where two lines cross is kept.
     fn add_line(&mut self, chain: &[u32], crossed: &mut BTreeSet<u32>) {
         let mut curve = Curve { vertices: chain.to_vec(), stretches: Vec::new() };
         let mut stretch = 0;
@@ -141,7 +144,8 @@ impl Model {
         parts
     }
 
-    /// Vertices of the boundaries that keep their identity wherever they stand.
+    /// The boundary vertices that remeshing must keep although they may move: ends of cables, free points, sliding
+    /// points and the ends of sliding edges.
     fn named(&self, structure: &Structure) -> BTreeSet<u32> {
         let ends = self.cables.iter().flat_map(ModelCable::ends);
         let points = structure.sliding.iter().filter_map(|sliding| match sliding.part {
@@ -159,7 +163,7 @@ impl Model {
         all.filter(|&v| v < films).collect()
     }
 
-    /// Remeshes the film. Returns the narrowest neck.
+    /// Remeshes the film. Returns the narrowest neck, if the film has any.
     pub fn remesh(
         &mut self,
         structure: &Structure,
@@ -225,8 +229,9 @@ impl Model {
         outline
     }
 
-    /// For each stretch the input points inside it, in the order along the boundary. A vertex that a later line keeps
-    /// may lie inside a stretch of an earlier one, whose edges stay one stretch.
+    /// For each stretch the input points inside it, in the order along the boundary. Where a later line crosses an
+    /// earlier one, the crossing vertex is kept but lies inside a stretch of the earlier line, because its edges stay
+    /// one stretch.
     fn points_inside(&self, kinds: &[Kind], curves: &[Curve], stretches: usize) -> Vec<Vec<u32>> {
         let mut inside = vec![Vec::new(); stretches];
         for (points, rim) in self.input_vertices.iter().zip(curves) {
@@ -243,8 +248,8 @@ impl Model {
         inside
     }
 
-    /// Replaces the film by the remeshed one. `number` gives the new number of every old vertex that the model refers
-    /// to.
+    /// Replaces the film by the remeshed one. `number` gives the new number of every old film vertex that the model
+    /// refers to.
     fn take(&mut self, structure: &Structure, moving: MovingFilm, number: impl Fn(u32) -> Option<u32>) {
         let (old, new) = (self.films as u32, moving.film.vertices.len() as u32);
         let renumbered = |v: u32| if v >= old { v - old + new } else { number(v).unwrap_or(0) };
@@ -298,7 +303,7 @@ impl Model {
         self.sliding = sliding;
     }
 
-    /// The vertices of a boundary from one to another.
+    /// The vertices of a boundary loop from `first` to `last`, both included.
     fn between(&self, boundary: usize, [first, last]: [u32; 2]) -> Vec<u32> {
         let rim = &self.boundaries()[boundary];
         let place = |v: u32| rim.iter().position(|&w| w == v).unwrap_or_default();
@@ -306,7 +311,8 @@ impl Model {
         (0..=count).map(|k| rim[(place(first) + k) % rim.len()]).collect()
     }
 
-    /// Gives the points of the input the first numbers, in their order, and lets every boundary begin with its first.
+    /// Renumbers the vertices so that the input points come first, in their order, and rotates every boundary loop so
+    /// that it begins with its first input point.
     pub fn order_input_first(&mut self, structure: &Structure) {
         let count = self.films;
         let mut place = vec![u32::MAX; count];
@@ -346,17 +352,18 @@ impl Model {
     }
 }
 
-/// Whether the form finding may renew the mesh: one film of the same tension in all directions. The others keep the
-/// mesh with which they begin: a woven film has no energy that falls from round to round, the layers of a cushion share
-/// their edges, and no springs bound the energy of an edge with a contact angle from above.
+/// Whether form finding may remesh the structure while it moves. This is so for a single isotropic film without contact
+/// angles. All other structures keep their initial mesh, because a woven film has no energy that falls from round to
+/// round, the layers of a cushion share their edges, and no springs bound the energy of an edge with a contact angle
+/// from above.
 pub(super) fn may_travel(structure: &Structure) -> bool {
     let at_no_angle = |sliding: &Sliding| sliding.contact_angle.is_none();
     structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
 }
 
-/// Whether the form finding begins on a coarse mesh: an edge, a corner or a ring moves, or a tube has a given volume. A
-/// film whose edges are held keeps the mesh of its start as long as that leads to a shape, because the error on this
-/// mesh falls more evenly with the edge length.
+/// Whether form finding begins on a coarse mesh. This is so if an edge, a corner or a ring moves, or if a tube has a
+/// given volume. A film whose edges are held keeps its initial mesh as long as that leads to a shape, because on this
+/// mesh the error falls more evenly with the edge length.
 pub(super) fn travels(structure: &Structure) -> bool {
     let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
     let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));

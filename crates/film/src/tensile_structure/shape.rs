@@ -8,23 +8,24 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::measure::Quality;
 use plateau_mesh::{DVec3, Mesh};
 
-/// A support at one vertex: the end of a cable, or an anchor in the air.
+/// The reaction of a support at one vertex: the end of a cable, an anchor in the air or a sliding point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Reaction {
     /// The vertex.
     pub vertex: u32,
-    /// The point of the boundary, if it is one.
+    /// The boundary point of the vertex; `None` for a vertex in the air.
     pub point: Option<BoundaryPoint>,
     /// The force of the support on the structure.
     pub force: DVec3,
 }
 
-/// The supports along the fixed parts of a boundary together, without those of [`Reaction`].
+/// The sum of the reactions along the held parts of a boundary, without the reactions at single vertices
+/// ([`Reaction`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EdgeReaction {
-    /// The boundary.
+    /// The number of the boundary.
     pub boundary: usize,
     /// The sum of the forces of the supports on the structure.
     pub force: DVec3,
@@ -39,13 +40,13 @@ pub struct EdgeReaction {
 pub struct EdgeForce {
     /// The ends of the segment.
     pub segment: [u32; 2],
-    /// The force over the segment's length: Σ S ν over the triangles beside the segment, with their stress S and the
-    /// unit vector ν in their plane that points across the segment out of the triangle. It is exact for a film of one
-    /// tension, whose film pulls with σ, and of first order in the edge length elsewhere.
+    /// The force per length of the segment: Σ S ν over the triangles beside the segment. S is the stress of a triangle,
+    /// and ν is the unit vector in its plane that points across the segment out of the triangle. The value is exact for
+    /// a film of one isotropic tension σ, which pulls with σ. Elsewhere its error is of first order in the edge length.
     pub per_length: DVec3,
 }
 
-/// A cable of the shape.
+/// A cable or a mast in the found shape.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CableResult {
@@ -55,8 +56,9 @@ pub struct CableResult {
     pub segment_forces: Vec<f64>,
     /// The mean force, weighted by length.
     pub force: f64,
-    /// The least and the largest force, at ends of segments. The force of a heavy cable grows with the height by its
-    /// weight per length, and that of a segment is the one in its middle.
+    /// The least and the largest force along the cable, which occur at ends of segments. In a heavy cable the force
+    /// grows with the height by the weight per length. The force of a segment in
+    /// [`segment_forces`](Self::segment_forces) is the one in its middle.
     pub force_range: (f64, f64),
     /// Length.
     pub length: f64,
@@ -64,7 +66,7 @@ pub struct CableResult {
     pub unstressed_length: Option<f64>,
     /// The largest distance from the chord between the ends.
     pub sag: f64,
-    /// Whether it carries no force.
+    /// Whether the cable carries no force. A mast is never slack.
     pub slack: bool,
 }
 
@@ -147,7 +149,7 @@ pub struct LayerResult {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ChamberResult {
-    /// The pressure above that outside, given or found.
+    /// The gauge pressure, prescribed or found.
     pub pressure: f64,
     /// The volume up to the next layer, or up to fans from each boundary to its mean.
     pub volume: f64,
@@ -173,7 +175,7 @@ pub struct ForceBalance {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// σ A + Σ T L + …, a force times a length.
+    /// The total energy σ A + Σ T L + …, a force times a length.
     pub energy: f64,
     /// Number of vertices, those of cables in the air included.
     pub vertices: usize,
@@ -197,8 +199,9 @@ pub struct Statistics {
     pub stress: Option<Stress>,
     /// Sums of the forces; `None` if the forces could not be balanced.
     pub balance: Option<ForceBalance>,
-    /// The least and the largest angle between the film's pull on an edge that slides on a surface and that surface, in
-    /// radians; in equilibrium a right angle, or the given one. `None` without such an edge.
+    /// The least and the largest angle, in radians, between a surface and the film's pull on an edge that slides on
+    /// this surface. In equilibrium it is a right angle, or the given contact angle. `None` if no edge slides on a
+    /// surface.
     pub contact_angle: Option<(f64, f64)>,
     /// Stability, if it was found.
     pub stability: Option<Stability>,
@@ -216,29 +219,31 @@ pub struct Statistics {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TensileStructure {
-    /// Vertices: the input's points in input order, equal neighbours once, fixed ones at exactly the given coordinates;
-    /// then the film's others; then those of cables in the air, which belong to no triangle.
+    /// The mesh of all layers. Its vertices come in this order: the input's points (equal neighbours once, fixed points
+    /// at exactly the given coordinates), the other vertices of the film, and the vertices of cables in the air, which
+    /// belong to no triangle.
     pub mesh: Mesh,
     /// Each boundary as a loop of vertices, in the input's direction, added points included.
     pub boundaries: Vec<Vec<u32>>,
-    /// For each input point its vertex.
+    /// For each boundary the vertices of its input points.
     pub input_vertices: Vec<Vec<u32>>,
     /// The stress of each triangle. Empty if the forces could not be balanced.
     pub stresses: Vec<TriangleStress>,
     /// The cables in the order of the input.
     pub cables: Vec<CableResult>,
-    /// Supports at single vertices.
+    /// Reactions at single vertices.
     pub reactions: Vec<Reaction>,
-    /// Supports along edges.
+    /// Sums of the reactions along edges, boundary by boundary.
     pub edge_reactions: Vec<EdgeReaction>,
-    /// The forces on the structure of which [`edge_reactions`](Self::edge_reactions) has the sums, vertex by vertex.
-    /// With [`reactions`](Self::reactions) they balance the loads in their sum and in their moments.
+    /// The reactions along edges, vertex by vertex, whose sums are in [`edge_reactions`](Self::edge_reactions).
+    /// Together with [`reactions`](Self::reactions) they balance the loads: the sums of the forces and of the moments
+    /// vanish.
     pub edge_supports: Vec<(u32, DVec3)>,
     /// The force per length along each segment of a held edge. Empty if the forces could not be balanced.
     pub edge_forces: Vec<EdgeForce>,
-    /// For each ring that moves how far it has moved along its axis.
+    /// Displacement of each ring along its axis.
     pub ring_travels: Vec<f64>,
-    /// Figures.
+    /// Figures of the shape and of the run.
     pub statistics: Statistics,
     /// Facts that the caller should know although the solve went through.
     pub warnings: Vec<Warning>,

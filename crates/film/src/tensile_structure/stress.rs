@@ -8,9 +8,10 @@ use crate::energy::PlaneStress;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
 
-/// The stress F S Fᵀ / det F of a triangle that was deformed from its reference shape.
+/// The stress F S Fᵀ / det F of a triangle that was deformed from its reference shape. F is the deformation gradient,
+/// and S is the stress in the reference shape.
 struct Deformed {
-    /// The images F w and F f of the directions of the reference stress S = σ_w w wᵀ + σ_f f fᵀ.
+    /// The images F w and F f of the two principal directions of the reference stress S = σ_w w wᵀ + σ_f f fᵀ.
     images: [DVec3; 2],
     reference: PlaneStress,
     /// det F.
@@ -36,8 +37,8 @@ impl Deformed {
         (self.reference.along * w * w + self.reference.across * f * f) / self.stretch
     }
 
-    /// The least and the largest principal stress. Their product is that of the principal stresses in the reference
-    /// shape.
+    /// The least and the largest principal stress. Their product equals the product of the principal stresses in the
+    /// reference shape.
     fn principal(&self) -> (f64, f64) {
         let PlaneStress { along, across, .. } = self.reference;
         let [w, f] = self.images.map(DVec3::length_squared);
@@ -72,7 +73,7 @@ pub(super) fn of_triangles(balance: &Balance, triangles: &[[u32; 3]], at: &[DVec
     triangles.iter().zip(&balance.stresses).map(of).collect()
 }
 
-/// The stresses of all layers together.
+/// The range and the largest deviation of the stresses over all layers; `None` if no layer has stresses.
 pub(super) fn of_all(layers: &[LayerResult]) -> Option<Stress> {
     let widen = |a: Stress, b: Stress| Stress {
         min: a.min.min(b.min),
@@ -83,8 +84,9 @@ pub(super) fn of_all(layers: &[LayerResult]) -> Option<Stress> {
     layers.iter().filter_map(|layer| layer.stress).reduce(widen)
 }
 
-/// The stresses of a layer of the balanced shape, and their deviation: of a woven film from the stresses that are
-/// required in the reference shape, of an isotropic film from the given tension. `first` is the number of the layer's
+/// Returns the range of the principal stresses in a layer of the balanced shape, and their largest relative deviation.
+/// In a woven film the stresses along warp and weft are compared with those required in the reference shape. In an
+/// isotropic film the principal stresses are compared with the given tension. `first` is the number of the layer's
 /// first triangle.
 pub(super) fn stress(
     balance: &Balance,
@@ -121,7 +123,8 @@ pub(super) fn stress(
     stress
 }
 
-/// Sums over the triangles of a woven film.
+/// Sums, weighted by area, and ranges over the triangles of a woven film: of the stresses along warp and weft, of the
+/// ratio weft / warp, and of the deviations from the required values.
 #[derive(Default)]
 struct WovenSums {
     area: f64,

@@ -1,32 +1,36 @@
-//! A start that hardly depends on the given one: corners, joints and hubs where the cables alone would hold them.
+//! Taut starts: starts of form finding that hardly depend on the given shape. Corners, joints and hubs are where the
+//! cables alone would hold them.
 //!
 //! Without the film and with straight cables of given forces the energy is Σ F ℓ, which is convex. Each point in turn
 //! moves to the mean of the other ends of its cables with the weights F / ℓ (Weiszfeld, *Sur le point pour lequel la
-//! somme des distances de n points donnés est minimum*, 1937), then to its support, and to the length of its masts. The
-//! film pulls corners further in, so that the film's own form finding begins from a wide, taut shape.
+//! somme des distances de n points donnés est minimum*, 1937). Then it moves onto its support and to the distance that
+//! the lengths of its masts prescribe. The film pulls corners further in, so that form finding with the film begins
+//! from a wide, taut shape.
 //!
-//! A mast between a joint and a hub flies: both move together to where their cables balance, and the film pulls the
-//! ring around the hub towards its other edges with at most its tension around the ring. A ring that begins lower than
-//! it ends leads to the film, because a film that is drawn too high pinches off at the ring.
+//! A mast of given length between a joint and a hub is a flying mast: its two ends move together to where their cables
+//! balance. The film pulls the ring around the hub towards the film's other edges, with at most its tension times the
+//! ring's length. This largest pull is used, so that the ring begins lower than it ends. Form finding succeeds from
+//! there, whereas a film that is drawn too high pinches off at the ring.
 //!
 //! A mast on a support can lean to several sides. In a second start these masts stand upright, however they are drawn.
 //!
-//! A corner that stands too far out closes, because its sides are long arcs whose ends turn towards each other. In a
-//! third start the film pulls too, and each free corner begins drawn in. The film beside a corner counts as the
+//! A corner that is drawn too far out closes, because its sides are long arcs whose ends turn towards each other. In a
+//! third start the film pulls too, and each free corner begins drawn in. The film beside a corner is modelled as the
 //! triangle of the corner and its two neighbours a and b, cut by the arcs of the two sides. Let σ be the film's
-//! tension. A side of the chord c and the force F pulls the corner along the chord by √(F² - (σ c / 2)²). The
-//! triangle pulls the corner towards the line ab by σ |ab| / 2, which is the derivative of the triangle's energy.
+//! tension. A side of the chord c and the force F pulls the corner along the chord by √(F² - (σ c / 2)²). The triangle
+//! pulls the corner towards the line ab by σ |ab| / 2, which is the derivative of the triangle's energy.
 
 use super::options::{BoundaryPoint, Cable, CableMode, Course, SlidingPart, Structure, stretch};
 use plateau_mesh::DVec3;
 use plateau_mesh::polyline::{length, mean, position_key, radius};
 use std::collections::BTreeMap;
 
-/// Number of passes over all points. Corners of the examples stand within 1e-3 of their span after 50.
+/// Number of sweeps over all points. In the examples, 50 sweeps bring the corners closer to their final places than
+/// 1e-3 of their span.
 const SWEEPS: u32 = 300;
-/// Shortest cable, as a fraction of the radius, that leaves a start from which a film can be found.
+/// Length of the shortest cable, as a fraction of the structure's radius, in a start from which a film can be found.
 const SHORTEST: f64 = 1e-2;
-/// Least motion of a point, as a fraction of the radius, that makes another start.
+/// A taut start differs from the given one only if a point moves by more than this fraction of the structure's radius.
 const LEAST_MOTION: f64 = 1e-6;
 
 /// The forces that hold the points of a taut start.
@@ -45,9 +49,9 @@ pub(super) enum Held {
 enum Hold {
     Fixed,
     Free,
-    /// On the support of this number.
+    /// The point slides on the support of this number.
     Slides(usize),
-    /// With the ring of this number.
+    /// The point moves with the ring of this number, along the ring's axis.
     Guided(usize),
 }
 
@@ -58,21 +62,21 @@ struct Link {
     force: f64,
     /// Distance between the two ends, if the cable or mast holds a length.
     length: Option<f64>,
-    /// The film's pull on a side of the film, a force per length. It is 0 for all other links, and for sides too where
+    /// The film's pull on an edge cable, a force per length. It is 0 for all other links, and for edge cables too where
     /// the cables alone hold the points.
     film: f64,
 }
 
 impl Link {
-    /// The force along a chord of this length. A side is an arc under the film's pull, whose ends pull less along its
-    /// chord than along the arc.
+    /// The component of the force along a chord of this length. An edge cable is an arc under the film's pull, so at
+    /// its ends it pulls less along the chord than along the arc.
     fn along_chord(&self, chord: f64) -> f64 {
         let across = 0.5 * self.film * chord;
         self.force.signum() * (self.force * self.force - across * across).max(0.0).sqrt()
     }
 }
 
-/// The points at which cables end.
+/// The points at which cables and masts end, and the straight links between them.
 struct Network<'a> {
     structure: &'a Structure,
     places: Vec<DVec3>,
@@ -157,7 +161,8 @@ impl<'a> Network<'a> {
         self.holds[number] = hold;
     }
 
-    /// Sets the free tops of masts upright above their feet on supports, and fixes them. Returns whether there is one.
+    /// Places the free top of each mast on a support upright above its foot, and fixes the top. Returns whether there
+    /// is any mast of this kind.
     fn set_masts_upright(&mut self) -> bool {
         let up = self.structure.up;
         let mut any = false;
@@ -176,7 +181,7 @@ impl<'a> Network<'a> {
         any
     }
 
-    /// Lets the film pull too, and draws each free corner in, halfway to the middle of its two neighbours. Returns
+    /// Adds the pull of the film, and moves each free corner halfway to the middle of its two neighbours. Returns
     /// whether there is a free corner.
     fn count_film(&mut self) -> bool {
         let pull = self.structure.pull();
@@ -205,13 +210,13 @@ impl<'a> Network<'a> {
         !self.corners.is_empty()
     }
 
-    /// The pull of the film's triangle between a corner and its two neighbours on the corner.
+    /// The force on a corner from the film's triangle between the corner and its two neighbours.
     fn film_on_corner(&self, [here, a, b]: [usize; 3]) -> DVec3 {
         let [here, a, b] = [here, a, b].map(|v| self.places[v]);
         0.5 * self.structure.pull() * a.distance(b) * (a - here).reject_from(b - a).normalize_or_zero()
     }
 
-    /// Moves each point that is not fixed once.
+    /// Moves each point once, except fixed points.
     fn sweep(&mut self) {
         for v in 0..self.places.len() {
             if self.holds[v] == Hold::Fixed {
@@ -266,7 +271,8 @@ impl<'a> Network<'a> {
         self.fly();
     }
 
-    /// Moves each mast of given length whose two ends can move: as a whole, by the step of the cables at both ends.
+    /// Moves each flying mast as a whole, by the step of the cables at both ends. A mast flies if its length is given
+    /// and both of its ends can move.
     fn fly(&mut self) {
         let moving = |v: usize| matches!(self.holds[v], Hold::Free | Hold::Guided(_));
         let flies = |link: &&Link| link.length.is_some() && link.ends.into_iter().all(moving);
@@ -294,8 +300,8 @@ impl<'a> Network<'a> {
         }
     }
 
-    /// Whether no cable has shrunk to almost nothing. The links of pulls on rings come after the cables and may be
-    /// short.
+    /// Whether no cable has shrunk to almost nothing. Links that stand for the film's pull on a ring come after the
+    /// cables and may be short.
     fn is_open(&self) -> bool {
         self.links.iter().take(self.structure.cables.len()).all(|link| {
             let [a, b] = link.ends.map(|v| self.places[v]);
@@ -304,8 +310,8 @@ impl<'a> Network<'a> {
     }
 }
 
-/// The point of the line through `place` along the axis that has the distance `length` from `other`, on the side of
-/// `other` on which `here` is; `place` itself if the line is too far away.
+/// Returns the point at the distance `length` from `other` on the line through `place` along the axis, on the side of
+/// `other` on which `here` is. Returns `place` if the whole line is farther away.
 fn along_to_length(here: DVec3, place: DVec3, axis: DVec3, other: DVec3, length: f64) -> DVec3 {
     let (across, along) = ((place - other).reject_from_normalized(axis), axis.dot(here - other));
     let squared = length * length - across.length_squared();

@@ -1,17 +1,18 @@
-//! From a coarse mesh to the neighbourhood of the equilibrium, however far it is.
+//! Form finding of structures that move far: from a coarse mesh to the neighbourhood of the equilibrium.
 //!
-//! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles, each of them
-//! remeshed as it moves, until the steps are short. Attempts follow each other until one finds a shape:
+//! The structure is settled (`equilibrium::settling`) on meshes of 300, 1,050, 3,675 … triangles until the steps are
+//! short. Each of these meshes is remeshed as it moves. Several attempts are made, one after the other, until one finds
+//! a shape:
 //!
 //! 1. bold steps,
 //! 2. bold steps from a start with upright masts, if masts stand on supports ([`taut_start`](super::taut_start)),
 //! 3. bold steps from a start in which the cables alone hold corners and joints,
 //! 4. the gradient flow,
 //! 5. bold steps while the film's tension grows,
-//! 6. bold steps from a start in which the film counts where corners are free, and corners begin drawn in.
+//! 6. bold steps from a start in which the film also pulls free corners, and these corners begin drawn in.
 //!
-//! Only if all attempts end with a part that closes or a vertex that runs away does that count as evidence that there
-//! is no equilibrium.
+//! If all attempts end because a part closes or a vertex runs away, this counts as evidence that there is no
+//! equilibrium. Otherwise the question stays open.
 
 mod ending;
 
@@ -46,9 +47,9 @@ const COARSE_TOLERANCE: f64 = 1e-4;
 const WORN: f64 = 2.4;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
-/// Newton's method is tried again after this number of rounds times one more than the number of failures so far, among
-/// which those while a cable shrinks do not count. The pause grows because a round of a structure with constraints
-/// takes away only a few per cent of the distance to the equilibrium.
+/// The pause before Newton's method is tried again, in rounds, is this number times one more than the number of
+/// failures so far. Failures while a cable shrinks do not count. The pause grows because a round of a structure with
+/// constraints takes away only a few per cent of the distance to the equilibrium.
 const WAIT: u32 = 2;
 /// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;
@@ -61,14 +62,15 @@ const ATTEMPTS: [Attempt; 6] = [
     Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
     Attempt { from: Some(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
 ];
-/// Largest number of kicks along an unstable mode, and their length in edges.
+/// Maximum number of kicks in an attempt. A kick moves the vertices along an unstable mode.
 const MAX_KICKS: u32 = 3;
+/// Length of a kick, in edge lengths.
 const KICK: f64 = 0.3;
-/// Failures of Newton's method that an attempt may have. Remeshing a converged shape counts as three.
+/// Maximum number of failures of Newton's method in an attempt. Remeshing a converged shape counts as three failures.
 const MAX_FAILURES: u32 = 12;
 /// Largest number of remeshings that adjust the number of triangles on the last level.
 const CALIBRATIONS: u32 = 4;
-/// The number of triangles is met within this fraction.
+/// Largest relative deviation of the number of triangles from the wanted number on the last level.
 const COUNT_TOLERANCE: f64 = 0.05;
 
 /// The start and the pace of an attempt.
@@ -77,8 +79,9 @@ struct Attempt {
     /// The taut start from which the attempt begins; `None` for the given one.
     from: Option<Held>,
     pace: Pace,
-    /// Fraction of the film's tension at the start, and the number of rounds in which it grows to 1.
+    /// Fraction of the film's tension with which the attempt starts.
     first_tension: f64,
+    /// Number of rounds in which this fraction grows to 1.
     tension_rounds: u32,
 }
 
@@ -98,12 +101,12 @@ struct Trip {
     settler: Settler,
     /// Number of triangles of the present level.
     level: f64,
-    /// Whether the level has just begun, so that its mesh is to be made.
+    /// Whether the level has just begun, so that the film must first be remeshed.
     is_fresh: bool,
     rounds: u32,
-    /// Number of the last rounds in a row that found no step.
+    /// Number of consecutive rounds, up to the last one, that found no step.
     stuck: u32,
-    /// The round before which Newton's method is not tried.
+    /// Newton's method is not tried before the round of this number.
     wait: u32,
     failures: u32,
     kicks: u32,
@@ -135,8 +138,9 @@ enum Next {
 }
 
 impl Run<'_> {
-    /// Makes the attempts until one finds a shape. If none does, `found` gets the ending and the model the last shape
-    /// of the first attempt, or of the first one that leaves open whether there is a shape.
+    /// Makes the attempts until one finds a shape. If none does, `found` gets the ending and the model gets the last
+    /// shape of one of the attempts: the first attempt that leaves open whether there is a shape, or else the first of
+    /// all.
     pub fn search(&mut self, coarse: Coarse, found: &mut Found) -> Result<(), Stop> {
         let start = self.model.clone();
         self.check_side()?;
@@ -198,7 +202,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The first mesh of a taut start, if there is one.
+    /// The model of a taut start on a coarse mesh; `None` if there is no such start or it cannot be meshed.
     fn taut_model(&self, coarse: Coarse, start: &Model, held: Held) -> Result<Option<Model>, Stop> {
         let forces: Vec<f64> = start.cables.iter().map(|cable| cable.start_force).collect();
         let Some(structure) = taut(self.structure, &forces, held) else { return Ok(None) };
@@ -212,8 +216,9 @@ impl Run<'_> {
         }
     }
 
-    /// A part that closes is evidence only if the cables alone have a single equilibrium, from which the taut attempts
-    /// begin. With masts, curved supports, pressure or given lengths the start decides which shape is found.
+    /// Returns the ending, or [`Ending::NotFound`] in place of an ending that is no evidence. A part that closes is
+    /// evidence only if the cables alone have a single equilibrium, from which the taut attempts begin. With masts,
+    /// curved supports, pressure or given lengths the start decides which shape is found.
     fn judged(&self, ending: Ending) -> Ending {
         let structure = self.structure;
         let flat = |sliding: &Sliding| sliding.on.is_flat();
@@ -250,7 +255,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The number of triangles that are wanted at the present area.
+    /// The wanted number of triangles, which for a given edge length follows from the film's present area.
     fn wanted(&self) -> f64 {
         match self.options.resolution {
             crate::minimal_surface::Resolution::EdgeLength(edge) => {
@@ -286,7 +291,7 @@ impl Run<'_> {
         }
     }
 
-    /// Makes a round of the settling, and renews the mesh where the round has moved it.
+    /// Makes one settling round, and remeshes the film if the round has moved it far. Returns the step that follows.
     fn settle_once(&mut self, trip: &mut Trip, watch: &mut Watch) -> Result<Next, Stop> {
         let Attempt { pace, tension_rounds, .. } = trip.attempt;
         let is_last = trip.level >= 0.99 * self.wanted();
@@ -343,7 +348,8 @@ impl Run<'_> {
         Ok(if round.step >= NEWTON_BELOW * edge { Next::Round } else { Next::Newton { edge, is_last } })
     }
 
-    /// Renews the mesh at the beginning of a level.
+    /// Remeshes the film at the beginning of a level. The last level is remeshed again while it misses the number of
+    /// triangles.
     fn begin_level(&mut self, edge: f64, is_first: bool, is_last: bool, watch: &mut Watch) -> Result<(), Stop> {
         self.calibration = 1.0;
         self.renew_mesh(edge, if is_first { 3 } else { 2 }, is_last, watch)?;
@@ -356,7 +362,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Tries Newton's method from the present shape, which stays as it was where the method fails.
+    /// Tries Newton's method from the present shape, and restores this shape if the method fails.
     fn try_newton(
         &mut self,
         trip: &mut Trip,
@@ -412,14 +418,14 @@ impl Run<'_> {
         Ok(Next::Found)
     }
 
-    /// The largest distance between a vertex and where it was.
+    /// The largest distance of a vertex from its position in `before`.
     fn travelled(&self, before: &Model) -> f64 {
         let (old, new) = (before.vertices(), self.model.vertices());
         old.iter().zip(&new).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
     }
 
-    /// The body of a round, and whether all volumes have their required values in it. A round changes a volume by at
-    /// most half an edge length times the film's area.
+    /// Returns the body of a round, and whether the volumes have their required values in this body. A round changes a
+    /// volume by at most half an edge length times the film's area.
     fn settling_body(&self, tension: f64, edge: f64) -> Result<(Body, bool), Stop> {
         let mut scaled;
         let structure = if tension < 1.0 {
@@ -449,7 +455,8 @@ impl Run<'_> {
         Ok((body, complete))
     }
 
-    /// The multipliers with which the rounds begin: the forces of the cables of given length.
+    /// The multipliers with which the rounds begin: for a cable of given length its start force, for masts and volumes
+    /// 0.
     fn start_multipliers(&self, body: &Body) -> Vec<f64> {
         let lengths = (0..self.structure.cables.len()).filter(|&k| self.model.constrains_length(k));
         let mut multipliers: Vec<f64> = lengths

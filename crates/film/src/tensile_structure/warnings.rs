@@ -1,4 +1,4 @@
-//! The warnings about a found shape.
+//! Warnings about a found shape.
 
 use super::form_finding::Found;
 use super::model::Model;
@@ -12,22 +12,23 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Execution, Interruption};
 use std::sync::Arc;
 
-/// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
-/// between cables is about 1 to 10.
+/// A structure counts as a mechanism if the magnitude of its lowest eigenvalue is below this value, in units of 1/R²
+/// with the radius R of the mesh. The lowest eigenvalue of a plane film between cables is about 1 to 10.
 const MECHANISM: f64 = 1e-6;
 
-/// Vertices that move by more than this fraction of the largest displacement of the lowest mode are named.
+/// The warning about a mechanism names the points that move by more than this fraction of the largest displacement in
+/// the lowest mode.
 const MOVES: f64 = 0.5;
 
-/// A woven film whose stresses deviate from the required ones by more than this (root mean square) gets a warning. On
-/// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
+/// A woven film gets a warning if the root mean square of the relative deviation of its stresses from the required ones
+/// exceeds this value. On the meshes of the examples the mesh's error alone causes a deviation below 0.02.
 const DEVIATES: f64 = 0.05;
 
-/// An edge counts as beyond the mesh of its support if a vertex is further from the mesh than this fraction of the
-/// mesh's rounding. The rounding of a right angle of the mesh alone takes a vertex 0.14 times the rounding away.
+/// A sliding edge counts as beyond the mesh of its support if a vertex is farther from the mesh than this fraction of
+/// the mesh's rounding. The rounding of a right angle of the mesh alone moves a vertex away by 0.14 times the rounding.
 const BEYOND: f64 = 0.5;
 
-/// Number of points that a message lists.
+/// Maximum number of points that a message lists.
 const LISTED: usize = 12;
 
 pub(super) fn warn(
@@ -130,7 +131,7 @@ pub(super) fn piercing(model: &Model, structure: &Structure, exec: &Execution) -
     Ok(warnings)
 }
 
-/// A warning for each mesh beyond whose border an edge has slid.
+/// A warning for each support mesh beyond whose border an edge has slid.
 fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
     let at = model.vertices();
     let beyond = |(number, support): (usize, &Arc<dyn Support>)| {

@@ -1,4 +1,4 @@
-//! The field of stresses of a woven film.
+//! The stress field of a woven film.
 //!
 //! Warp and weft have the stresses m σ_w and m σ_f along two directions w and f of the film, with a common factor m
 //! that varies over the film. Within the film the forces balance if
@@ -7,10 +7,11 @@
 //! div (m T) + q = 0          T = σ_w w wᵀ + σ_f f fᵀ, q the load within the film
 //! ```
 //!
-//! On a surface of revolution with unequal stresses along and around it no constant m satisfies this; m ∝ r^(k - 1)
-//! with the ratio k = σ_f / σ_w of hoop to meridian does, because (r m σ_w)' = m σ_f. In general the two equations
-//! determine the gradient of ln m, which may be no gradient of a function. The field takes the nearest one. With the
-//! unbalanced force R = -(div (m T) + q) of the present m per area, ln m changes by δ with
+//! On a surface of revolution with unequal stresses along and around it no constant m satisfies this. The factor m ∝
+//! r^(k - 1) with the ratio k = σ_f / σ_w of hoop to meridian does, because (r m σ_w)' = m σ_f. In general the two
+//! equations determine a vector field for the gradient of ln m, which need not be the gradient of a function. The
+//! nearest gradient is taken. With the unbalanced force R = -(div (m T) + q) of the present m per area, ln m changes by
+//! δ with
 //!
 //! ```text
 //! ∫ |∇δ - (m T)⁻¹ R|² -> min          a Poisson equation with the cotangent Laplacian
@@ -19,8 +20,8 @@
 //! The last solve of form finding removes the imbalance that remains. It moves vertices within the film. The statistics
 //! state how much this changes the stresses.
 //!
-//! A cable on the film's edge or across it bears the film's pull along the cable: its force changes from segment to
-//! segment by that pull. In an isotropic film there is none.
+//! A cable on the film's edge or across it bears the film's pull along the cable, which changes the cable's force from
+//! segment to segment. An isotropic film has no pull along a cable.
 
 use super::options::{CableMode, WarpDirection, Weave, WeaveHold};
 use crate::energy::area::Facet;
@@ -42,7 +43,7 @@ pub(super) struct StressField {
     /// ln m of each vertex.
     pub factors: Vec<f64>,
     /// A vertex of each connected part of the film. The Poisson equation determines δ up to a constant in each part, so
-    /// δ is set to 0 at these vertices. Then m is scaled.
+    /// δ is set to 0 at these vertices. After that m is scaled to the mean 1.
     anchors: Vec<u32>,
 }
 
@@ -62,7 +63,7 @@ impl StressField {
         self.weave.hold
     }
 
-    /// The unit vector of the warp at a place in the plane of a unit normal.
+    /// The unit vector of the warp at a place, in the plane with this unit normal.
     fn warp(&self, place: DVec3, normal: DVec3) -> DVec3 {
         let project = |vector: DVec3| vector.reject_from_normalized(normal);
         let found = match &self.weave.direction {
@@ -81,7 +82,7 @@ impl StressField {
         PlaneStress { direction, along: factor * self.weave.warp, across: factor * self.weave.weft }
     }
 
-    /// The energy of the film with this shape as its reference.
+    /// The energy of the film with the shape `at` as its reference.
     pub fn prestress(&self, triangles: &[[u32; 3]], at: &[DVec3]) -> Prestress {
         Prestress::plane(triangles, |t| self.required(&triangles[t], at), at)
     }
@@ -163,9 +164,9 @@ impl StressField {
     }
 }
 
-/// The force that the film's pull along a cable adds in each segment. `pull` is the derivative of the film's energy and
-/// loads by each vertex. The mean of the added forces over the cable's length is 0. Where the cable's mode prescribes
-/// the force at the first end, that of the first segment is 0 instead.
+/// For each segment of a cable the force that the film's pull along the cable adds. `pull` is the derivative of the
+/// film's energy and loads by each vertex. The mean of the added forces over the cable's length is 0. If the cable's
+/// mode prescribes the force at the first end, the added force in the first segment is 0 instead.
 pub(super) fn pulls_along(chain: &[u32], mode: CableMode, pull: &[DVec3], at: &[DVec3]) -> Vec<f64> {
     let place = |k: usize| at[chain[k] as usize];
     let mut forces = vec![0.0];
@@ -206,7 +207,7 @@ fn one_of_each_part(triangles: &[[u32; 3]], vertices: usize) -> Vec<u32> {
 }
 
 /// The unit tangent of a polyline at its point that is nearest to a place. Between the middles of two segments it turns
-/// from the direction of the one to that of the other.
+/// from the direction of the first to that of the second.
 fn tangent_of_nearest(points: &[DVec3], place: DVec3) -> DVec3 {
     let segments = points.len() - 1;
     let direction = |k: usize| (points[k + 1] - points[k]).normalize_or_zero();

@@ -1,10 +1,10 @@
-//! Boundary polygons of known minimal surfaces, shared by tests and benches.
+//! Boundary polygons of known minimal surfaces, shared by the tests and the benches.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 use plateau_mesh::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// The boundary of the image of a parameter rectangle, with `nu` and `nv` intervals along its sides.
+/// The boundary of the image of a parameter rectangle, with `nu` and `nv` intervals along its sides in u and v.
 pub fn patch(
     surface: impl Fn(f64, f64) -> DVec3,
     (u0, u1): (f64, f64),
@@ -29,12 +29,13 @@ pub fn helicoid_with(nu: usize, nv: usize) -> Vec<DVec3> {
     patch(|u, v| DVec3::new(u * v.cos(), u * v.sin(), v), (2.0, 10.0), (-1.0, 10.0), (nu, nv))
 }
 
-/// Chen, Cai, Zheng's catenoid patch: 156 points, limit area 58.1637 (not the catenoid, which is unstable here).
+/// Chen, Cai, Zheng's catenoid patch: 156 points. The limit area 58.1637 is that of another surface, because the
+/// catenoid is unstable here.
 pub fn catenoid() -> Vec<DVec3> {
     catenoid_to(2.0)
 }
 
-/// The same sector of the catenoid, |v| up to `height`.
+/// The same sector of the catenoid, for |v| up to `height`.
 pub fn catenoid_to(height: f64) -> Vec<DVec3> {
     let sector = 3.0 * PI / 5.0;
     patch(|u, v| DVec3::new(v.cosh() * u.cos(), v.cosh() * u.sin(), v), (-sector, sector), (-height, height), (52, 26))

@@ -5,19 +5,19 @@ use plateau_archive::archive::Contents;
 use plateau_mesh::{DVec3, Execution, Interruption};
 use serde_json::Value;
 
-/// Rounding of coordinates, in units in the last place of the largest one, that a figure may carry.
+/// Assumed rounding error of a coordinate, in units in the last place of the largest coordinate.
 const ROUNDING: f64 = 8.0;
 
-/// A stated figure, or a promise about the mesh, that the arrays do not keep.
+/// A stated figure that the arrays contradict, or a required property that the mesh lacks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Fault {
-    /// JSON Pointer of the statistics, or a promise in words.
+    /// JSON Pointer of the figure in the statistics, or the required property in words.
     pub figure: String,
     pub stated: String,
     pub measured: String,
 }
 
-/// The comparison of one result with what it states.
+/// Compares the figures that one result states with measured ones, and collects the faults.
 #[derive(Debug)]
 pub(crate) struct Audit<'a> {
     /// The arrays of the result.
@@ -26,7 +26,7 @@ pub(crate) struct Audit<'a> {
     warnings: Vec<&'a str>,
     /// The statistics of the result.
     statistics: &'a Value,
-    /// Rounding of a coordinate: 8 units in the last place of the largest one, in the mesh's unit.
+    /// Assumed rounding error of a coordinate: 8 units in the last place of the largest coordinate, in the mesh's unit.
     pub step: f64,
     faults: Vec<Fault>,
     exec: &'a Execution<'a>,
@@ -41,7 +41,7 @@ impl<'a> Audit<'a> {
     }
 
     /// # Errors
-    /// The cancel that ended the audit.
+    /// Fails if the audit was cancelled.
     pub fn faults(self) -> Result<Vec<Fault>, Interruption> {
         if self.is_cancelled { Err(Interruption::Cancelled) } else { Ok(self.faults) }
     }
@@ -106,7 +106,7 @@ impl<'a> Audit<'a> {
         }
     }
 
-    /// Compares a figure for which values up to `rounding` are equal.
+    /// Compares a figure. A stated and a measured value that are both at most `rounding` count as equal.
     pub fn figure_or_below(&mut self, pointer: &str, measured: Measured, rounding: f64) {
         let both_below = measured.value <= rounding && self.stated(pointer).is_some_and(|stated| stated <= rounding);
         if !both_below {
@@ -114,7 +114,7 @@ impl<'a> Audit<'a> {
         }
     }
 
-    /// Compares the members `min`, `mean`, `max` and `std_dev`.
+    /// Compares the members `min`, `mean`, `max` and `std_dev` of a stated object.
     pub fn spread(&mut self, pointer: &str, measured: &Spread) {
         let Spread { min, mean, max, std_dev, .. } = *measured;
         for (name, measured) in [("min", min), ("mean", mean), ("max", max), ("std_dev", std_dev)] {
@@ -129,7 +129,7 @@ impl<'a> Audit<'a> {
         }
     }
 
-    /// Notes a promise that is not kept, such as a point of the request at its vertex.
+    /// Adds a fault unless a required property holds, such as that a point of the request is at its vertex.
     pub fn require(&mut self, holds: bool, promise: impl FnOnce() -> String, measured: impl FnOnce() -> String) {
         if !holds {
             self.fault(promise(), "true", measured());

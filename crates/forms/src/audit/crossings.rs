@@ -1,4 +1,4 @@
-//! Self-intersections of the mesh that leaves.
+//! Self-intersections of the mesh that the client gets.
 
 use plateau_mesh::error::Warning;
 use plateau_mesh::self_intersections::{self, Order, Skipped};
@@ -9,7 +9,7 @@ use plateau_mesh::{Execution, Interruption, Mesh};
 /// The number of self-intersections, as statistics state it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossings {
-    /// Null if not all pairs were looked at.
+    /// Number of pairs of triangles that intersect. `None` if not all pairs were searched.
     pub pairs: Option<u64>,
     /// Reason why not all pairs were searched.
     pub skipped: Option<&'static str>,
@@ -22,7 +22,7 @@ impl Crossings {
     /// `most_triangles` are not searched.
     ///
     /// # Errors
-    /// The interruption by a cancel. A deadline ends the search, and the mesh is still good.
+    /// Fails if the search was cancelled. A deadline only ends the search, because the mesh is good without the count.
     pub fn count(
         mesh: &Mesh,
         order: Order,
@@ -36,12 +36,13 @@ impl Crossings {
         Ok(Self { pairs: found.pairs, skipped: found.skipped.map(Skipped::name), cut_short })
     }
 
-    /// The same for a mesh inside plane polygons that do not cross. If all its triangles face one side, seen along an
-    /// axis, none intersects another: the number of triangles over a point changes at no edge but the polygons'.
-    /// O(triangles), where the search takes longer than the meshing.
+    /// Counts the self-intersections of a mesh inside plane polygons that do not cross. If all its triangles face the
+    /// same side, seen along an axis, then no triangle intersects another, because the number of triangles over a point
+    /// changes only at the edges of the polygons. This test is O(triangles), whereas the search takes longer than the
+    /// meshing.
     ///
     /// # Errors
-    /// As [`count`](Self::count).
+    /// Returns the errors of [`count`](Self::count).
     #[cfg(feature = "uniform-mesh")]
     pub fn count_in_plane(mesh: &Mesh, warnings: &mut Vec<Warning>, exec: &Execution) -> Result<Self, Interruption> {
         exec.look(mesh.triangles.len() as u64)?;
@@ -52,7 +53,8 @@ impl Crossings {
     }
 }
 
-/// Whether all triangles face one side of a plane, seen along the axis that is nearest to its normal: exactly.
+/// Returns whether all triangles face the same side, seen along the axis that is nearest to their mean normal. The test
+/// is exact.
 #[cfg(feature = "uniform-mesh")]
 fn faces_one_side(mesh: &Mesh) -> bool {
     let double_area = |&t: &[u32; 3]| {

@@ -16,20 +16,21 @@ struct AtVertex {
     tolerance: f64,
 }
 
-/// Compares the residuals and curvatures of a film without junctions, whose vertices move apart from those that
-/// `is_fixed` marks.
+/// Compares the residuals and curvatures of a film without junctions. Its free vertices are those that `is_fixed` does
+/// not mark.
 pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], radius: f64, tolerance: f64) {
     let rounding = audit.step;
     let found: Vec<AtVertex> = surface
         .rings
         .iter()
         .map(|ring| {
-            // The mass is a third of the ring's area.
+            // The mass of a vertex is a third of the area of its ring.
             let double_mass = ring.double_area / 3.0;
             let full = ring.gradient.length() / double_mass;
             let normal = ring.gradient.dot(ring.normal.normalize_or_zero()).abs() / double_mass;
             if ring.is_degenerate {
-                // Rounding decides about every figure at the corner of a triangle without area.
+                // Every figure at the corner of a triangle without area is determined by rounding. Any stated value
+                // agrees with it.
                 return AtVertex { full: 0.0, normal: 0.0, tolerance: f64::INFINITY };
             }
             AtVertex { full, normal, tolerance: rounding * ring.steepness * ring.steepness }

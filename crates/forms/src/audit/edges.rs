@@ -3,7 +3,7 @@
 /// An edge and its triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Edge {
-    /// The smaller vertex first.
+    /// The two vertices, the smaller one first.
     pub ends: [u32; 2],
     /// Number of triangles that run along it from the smaller vertex to the larger one.
     pub forward: u32,
@@ -39,8 +39,9 @@ impl Edges {
         for v in 0..count {
             start[v + 1] += start[v];
         }
-        // For each side its larger end, and in the lowest bit whether it runs back. There is no memory for so many
-        // vertices that the ends need the highest bit.
+        // An entry of `halves` is the larger end of a side, shifted left by one bit. The lowest bit tells whether the
+        // side runs from its larger to its smaller end. 31 bits suffice for a vertex, because there is no memory for
+        // more vertices.
         assert!(count <= 1 << 31, "the numbers of the vertices have 31 bits");
         let mut places = start.clone();
         let mut halves = vec![0u32; 3 * triangles.len()];
@@ -90,7 +91,8 @@ impl Edges {
     }
 }
 
-/// Sets of vertices that edges join.
+/// Connected components of vertices that edges join, as a union-find forest: each vertex refers to its parent, and the
+/// smallest vertex of a component is its root.
 #[derive(Clone, Debug)]
 pub(crate) struct Components(Vec<u32>);
 
@@ -114,7 +116,7 @@ impl Components {
         v
     }
 
-    /// Returns the number of sets whose smallest vertex `is_used` marks.
+    /// Returns the number of components whose smallest vertex `is_used` marks.
     #[must_use]
     pub fn count(&self, is_used: &[bool]) -> usize {
         self.0.iter().enumerate().filter(|&(v, &root)| root == v as u32 && is_used[v]).count()

@@ -17,7 +17,8 @@ impl Measured {
         Self { value, low: value - tolerance, high: value + tolerance }
     }
 
-    /// Returns a count that lies between the items that certainly count and those that count if rounding favours them.
+    /// Returns a count with its range: from the number of items that certainly count to the number that counts if
+    /// rounding favours them.
     #[must_use]
     pub fn count([certain, possible]: [usize; 2]) -> Self {
         Self { value: certain as f64, low: certain as f64, high: possible as f64 }
@@ -68,8 +69,8 @@ impl Sum {
     }
 }
 
-/// The least or the largest of some values, each with its own tolerance. The range is that of the least or largest
-/// value that the tolerances allow, so that a value which rounding cannot reach does not widen it.
+/// The least of some values, each with its own tolerance. The range contains every least value that the tolerances
+/// allow. A value that rounding cannot make the least does not widen the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Least(Option<Measured>);
 
@@ -111,7 +112,7 @@ impl Largest {
     }
 }
 
-/// Count, least, largest, mean and standard deviation of values of one tolerance.
+/// Count, least, largest, mean and standard deviation of values that all have the same tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spread {
     pub count: usize,

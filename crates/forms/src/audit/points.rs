@@ -1,4 +1,4 @@
-//! The points of the request at their vertices, and its polylines along the mesh.
+//! Checks that the points of the request are at their vertices, and that its boundaries run along the mesh.
 
 use super::comparison::Audit;
 use super::edges::{Edge, Edges};
@@ -8,14 +8,15 @@ use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, polyline};
 use std::collections::BTreeMap;
 
-/// Largest distance of a merged point from the point that it was merged into, as a fraction of the polyline's radius: a
-/// margin over the distance at which neighbours are merged.
+/// Largest distance of a point from the point into which it was merged, as a fraction of the polyline's radius. It
+/// leaves a margin over the distance at which neighbours are merged.
 const MERGED: f64 = 1e-7;
 /// Largest distance of a point from the segment on which it was added, in the audit's step, which is 8 units in the
 /// last place of the largest coordinate.
 const BESIDE: f64 = 1.0;
 
-/// Requires that the first point of each vertex has equal bits, and that points which were merged into it are near.
+/// Requires that each point is exactly at its vertex. A point that was merged into another one only has to be near the
+/// vertex.
 pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<Item = &'p [DVec3]>) {
     let contents = audit.contents;
     let mut count = 0;
@@ -25,7 +26,8 @@ pub(crate) fn at_their_vertices<'p>(audit: &mut Audit, polylines: impl Iterator<
         let lengths = || format!("{} vertices for {} points", numbers.len(), points.len());
         audit.require(numbers.len() == points.len(), || format!("each point of polyline {k} has its vertex"), lengths);
         let near = MERGED * polyline::radius(points);
-        // Merged points follow the point into which they were merged, apart from those at the end of a closed polyline.
+        // A merged point directly follows the point into which it was merged, except at the end of a closed polyline,
+        // where points are merged into the first one.
         let mut before = None;
         for (i, (&point, &v)) in points.iter().zip(numbers).enumerate() {
             let vertex = contents.mesh.vertices[v as usize];
@@ -54,7 +56,8 @@ pub(crate) fn polylines<'c>(contents: &'c Contents, name: &str) -> Vec<&'c [u32]
     sets.flat_map(|set| vertices_of(&set.lines)).collect()
 }
 
-/// Vertices of boundaries at equal places: where boundaries touch, the mesh has one for each of them.
+/// Boundary vertices that share their position with others, by position. Where boundaries touch, the mesh has a
+/// separate vertex for each of them.
 struct Twins(BTreeMap<[u64; 3], Vec<u32>>);
 
 impl Twins {
@@ -71,7 +74,7 @@ impl Twins {
         !self.0.is_empty() && self.0.contains_key(&position_key(contents.mesh.vertices[v as usize]))
     }
 
-    /// The edge between two vertices, or between others at their places.
+    /// Returns the edge between two vertices, or between other vertices at the same two positions.
     fn edge<'e>(&self, contents: &Contents, edges: &'e Edges, a: u32, b: u32) -> Option<&'e Edge> {
         edges.between(a, b).or_else(|| {
             let twins_of =
@@ -82,9 +85,9 @@ impl Twins {
     }
 }
 
-/// Requires that each closed boundary runs along edges of the mesh that have `triangles` triangles, that no other edge
-/// has so few, and that it passes the request's points in their order. With `straight` the points between two of them
-/// lie on the segment between them and in its order.
+/// Checks that each closed boundary runs along edges of the mesh with exactly `triangles` triangles, that all edges
+/// with this number of triangles lie on boundaries, and that each boundary passes the request's points in their order.
+/// With `straight`, the vertices between two of these points must lie on the segment between them, in its order.
 pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32, straight: bool) {
     let contents = audit.contents;
     let position = |v: u32| contents.mesh.vertices[v as usize];
@@ -117,7 +120,8 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             from = steps.map(|steps| start + steps);
             let Some(steps) = steps.filter(|_| straight) else { continue };
             let (a, b) = (position(rim[start % rim.len()]), position(vertex));
-            // A side on which another boundary has a point passes through that point.
+            // If another boundary has a vertex on this side, the side passes through that vertex, which may be as far
+            // beside the segment as points are merged.
             let touches = (1..steps).any(|step| twins.has(contents, rim[(start + step) % rim.len()]));
             let beside = if touches { MERGED * radius } else { BESIDE * audit.step };
             let along = (b - a).normalize_or_zero();
@@ -134,7 +138,7 @@ pub(crate) fn along_boundaries(audit: &mut Audit, edges: &Edges, triangles: u32,
             }
         }
         let total = numbers.len();
-        // A turn passes every point once and ends where it began.
+        // A full turn passes every point once and ends where it began.
         let turn = from.map(|end| end - rim.iter().position(|v| Some(v) == numbers.first()).unwrap_or_default());
         audit.require(
             turn == Some(rim.len()) || total == 0,

@@ -1,4 +1,5 @@
-//! The figures of one strip between two directrices, from its bridges: the formulas of DEFINITIONS, each written anew.
+//! Measures the figures of one strip between two directrices from its bridges. The formulas are those of DEFINITIONS,
+//! implemented independently of the solver.
 
 use super::figure::{Largest, Least, Measured, RELATIVE, Sum};
 use plateau_mesh::DVec3;
@@ -8,16 +9,16 @@ const PARALLEL: f64 = 1e-14;
 /// Rounding may decide whether a cross product counts if it lies between 1 / `UNDECIDED` and `UNDECIDED` times the
 /// limit [`PARALLEL`].
 const UNDECIDED: f64 = 100.0;
-/// Angle in radians by which a convexity tolerance may be missed.
+/// Tolerance for the angles in the test of local convexity, in radians.
 const CONVEXITY: f64 = 1e-9;
 
 /// Side of a strip: the vertices of a directrix in the order in which the strip runs along it.
 #[derive(Clone, Debug)]
 pub(crate) struct Rail<'a> {
     pub vertices: &'a [u32],
-    /// Unit tangents, or empty if they follow from the points.
+    /// Given unit tangents. Empty if the tangents are computed from the points.
     pub tangents: Vec<DVec3>,
-    /// Unit normals of the surface to be blended, or empty.
+    /// Given unit normals of the surface to be blended. Empty if there are none.
     pub normals: Vec<DVec3>,
 }
 
@@ -30,7 +31,7 @@ pub(crate) struct Strip<'a> {
     pub bridges: Vec<[usize; 2]>,
     /// Tolerance of local convexity, in radians.
     pub convexity_tolerance: f64,
-    /// Rounding of a coordinate.
+    /// Assumed rounding error of a coordinate.
     pub step: f64,
 }
 
@@ -39,7 +40,7 @@ pub(crate) struct Strip<'a> {
 pub(crate) struct Figures {
     pub area: Sum,
     pub twist: Sum,
-    /// Bridges that certainly are locally convex, and those that are if rounding favours them.
+    /// Number of bridges that certainly are locally convex, and of those that are if rounding favours them.
     pub convex: [usize; 2],
     pub bending: Sum,
     pub curvature_variation: Sum,
@@ -49,23 +50,24 @@ pub(crate) struct Figures {
     pub concave_fold: [Largest; 2],
     pub shortest: Least,
     pub longest: Largest,
-    /// Least and largest bending energy and curvature variation at bridges that are not convex.
+    /// Bending energy of the bridges that certainly are not convex, and of those that may not be convex. The next field
+    /// has the curvature variation of the same two sets.
     pub concave_bending: [Sum; 2],
     pub concave_curvature: [Sum; 2],
 }
 
-/// A vector and how far rounding moves it.
+/// A vector, and the distance by which rounding may move it.
 type Rounded = (DVec3, f64);
 
-/// The chords at a point of a directrix.
+/// The chords and the tangent at a point of a directrix.
 struct Chords {
-    /// The chords to the point before and to the point after, where there is one.
+    /// The chords to the point before and to the point after. `None` where there is no such point.
     to: [Option<DVec3>; 2],
-    /// The lengths of both chords; infinite where there is none.
+    /// The lengths of both chords. Infinite for a missing chord.
     lengths: [f64; 2],
-    /// The directrix's direction.
+    /// Unit tangent of the directrix.
     tangent: DVec3,
-    /// Reciprocal of the shorter length.
+    /// Reciprocal of the length of the shorter chord.
     steepness: f64,
 }
 
@@ -74,7 +76,7 @@ struct Chords {
 fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2]) -> DVec3 {
     let tangent = match (before.map(|chord| -chord), after) {
         (Some(before), Some(after)) if a == 0.0 || b == 0.0 => before + after,
-        // Times the product of both lengths, which does not change the direction.
+        // The derivative times a b (a + b), which does not change its direction.
         (Some(before), Some(after)) => before * (b * b) + after * (a * a),
         (Some(chord), None) | (None, Some(chord)) => chord,
         (None, None) => DVec3::ZERO,
@@ -82,7 +84,8 @@ fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2])
     tangent.normalize_or_zero()
 }
 
-/// Margin in radians within which a fold may be the largest one. Folds whose tolerance is larger are always measured.
+/// Margin in radians. Folds that are smaller than the largest one by more than twice this margin are not measured.
+/// Folds whose tolerance is larger than the margin are always measured.
 const MARGIN: f64 = 1e-6;
 
 /// The fold at a bridge.
@@ -101,13 +104,13 @@ impl Fold {
     }
 }
 
-/// Returns the largest of the folds that count in one way. Only folds near the one with the least cosine are measured,
-/// because an arc tangent takes as long as the rest of a fold.
+/// Returns the largest of the folds whose `counts[which]` is set. Only folds near the one with the least cosine are
+/// measured, because an arc tangent takes as long as the rest of a fold.
 fn largest_fold(folds: &[Fold], which: usize) -> Largest {
     let counted = || folds.iter().filter(|fold| fold.counts[which]);
     let known = counted().filter(|fold| fold.tolerance < MARGIN);
     let widest = known.min_by(|a, b| a.cosine.total_cmp(&b.cosine)).map_or(0.0, Fold::angle);
-    // Rounding of a cosine changes its angle by far less than the margin, apart from angles that the margin covers.
+    // A rounding error of a cosine changes the angle by far less than the margin, even near 0° and 180°.
     let limit = libm::cos((widest - 2.0 * MARGIN).max(0.0)) + 4.0 * f64::EPSILON;
     let mut largest = Largest::NONE;
     for fold in counted().filter(|fold| fold.cosine <= limit || fold.tolerance >= MARGIN) {
@@ -116,9 +119,9 @@ fn largest_fold(folds: &[Fold], which: usize) -> Largest {
     largest
 }
 
-/// Returns the unit vector of the cross product of a vector with its length and a unit vector, or zero if the product
-/// counts as zero, and the angle by which a step of rounding turns it. The third value says that rounding decides
-/// whether it counts.
+/// Returns the unit vector of the cross product of a vector `a` of known length and a unit vector, or zero if the
+/// product counts as zero. The second value is the angle by which rounding of the coordinates by `step` turns it. The
+/// third value tells whether rounding may decide if the product counts as zero.
 fn unit_cross((a, length): (DVec3, f64), unit: DVec3, step: f64) -> (DVec3, f64, bool) {
     let cross = a.cross(unit);
     let across = cross.length();
@@ -166,10 +169,11 @@ impl Strip<'_> {
         (next < count).then(|| self.point(side, next))
     }
 
-    /// Returns the chords at each point of a directrix, and its direction there.
+    /// Returns the chords and the tangent at each point of a directrix.
     fn chords(&self, side: usize) -> Vec<Chords> {
         let with_length = |chord: Option<DVec3>| (chord, chord.map_or(f64::INFINITY, DVec3::length));
-        // Each chord is measured once, as the one to the point after.
+        // Each chord is computed once, as the chord to the next point, and is then the reversed chord to the point
+        // before.
         let mut last = with_length(self.neighbour(side, 0, false).map(|other| other - self.point(side, 0)));
         let chords_at = |index: usize| {
             let point = self.point(side, index);
@@ -187,9 +191,9 @@ impl Strip<'_> {
         self.point(1, j) - self.point(0, i)
     }
 
-    /// Returns whether a bridge certainly is locally convex, and whether it is if rounding favours it: seen along the
-    /// bridge the directions to the neighbours of its ends fit into a half-plane. `tolerance` is the sine of the
-    /// tolerance.
+    /// Tests whether a bridge is locally convex: seen along the bridge, the directions to the neighbours of its ends
+    /// must fit into a half-plane. Returns whether this certainly holds, and whether it holds if rounding favours it.
+    /// `tolerance` is the sine of the convexity tolerance.
     fn convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> [bool; 2] {
         if length == 0.0 {
             return [false, true];
@@ -206,7 +210,7 @@ impl Strip<'_> {
                 let across = offset - offset.dot(axis) * axis;
                 let distance = across.length();
                 if distance <= self.step {
-                    // Rounding decides about the direction of a neighbour this near to the bridge's line.
+                    // A neighbour so near to the bridge's line has a direction that rounding determines.
                     undecided |= distance > 0.0;
                     continue;
                 }
@@ -228,14 +232,15 @@ impl Strip<'_> {
                 (0..count).all(|other| sines[k][other] >= -slack[k].max(slack[other]) || other == k)
             })
         };
-        // The sine of a sum of two angles is at most the sine of the first plus the second.
+        // The sine of a sum of two angles is at most the sine of the first angle plus the second angle.
         let possible = fits(turns.map(|turn| tolerance + CONVEXITY + 2.0 * turn));
         let certain = possible && !undecided && fits(turns.map(|turn| tolerance - CONVEXITY - turn));
         [certain || count == 0, possible || count == 0]
     }
 
-    /// Returns whether a bridge is locally convex if neither rounding nor the tolerance can change it. The triple
-    /// product of two offsets and the bridge has the sign of the sine between their directions, seen along the bridge.
+    /// Returns whether a bridge is locally convex, or `None` if rounding or the tolerance can change the answer. The
+    /// triple product of two offsets and the bridge has the sign of the sine between the directions of the offsets,
+    /// seen along the bridge.
     fn clear_convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> Option<bool> {
         let (mut offsets, mut count, mut longest) = ([(DVec3::ZERO, 0.0); 4], 0, length);
         for end in ends {
@@ -248,15 +253,15 @@ impl Strip<'_> {
         }
         let slack = tolerance + CONVEXITY;
         let rounding = 2.0 * (self.step + 32.0 * f64::EPSILON * longest) * length;
-        // Whether no other direction is to the right of this one.
+        // Entry k tells whether no other direction is to the right of direction k.
         let mut is_rightmost = [true; 4];
         for k in 1..count {
             for other in 0..k {
                 let ((a, a_length), (b, b_length)) = (offsets[k], offsets[other]);
                 let triple = a.cross(b).dot(axis);
-                // The sine is at least the triple product over the product of the lengths, and a direction turns by at
-                // most its rounding over its distance from the bridge's line, which is at least the triple product over
-                // the lengths of the other two vectors.
+                // The sine is at least the triple product over the product of all three lengths. A direction turns by
+                // at most its rounding over its distance from the bridge's line. That distance is at least the triple
+                // product over the lengths of the other two vectors.
                 let whole = a_length * b_length * length;
                 let least = triple.abs() * whole * slack + rounding * a_length.max(b_length) * whole;
                 let is_clear = triple * triple > least;
@@ -303,7 +308,7 @@ impl Strip<'_> {
         }
         let tolerance_sine = libm::sin(self.convexity_tolerance);
         let mut folds = Vec::with_capacity(count);
-        // The curvature of the bridge before, and that of the first bridge, with their rounding.
+        // Curvature vectors of the previous bridge and of the first bridge, with their rounding.
         let (mut before, mut first): (Option<Rounded>, Option<(Rounded, [bool; 2])>) = (None, None);
         for (k, &bridge) in self.bridges.iter().enumerate() {
             let (axis, length) = axes[k];
@@ -334,7 +339,7 @@ impl Strip<'_> {
         figures
     }
 
-    /// Number of triangles.
+    /// Returns the number of triangles.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.bridges.len() - usize::from(!self.closed)
@@ -368,7 +373,8 @@ impl Strip<'_> {
         let from = if along_first { &chords[0][i] } else { &chords[1][j] };
         let (chord, chord_length) = (from.to[1].unwrap_or_default(), from.lengths[1]);
         let ((axis, length), (_, next)) = (axes[k], axes[(k + 1) % axes.len()]);
-        // Wound as the strip is: from the bridge's first end along the chord to the other end.
+        // The normal agrees with the winding of the strip: from the bridge's first end along the chord to the other
+        // end.
         let vector = chord.cross(axis);
         let double_area = vector.length();
         let longest = length.max(next).max(chord_length);
@@ -387,7 +393,7 @@ impl Strip<'_> {
         [left, right]: [&Facet; 2],
         [certain, possible]: [bool; 2],
     ) -> Rounded {
-        // Where a triangle has hardly any area, rounding decides whether the fold counts.
+        // If a triangle has hardly any area, rounding determines the fold.
         let thin = left.is_thin || right.is_thin;
         let (a, b) = (left.normal, right.normal);
         let (sine_squared, cosine) = (a.cross(b).length_squared(), a.dot(b));
@@ -396,7 +402,7 @@ impl Strip<'_> {
         folds.push(Fold { cosine, sine_squared, tolerance, counts: [true, !possible, !certain] });
         let strength = if cosine < 0.0 { 2.0 - sine_squared } else { sine_squared };
         let area = 0.5 * (left.double_area + right.double_area);
-        // A s / L² with L = 2 A / |e|.
+        // A / L² with L = 2 A / |e|. Times s(θ) this is the bending energy.
         let factor = length * length / (4.0 * area);
         let (term, error) = if !thin {
             let term = factor * strength;
@@ -417,7 +423,7 @@ impl Strip<'_> {
 
     fn add_twist(&self, figures: &mut Figures, [i, j]: [usize; 2], axis: (DVec3, f64), ends: [&Chords; 2]) {
         let turned = |end: &Chords| {
-            // The tangent's own rounding is that of its shorter chord.
+            // The tangent turns by the rounding of the shorter chord.
             let (normal, turn, undecided) = unit_cross(axis, end.tangent, self.step);
             (normal, turn + turn * (axis.1 * end.steepness).min(1e6), undecided)
         };
@@ -426,7 +432,7 @@ impl Strip<'_> {
         figures.twist.add(1.0 - p.dot(q), (a + b).min(2.0) + unclear);
         let Some(sums) = &mut figures.normal_variation else { return };
         let (given_p, given_q) = (self.rails[0].normals[i], self.rails[1].normals[j]);
-        // n_p is unit(t_p × e) for this winding, and the opposite for the other.
+        // n_p is unit(t_p × e) for this winding, and the opposite for the other winding.
         for (sum, sign) in sums.iter_mut().zip([-1.0, 1.0]) {
             let terms = 2.0 - sign * p.dot(given_p) - sign * q.dot(given_q);
             sum.add(terms, (a + b).min(4.0) + unclear);
@@ -462,7 +468,7 @@ impl Figures {
     }
 }
 
-/// Returns the figure that lies between the least and the largest of two sums.
+/// Returns a figure that may lie anywhere between two sums, each with its own tolerance.
 #[must_use]
 pub(crate) fn between([least, most]: [Sum; 2]) -> Measured {
     let (least, most) = (least.measured(), most.measured());

@@ -9,14 +9,15 @@ pub(crate) const DEGENERATE: f64 = 1e-10;
 /// Figures of some triangles. Angles are in radians.
 #[derive(Clone, Debug)]
 pub(crate) struct Surface {
-    /// Sides of each triangle.
+    /// Longest side and double area of each triangle.
     pub sides: Vec<Sides>,
     /// Sums over the triangles around each vertex.
     pub rings: Vec<Ring>,
     pub area: Sum,
     pub smallest_angle: Least,
     pub largest_angle: Largest,
-    /// The triangles that certainly count, and those that count if rounding favours them.
+    /// Number of triangles that certainly are degenerate, and of those that are if rounding favours it. The next field
+    /// has the same two numbers for flipped triangles.
     pub degenerate: [usize; 2],
     pub flipped: [usize; 2],
 }
@@ -24,16 +25,16 @@ pub(crate) struct Surface {
 /// Sums over the triangles around one vertex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ring {
-    /// Sum of the double area vectors.
+    /// Sum of the double area vectors of the triangles.
     pub normal: DVec3,
-    /// Distance by which rounding moves that sum.
+    /// Distance by which rounding may move `normal`.
     rounding: f64,
-    /// Gradient of the area.
+    /// Gradient of the area with respect to the vertex.
     pub gradient: DVec3,
     pub double_area: f64,
-    /// The largest reciprocal of an altitude.
+    /// Reciprocal of the shortest altitude of the triangles.
     pub steepness: f64,
-    /// Whether rounding decides about the figures of a triangle.
+    /// Whether one of the triangles is degenerate, so that rounding determines its figures.
     pub is_degenerate: bool,
 }
 
@@ -73,7 +74,7 @@ pub(crate) fn corners(vertices: &[DVec3], triangle: [u32; 3]) -> [DVec3; 3] {
 }
 
 impl Surface {
-    /// Measures triangles whose coordinates are rounded by `step`. O(vertices + triangles).
+    /// Measures triangles whose coordinates have a rounding error of `step`. O(vertices + triangles).
     #[must_use]
     pub fn of(vertices: &[DVec3], triangles: &[[u32; 3]], step: f64) -> Self {
         let mut found = Self {
@@ -102,10 +103,11 @@ impl Surface {
             found.sides.push(sides);
             found.area.add(0.5 * sides.double_area, 0.5 * step * sides.perimeter());
             let [a, b, c] = at;
-            // Each side lies opposite the corner of its number.
+            // Side k lies opposite corner k.
             let opposite = [c - b, a - c, b - a];
             let dots = [1, 2, 0].map(|k: usize| -opposite[k].dot(opposite[(k + 1) % 3]));
-            // A triangle without area has no altitude, and 0 / 0 stands for no angle at all.
+            // A triangle without area has infinite steepness, so that its tolerance allows every angle. If its corners
+            // coincide, the steepness is NaN, and the triangle has no angle.
             let inverse = 1.0 / sides.double_area;
             let steepness = sides.longest * inverse;
             let tolerance = RELATIVE + step * steepness;
@@ -128,7 +130,8 @@ impl Surface {
                 let ring = &mut found.rings[v as usize];
                 ring.normal += sides.double_area_vector;
                 ring.rounding += error;
-                // The area grows fastest away from the opposite side, by half its length.
+                // The gradient of a triangle's area at a corner points away from the opposite side, and has half its
+                // length.
                 ring.gradient += half_unit.cross(opposite);
                 ring.double_area += sides.double_area;
                 ring.steepness = ring.steepness.max(steepness);
@@ -170,14 +173,14 @@ impl Surface {
     }
 }
 
-/// Passes over the triangles whose angle is certainly not the extreme one, because an arc tangent takes as long as the
-/// rest of a triangle.
+/// Skips the triangles whose angle is certainly not the extreme one, because an arc tangent takes as long as all other
+/// figures of a triangle.
 struct Filter {
     /// Cotangent below which an angle is certainly larger than the extreme one.
     cotangent: f64,
 }
 
-/// Margin of a filter in radians. Triangles whose tolerance is larger are never passed over.
+/// Margin of a filter in radians. Triangles whose tolerance is larger are never skipped.
 const MARGIN: f64 = 1e-6;
 
 impl Filter {
@@ -193,7 +196,7 @@ impl Filter {
 
     fn reached(&mut self, angle: f64) {
         let bound = angle + MARGIN;
-        // Beyond a right angle, and where rounding allows any angle, nothing is passed over.
+        // Nothing is skipped if the bound is near or beyond a right angle, or if rounding allows every angle.
         self.cotangent = if bound > 0.0 && bound < 1.5 { 1.0 / libm::tan(bound) } else { f64::NEG_INFINITY };
     }
 }

@@ -1,4 +1,5 @@
-//! Faults put into results on purpose: the audit finds none in a result as it is, and each of them.
+//! Tests with faults that are put into results on purpose. The audit must find each fault, and none in the unchanged
+//! result.
 
 use crate::limits::Limits;
 use crate::request::Request;
@@ -31,7 +32,7 @@ fn with(draft: &Draft, fault: fn(&mut Contents, &mut Value)) -> Draft {
     Draft { statistics: statistics.to_string(), warnings: draft.warnings.clone(), archive, reproducible: true }
 }
 
-/// Requires that the audit passes a result as it is and finds each fault.
+/// Requires that the audit finds no fault in the unchanged result, and finds each fault of the list.
 fn finds(value: &Value, faults: &[Fault]) {
     let request = request(value);
     let (draft, input) = request.draft();
@@ -96,7 +97,7 @@ fn strips() -> Value {
 fn every_fault_in_a_film_is_found() {
     let faults: [Fault; 13] = [
         ("a shifted boundary", |contents, _| {
-            // Each point stands where its neighbour belongs, as when the list began at another point.
+            // Each point gets the position of its neighbour, as if the boundary's list began at another point.
             let numbers: Vec<usize> = contents.input_vertices[0].iter().map(|&v| v as usize).collect();
             let places: Vec<DVec3> = numbers.iter().map(|&v| contents.mesh.vertices[v]).collect();
             for (k, &v) in numbers.iter().enumerate() {
@@ -162,8 +163,8 @@ fn every_fault_in_strips_is_found() {
     ];
     let mut request = strips();
     finds(&request, &faults);
-    // An archive of open strips refuses bridges that do not fit its triangles; an archive of closed strips does not
-    // check.
+    // An archive refuses bridges of open strips that do not fit its triangles, but does not check the bridges of closed
+    // strips. Hence faults in the bridges need a closed strip.
     request["directrices"] =
         json!([[[0, 0, 0], [2, 0, 0], [1, 2, 0]], [[0, 0, 1], [2, 0, 1.2], [2, 2, 1], [0, 2, 1.1]]]);
     request["closed"] = json!(true);

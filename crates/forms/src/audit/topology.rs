@@ -20,7 +20,7 @@ pub(crate) fn compare(audit: &mut Audit, edges: &Edges, has_junctions: bool) {
     audit.equal_signed("/euler_characteristic", characteristic);
     let mut on_boundary = vec![false; count];
     edges.on_boundary().flat_map(|edge| edge.ends).for_each(|v| on_boundary[v as usize] = true);
-    // On a manifold the boundary's edges form a loop in each set that they join.
+    // On a manifold, every connected component of the boundary edges is a loop.
     let loops = Components::of(edges.on_boundary(), count).count(&on_boundary);
     if !has_junctions {
         audit.equal("/boundary_loops", loops);

@@ -1,4 +1,4 @@
-//! Pictures of Bento and Cavalcanti's Figs. 6 to 9. Fig. 8 is solved without their rules.
+//! Pictures of the films in Bento and Cavalcanti's Figs. 6 to 9. Fig. 8 is solved without their rules.
 
 use super::{Save, rings, run};
 use crate::picture::Picture;
@@ -45,7 +45,7 @@ pub fn run_all(save: Save) {
     save("bento_cavalcanti_9", &pictures);
 }
 
-/// A cylinder cut along a line and opened by an angle: its one boundary loop, and its mesh.
+/// A cylinder that is cut along a line and opened by an angle. Returns its only boundary loop, and its mesh.
 fn cut_cylinder(n: u32, strips: u32, height: f64, opening: f64) -> (Vec<DVec3>, Mesh) {
     let at = |i: u32, j: u32| i * (strips + 1) + j;
     let point = |i: u32, j: u32| {

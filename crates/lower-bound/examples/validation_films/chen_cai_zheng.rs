@@ -1,4 +1,4 @@
-//! Pictures of Chen, Cai, Zheng's Figs. 4 and 6 to 9.
+//! Pictures of the films in Chen, Cai and Zheng's Figs. 4 and 6 to 9.
 
 use super::{Save, boundaries, run};
 use crate::picture::Picture;
@@ -17,7 +17,7 @@ fn relax(triangles: usize, method: VertexRelaxation) -> Options {
     }
 }
 
-/// The mesh after step 1 (with its edges swapped), after step 2 and after step 3.
+/// The mesh after step 1 of their method (with its edges swapped), after step 2, and after step 3.
 fn steps(boundaries: &[Vec<DVec3>], triangles: usize, area_tolerance: f64) -> [MinimalSurface; 3] {
     let fairing = vec![vec![Process::LaplacianFairing, Process::EdgeSwapping]];
     let method = VertexRelaxation { area_tolerance, ..VertexRelaxation::default() };
@@ -40,8 +40,8 @@ pub fn run_all(save: Save) {
         [("helicoid", boundaries::helicoid(), 2050), ("catenoid", boundaries::catenoid(), 2040)]
     {
         let [first, second, third] = steps(&[boundary], triangles, 1e-6);
-        // Both images have the same range of colours. It ends at the curvature below which nine tenths of the vertices
-        // are after step 2.
+        // Both images have the same range of colours. Red is the curvature that nine tenths of the vertices do not
+        // exceed after step 2.
         let mut sorted = second.mean_curvature.clone();
         sorted.sort_by(f64::total_cmp);
         let red = sorted[sorted.len() * 9 / 10];

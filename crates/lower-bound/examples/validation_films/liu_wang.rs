@@ -1,4 +1,4 @@
-//! Pictures of Liu and Wang's Figs. 6, 7 and 9.
+//! Pictures of the films in Liu and Wang's Figs. 6, 7 and 9.
 
 use super::{Save, run};
 use crate::picture::Picture;
@@ -15,8 +15,8 @@ fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [n
     bottom.chain(right).chain(top).chain(left).collect()
 }
 
-/// Saves pictures of three films: after one step of the least squares, with the boundary's curvatures in the sum, and
-/// with those of the interior alone.
+/// Saves pictures of three films: after one step of the least squares, with the curvatures of the boundary vertices in
+/// the sum, and with the curvatures of the interior vertices alone.
 fn picture(save: Save, name: &str, boundary: Vec<DVec3>, interior: usize) {
     let options = |tolerance: f64, boundary_curvature: bool, max_iterations: Option<u32>| Options {
         method: Method::LiuWang(LiuWang { boundary_curvature, tolerance, ..LiuWang::default() }),
@@ -27,7 +27,7 @@ fn picture(save: Save, name: &str, boundary: Vec<DVec3>, interior: usize) {
     let boundary = [boundary];
     let start = run(&boundary, &options(1.0, false, Some(1))).mesh;
     let theirs = run(&boundary, &options(1e-6, true, None)).mesh;
-    // Without the boundary the objective vanishes at its minimum.
+    // Without the boundary vertices the objective is zero at its minimum.
     let interior = run(&boundary, &options(1e-15, false, None)).mesh;
     save(
         &format!("liu_wang_{name}"),

@@ -1,5 +1,5 @@
-//! A table of bounds on how far the area of each film is above the least area of all oriented surfaces with its
-//! boundary, for three budgets, and a plot of the proven bounds of two rings.
+//! A table that bounds how far each film's area exceeds the least area of all oriented surfaces with its boundary, for
+//! three budgets. Also a plot of the proven bounds for two rings.
 
 use super::{boundaries, run};
 use plateau_film::minimal_surface::{Method, MinimalSurface, Newton, Options, Resolution, TopologyRule};
@@ -25,7 +25,7 @@ pub fn run_all() {
     }
 }
 
-/// Writes the plot of the proven bounds of two rings to `proven_range.svg` in a folder, and prints its figures.
+/// Writes the plot of the proven bounds for two rings to `proven_range.svg` in a folder, and prints its values.
 pub fn plot_rings(folder: &str) {
     println!("\n| gap of the rings | film | area | above the bound |\n| --- | --- | --- | --- |");
     let mut proven = Vec::new();
@@ -52,7 +52,7 @@ pub fn plot_rings(folder: &str) {
 
 /// Area of the stable catenoid between two circles of radius 1.
 fn catenoid(gap: f64) -> f64 {
-    // The waist c solves c cosh(gap / 2c) = 1; Newton's method comes down to the larger root from 1.
+    // The waist c solves c cosh(gap / 2c) = 1. Newton's method converges to the larger root from its start at 1.
     let mut waist: f64 = 1.0;
     for _ in 0..60 {
         let (value, slope) = {
@@ -64,8 +64,8 @@ fn catenoid(gap: f64) -> f64 {
     PI * waist * (gap + waist * (gap / waist).sinh())
 }
 
-/// The areas of the two films over the gap of the rings, and the range that is proven to hold the least area: from the
-/// bound to the better film.
+/// Plots the areas of the two films over the gap of the rings, and the range that is proven to contain the least area:
+/// from the bound to the area of the better film.
 fn plot(proven: &[[f64; 3]]) -> String {
     let (low, high) = (5.2, 7.6);
     let x = |gap: f64| 60.0 + (gap - 0.9) / 0.4 * 440.0;
@@ -142,13 +142,13 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
             [u - u.powi(3) / 3.0 + u * v * v, v - v.powi(3) / 3.0 + v * u * u, u * u - v * v]
         })
     };
-    // A shear takes every plane of symmetry away and changes little else.
+    // A shear removes every plane of symmetry and changes little else.
     let sheared = |loops: Vec<Vec<DVec3>>| -> Vec<Vec<DVec3>> {
         let shear = |p: DVec3| p + DVec3::new(0.01 * p.y + 0.004 * p.z, 0.003 * p.z, 0.0);
         loops.iter().map(|points| points.iter().copied().map(shear).collect()).collect()
     };
     let trefoil = |t: f64| [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()];
-    // A loop of two lobes whose waists are a twentieth of their length apart.
+    // A loop of two lobes with a narrow waist: its sides are a twentieth of the lobes' length apart.
     let nearly_touching = |t: f64| [1.5 * t.cos(), (0.05 + 0.6 * t.cos() * t.cos()) * t.sin(), 0.2 * (2.0 * t).sin()];
     vec![
         ("two rings of 48 points, gap 1", boundaries::rings(48, 1.0)),

@@ -1,9 +1,9 @@
-//! The pictures of docs/papers and docs/VALIDATION.md on films, and the tables of the latter on triple junctions and
-//! lower bounds. The tables of docs/papers are printed by benches/papers/tables.py.
+//! Draws the pictures of films in docs/papers and docs/VALIDATION.md, and prints the tables of docs/VALIDATION.md on
+//! triple junctions and lower bounds. The tables of docs/papers are printed by benches/papers/tables.py.
 //!
-//! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files
-//! there and prints the tables. A word behind the folder selects a part: `lower-bounds` (the gaps for three budgets) or
-//! `proven-range` (the plot of two rings).
+//! `cargo run --release -p plateau-lower-bound --example validation_films -- docs/validation` writes the SVG files to
+//! that folder and prints the tables. A word after the folder selects a part: `lower-bounds` (the gaps for three
+//! budgets) or `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
 #[path = "../../../film/tests/boundaries/mod.rs"]

@@ -1,4 +1,4 @@
-//! Meshes as small SVG pictures.
+//! Draws meshes as small SVG pictures.
 
 use plateau_mesh::{DVec3, Mesh};
 use std::fmt::Write;
@@ -7,10 +7,9 @@ use std::fmt::Write;
 pub struct Picture<'a> {
     pub title: String,
     pub mesh: &'a Mesh,
-    /// A figure per vertex, and the figure that is drawn in red; 0 is drawn in blue. Without figures the mesh is
-    /// shaded.
+    /// A value per vertex, and the value that is drawn in red; 0 is drawn in blue. Without values the mesh is shaded.
     pub figures: Option<(&'a [f64], f64)>,
-    /// Whether triangles let those behind them show through.
+    /// Whether triangles are translucent, so that the triangles behind them are visible.
     pub translucent: bool,
 }
 
@@ -20,13 +19,14 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// Side of the square of one picture.
+/// Width and height of a picture without its title.
 const SIZE: f64 = 220.0;
-/// Blue to red, as in the exported meshes.
+/// Colours for values from 0 to the largest: blue to red, as in the exported meshes.
 const STOPS: [[f64; 3]; 5] = [[0.1, 0.2, 0.9], [0.0, 0.8, 0.9], [0.1, 0.8, 0.2], [0.95, 0.9, 0.1], [0.9, 0.1, 0.1]];
-/// From dark to light.
+/// Colours of shaded meshes, from dark to light.
 const SHADES: [[f64; 3]; 2] = [[0.30, 0.56, 0.73], [0.95, 0.97, 0.99]];
-/// Number of colours of either scale. Each is a class with one letter as its name, which keeps the file small.
+/// Number of colours of each of the two scales. Each colour is a CSS class whose name is one letter, which keeps the
+/// file small.
 const STEPS: usize = 24;
 
 fn classes() -> String {
@@ -51,7 +51,8 @@ fn step_of(part: f64) -> usize {
     (part.clamp(0.0, 1.0) * (STEPS - 1) as f64).round() as usize
 }
 
-/// Pictures side by side, each seen from the same oblique direction and filling its square, far triangles first.
+/// Draws pictures side by side. Each is seen from the same oblique direction and fills its square. Far triangles are
+/// drawn first.
 pub fn row(pictures: &[Picture]) -> String {
     let (right, back, up) = (
         DVec3::new(0.89, -0.45, 0.0).normalize(),
@@ -93,7 +94,7 @@ pub fn row(pictures: &[Picture]) -> String {
                 }
                 None => class('a', step_of(light(mesh.corners(*triangle)))),
             };
-            // Coordinates rounded to tenths, each corner relative to the corner before.
+            // Coordinates are rounded to tenths, and each corner is relative to the corner before it.
             let [a, b, c] = triangle.map(|v| place(v).map(|x| (10.0 * x).round()));
             let by =
                 |from: [f64; 2], to: [f64; 2]| format!("{} {}", (to[0] - from[0]) / 10.0, (to[1] - from[1]) / 10.0);

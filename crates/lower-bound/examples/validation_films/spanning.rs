@@ -1,4 +1,4 @@
-//! Pictures of the film of least area among all topologies that span two or more boundaries.
+//! Pictures of films with the least area among all topologies that span two or more boundaries.
 
 use super::{Save, circle, rings, run};
 use crate::picture::Picture;

@@ -1,4 +1,4 @@
-//! Three half-discs from pole to pole of one sphere, that meet along a curve.
+//! Pictures and a table of three half-discs between the poles of a sphere, which meet along a curve.
 
 use super::{Save, run};
 use crate::picture::Picture;
@@ -88,7 +88,7 @@ pub fn run_all(save: Save) {
                 );
             }
             if m == 12 {
-                // The mesh is turned so that the far sheet shows.
+                // The mesh is rotated so that the far sheet is visible.
                 let turned = |mut mesh: Mesh| {
                     mesh.vertices.iter_mut().for_each(|vertex| *vertex = vertex.rotate_z(0.55));
                     mesh

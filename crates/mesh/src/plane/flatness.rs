@@ -1,21 +1,22 @@
-//! How far points lie off the plane in which they are meant to lie. Coordinates that are rounded, to a millimetre for
-//! example, leave a sloped plane by about as much, so that points near their plane are projected onto it.
+//! Measures how far points lie off the plane in which they should lie. Rounding coordinates, for example to
+//! millimetres, moves points off a sloped plane by about the same amount. Points near their plane are therefore
+//! projected onto it.
 
 use super::frame::Frame;
 use crate::DVec3;
 use crate::polyline::radius;
 
-/// Largest distance of a point from its plane, as a fraction of the size, at which the points are projected.
-/// Coordinates rounded to millimetres depart by up to about a millimetre, so that outlines of a metre and more are
-/// projected.
+/// Largest distance from their plane at which points are projected onto it, as a fraction of the outline's size.
+/// Coordinates rounded to millimetres are off by up to about a millimetre, so that such outlines are projected if they
+/// measure a metre or more.
 const PROJECTED: f64 = 1e-3;
 
-/// Points no farther from their plane than this fraction of the size count as exactly plane. Rotating and moving a
-/// plane outline in f64 departs by less.
+/// Points whose distance from their plane is at most this fraction of the outline's size count as exactly plane.
+/// Rotating and moving a plane outline in f64 causes smaller distances.
 const ROUNDING: f64 = 1e-9;
 
-/// Further distance that counts as rounding, in units in the last place of the largest coordinate: each coordinate of a
-/// product with a matrix of rotation is rounded by up to 2.5 of them.
+/// Additional distance that counts as rounding, in units in the last place of the largest coordinate. Multiplication by
+/// a rotation matrix rounds each coordinate by up to 2.5 of these units.
 const ROUNDED_PLACES: f64 = 8.0;
 
 /// The relation of points to their plane.
@@ -32,7 +33,7 @@ pub enum Flatness {
 /// A point that lies too far from the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
-    /// The farthest point. Of points that are equally far up to rounding it is the first.
+    /// The number of the farthest point. Of points that are equally far, up to rounding, this is the first.
     pub point: usize,
     /// Its distance from the plane.
     pub distance: f64,
@@ -41,7 +42,7 @@ pub struct Departure {
 }
 
 impl Departure {
-    /// Returns the text of an error, which begins with `what`: the name of the points that have to be plane.
+    /// Returns an error message. It begins with `what`, the name of the points that should be plane.
     pub fn detail(&self, what: &str) -> String {
         format!(
             "{what}: this point is {:.6e} off the plane. Departures of at most {:.6e} (a thousandth of the size) are \
@@ -52,8 +53,8 @@ impl Departure {
 }
 
 impl Flatness {
-    /// Compares points with the plane of a loop. The size is the diameter of the circle about the loop's mean that
-    /// holds the loop.
+    /// Compares points with the plane of a loop. The size of the loop is the diameter of the circle around the mean of
+    /// its points that contains the loop.
     pub fn of(points: impl Iterator<Item = DVec3>, outline: &[DVec3], plane: &Frame) -> Self {
         let (mut largest, mut farthest) = (0.0f64, (0, 0.0));
         for (k, point) in points.enumerate() {
@@ -86,7 +87,8 @@ mod tests {
     #[test]
     fn a_thousandth_of_the_size_is_projected_and_rounding_is_not() {
         for scale in [1e-6, 1.0, 1e6] {
-            // A raised corner departs from the plane of the mean by a quarter of its height, as do the other three.
+            // If a corner is raised, its distance from the plane through the mean is a quarter of its height, and so is
+            // that of each other corner.
             let raised = |distance: f64| {
                 let square = [[0.0, 0.0, 4.0 * distance], [3.0, 0.0, 0.0], [3.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
                 flatness(&square.map(|corner| scale * DVec3::from(corner)))

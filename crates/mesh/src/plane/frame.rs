@@ -4,7 +4,7 @@ use super::polygon::doubled_area_vector;
 use crate::polyline::mean;
 use crate::{DVec2, DVec3};
 
-/// Below this length of the area vector, relative to the square of the loop's size, a loop encloses no area.
+/// Smallest length of the area vector of a loop that encloses an area, as a fraction of the square of the loop's size.
 const SMALLEST_AREA_VECTOR: f64 = 1e-10;
 
 /// A plane with its axes: the point (x, y) of the plane stands at `origin + x · self.x + y · self.y`.
@@ -27,12 +27,13 @@ impl Frame {
         let area_vector = doubled_area_vector(points);
         let normal = (area_vector.length() > SMALLEST_AREA_VECTOR * size * size).then(|| area_vector.normalize())?;
         let edge = (points[1] - points[0]) / size;
-        // A first side along the normal is noise; any direction in the plane serves then.
+        // If the first side runs along the normal, its part in the plane is only noise. Then any direction in the plane
+        // will do.
         let x = (edge - normal * normal.dot(edge)).try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
         Some(Self { origin, x, y: normal.cross(x), normal })
     }
 
-    /// The frame through the origin with this unit normal and any axes.
+    /// The frame of the plane through the origin with this unit normal. Its axes have any direction in the plane.
     #[inline]
     pub fn with_normal(normal: DVec3) -> Self {
         let x = normal.any_orthonormal_vector();
@@ -51,7 +52,7 @@ impl Frame {
         p.x * self.x + p.y * self.y
     }
 
-    /// The coordinates of the foot of a point in the plane.
+    /// The coordinates, in the plane, of the point's perpendicular projection onto the plane.
     #[inline]
     pub fn project(&self, point: DVec3) -> DVec2 {
         self.coordinates(point - self.origin)
@@ -63,7 +64,7 @@ impl Frame {
         self.origin + p.x * self.x + p.y * self.y
     }
 
-    /// The nearest point of the plane.
+    /// The nearest point of the plane: the perpendicular projection.
     #[inline]
     pub fn foot(&self, point: DVec3) -> DVec3 {
         point - (point - self.origin).dot(self.normal) * self.normal

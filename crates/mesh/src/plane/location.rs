@@ -1,8 +1,8 @@
-//! The triangle of a plane mesh that holds a point.
+//! Point location: finds the triangle of a plane mesh that contains a point.
 
 use crate::DVec2;
 
-/// Finds the triangle of a plane mesh that holds a point, by a grid of buckets.
+/// A grid of buckets that finds the triangle of a plane mesh that contains a point.
 #[derive(Debug)]
 pub struct Locator {
     low: DVec2,
@@ -53,8 +53,8 @@ impl Locator {
         ((q.x.max(0.0) as usize).min(self.columns - 1), (q.y.max(0.0) as usize).min(self.rows - 1))
     }
 
-    /// The triangle that holds the point and its barycentric coordinates there; for a point outside the mesh, those of
-    /// the nearest point of the mesh.
+    /// The triangle that contains the point, and the barycentric coordinates of the point in it. For a point outside
+    /// the mesh, these are the triangle and the coordinates of the nearest point of the mesh.
     pub fn find(&self, p: DVec2, plane: &[DVec2], triangles: &[[u32; 3]]) -> (u32, [f64; 3]) {
         let (x, y) = self.cell_of(p);
         let mut best: Option<(f64, u32, [f64; 3])> = None;
@@ -86,7 +86,8 @@ impl Locator {
     }
 }
 
-/// Distance from a triangle (0 inside) and barycentric coordinates of its nearest point.
+/// The distance of a point from a triangle (0 inside), and the barycentric coordinates of the nearest point of the
+/// triangle.
 fn nearest(p: DVec2, [a, b, c]: [DVec2; 3]) -> (f64, [f64; 3]) {
     let double = (b - a).perp_dot(c - a);
     let (wa, wb) = ((b - p).perp_dot(c - p) / double, (c - p).perp_dot(a - p) / double);

@@ -4,9 +4,9 @@ use super::triangulation::side;
 use crate::polyline::mean;
 use crate::{DVec2, DVec3};
 
-/// Twice the area vector of a closed polyline in space (Newell): normal to its plane if it lies in one, and as long as
-/// twice the enclosed area. The sum is taken about the mean of the points, so that their distance from the origin costs
-/// no digits.
+/// Twice the area vector of a closed polyline in space (Newell). If the polyline lies in a plane, the vector is normal
+/// to the plane and its length is twice the enclosed area. The sum is taken about the mean of the points, so that a
+/// large distance from the origin loses no digits.
 #[inline]
 pub fn doubled_area_vector(points: &[DVec3]) -> DVec3 {
     let centre = mean(points);
@@ -20,8 +20,8 @@ pub fn doubled_area(points: impl Iterator<Item = DVec2> + Clone, origin: DVec2) 
     points.zip(next).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum()
 }
 
-/// For each point whether it lies inside the closed polygons, by the parity of crossings. The points must be sorted by
-/// y.
+/// For each point, whether it lies inside the closed polygons, by the parity of the crossings of a ray. The points must
+/// be sorted by y.
 pub fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
     let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
     for points in loops {
@@ -53,8 +53,8 @@ pub fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
         .collect()
 }
 
-/// Whether a point lies inside a closed polygon, by the parity of crossings with exact predicates. A point on the
-/// polygon may count either way. O(points).
+/// Whether a point lies inside a closed polygon, by the parity of the crossings of a ray, with exact predicates. A
+/// point on the polygon may count as inside or outside. O(points).
 #[inline]
 pub fn contains(polygon: &[DVec2], point: DVec2) -> bool {
     let mut inside = false;

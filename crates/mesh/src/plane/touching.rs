@@ -1,8 +1,8 @@
-//! Closed polygons that touch at points, joined into the loops that bound the region between them.
+//! Joins closed polygons that touch at points into the loops that bound the region between them.
 //!
-//! A hole that touches the outline, or another hole, at a point divides the region's neighbourhood of the point into
-//! several fans. In a mesh every vertex has one fan, so the mesh has one vertex per fan at the point, and its boundary
-//! passes from one polygon to the other there. [`meeting`] finds these loops.
+//! If a hole touches the outline or another hole at a point, the region around that point consists of several fans. In
+//! a manifold mesh every vertex has only one fan. The mesh therefore has one vertex per fan at the point, and its
+//! boundary passes from one polygon to the other there. [`meeting`] finds these loops.
 
 use super::polygon::{contains, doubled_area};
 use crate::execution::{Execution, Interruption};
@@ -11,42 +11,43 @@ use crate::{DVec2, DVec3};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A polygon and one of its points.
+/// The number of a polygon and the number of one of its points. Where pairs of polygons are stored, both numbers are
+/// numbers of polygons.
 pub type PointOf = (usize, usize);
 
 /// A vertex of a joined loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Corner {
-    /// The polygon's point, or the start of the side on which the vertex was added because another polygon touches it
-    /// there.
+    /// The point of a polygon that is this vertex. For an added vertex, the start of the side on which it was added
+    /// because another polygon touches the side there.
     pub source: PointOf,
-    /// Whether the vertex was added on a side.
+    /// Whether the vertex was added on a side of its polygon.
     pub added: bool,
-    /// The point whose coordinates the vertex has. Vertices that touch each other have the same point here.
+    /// The point that gives the vertex its coordinates. Vertices that touch each other have the same point here.
     pub place: PointOf,
 }
 
 /// How polygons meet.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meeting {
-    /// Each of them is a loop of its own.
+    /// No polygons touch: each polygon is a loop of its own.
     Apart,
-    /// The loops of polygons that touch at points, in the order of their first polygons, each in the direction of its
-    /// first polygon.
+    /// Some polygons touch at points. The joined loops are given in the order of their first polygons, each in the
+    /// direction of its first polygon.
     Touching(Vec<Vec<Corner>>),
-    /// Two sides that cross, or share more than a point, by the points at which they start.
+    /// Two sides cross or share more than a point. Each side is given by the point at which it starts.
     Crossing([PointOf; 2]),
 }
 
-/// Pairs of boxes that are compared between two looks at the execution.
+/// Number of pairs of boxes that are compared between two calls of [`Execution::look`].
 const BOXES_PER_LOOK: usize = 1 << 16;
-/// Two edges whose directions differ by less than this angle (radians) lie on each other, so that their polygons share
-/// a piece of a side.
+/// Two edges at a common point count as lying on each other if their directions differ by at most this angle, in
+/// radians. Their polygons then share a piece of a side.
 const SAME_DIRECTION: f64 = 1e-9;
 
-/// How polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that touches
-/// itself counts as crossing, except at points with equal coordinates, which the triangulation judges. O(n log n) for n
-/// points, and the square of the number of polygons in comparisons of boxes.
+/// Finds how polygons meet each other. Points and sides touch if they are at most `tolerance` apart. A polygon that
+/// touches itself counts as crossing, except at points with equal coordinates, which the triangulation checks. O(n log
+/// n) for n points, plus a comparison of boxes for every pair of polygons.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -66,12 +67,12 @@ pub fn meeting(polygons: &[Vec<DVec2>], tolerance: f64, exec: &Execution<'_>) ->
     })
 }
 
-/// Where polygons touch.
+/// The points at which polygons touch.
 #[derive(Default)]
 struct Contacts {
-    /// For each point that touches another polygon the first point at its place.
+    /// For each point that touches another polygon, the first of the points at the same place.
     place: BTreeMap<PointOf, PointOf>,
-    /// For each side the points of other polygons inside it.
+    /// For each side, the points of other polygons that touch it between its ends.
     on_side: BTreeMap<PointOf, BTreeSet<PointOf>>,
     /// The pairs of polygons that touch.
     touching: BTreeSet<PointOf>,
@@ -127,7 +128,7 @@ impl Contacts {
         Ok(Ok(contacts))
     }
 
-    /// Notes how two sides meet. `false` if neither has an end on the other one.
+    /// Records how two sides meet. Returns `false` if neither side has an end on the other.
     fn add(&mut self, sides: [PointOf; 2], polygons: &[Vec<DVec2>], tolerance: f64) -> bool {
         let position = |(k, i): PointOf| polygons[k][i];
         let ends = |(k, i): PointOf| [(k, i), (k, (i + 1) % polygons[k].len())];
@@ -177,12 +178,12 @@ fn distance_from_side(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     (a + along * part).distance(p)
 }
 
-/// The vertices of all polygons, with those that were added on their sides.
+/// The vertices of all polygons, including the vertices that were added on their sides.
 struct Nodes {
     corners: Vec<Corner>,
-    /// For each vertex the next one of its polygon, which has the region on its left.
+    /// For each vertex, the next vertex of its polygon. The polygon runs so that the region is on its left.
     following: Vec<usize>,
-    /// For each polygon its first vertex, and whether it was reversed.
+    /// For each polygon, its first vertex, and whether the polygon was reversed to have the region on its left.
     polygons: Vec<(usize, bool)>,
 }
 
@@ -213,7 +214,7 @@ impl Nodes {
         nodes
     }
 
-    /// For each vertex the next one of its joined loop, or `None` if no loops are joined.
+    /// For each vertex, the next vertex of its joined loop. `None` if no polygons are joined.
     ///
     /// # Errors
     /// Two sides that do more than touch.
@@ -228,7 +229,8 @@ impl Nodes {
         let mut next = self.following.clone();
         let mut is_joined = false;
         for vertices in places.values().filter(|vertices| vertices.len() > 1) {
-            // The directions of the edges that end (true) or start (false) at the place, each with its vertex.
+            // The edges at the place: the angle of each edge's direction, whether the edge ends here (otherwise it
+            // starts here), and its vertex here.
             let mut edges: Vec<(f64, bool, usize)> = Vec::new();
             for &v in vertices {
                 for (comes, neighbour) in [(true, before[v]), (false, self.following[v])] {
@@ -253,8 +255,8 @@ impl Nodes {
             }
             for (k, &(_, comes, v)) in edges.iter().enumerate() {
                 let (.., other) = following(k);
-                // The region lies on the left of an edge that ends here: clockwise of it, up to the edge that starts
-                // here.
+                // The region lies on the left of an edge that ends here. It fills the sector clockwise from this edge
+                // to the next edge, which starts here.
                 if comes {
                     next[v] = self.following[other];
                     is_joined |= v != other;
@@ -264,8 +266,8 @@ impl Nodes {
         Ok(is_joined.then_some(next))
     }
 
-    /// Returns the side of a polygon that holds an edge at a vertex: the edge that ends there if `comes`, else the edge
-    /// that starts there.
+    /// Returns the side of a polygon that contains an edge at a vertex: the edge that ends at the vertex if `comes` is
+    /// true, otherwise the edge that starts there.
     fn side(&self, v: usize, comes: bool) -> PointOf {
         let (polygon, point) = self.corners[v].source;
         let (first, reversed) = self.polygons[polygon];
@@ -320,7 +322,7 @@ impl Contacts {
         if !self.touching.contains(&(k.min(l), k.max(l))) {
             return contains(&polygons[l], polygons[k][0]);
         }
-        // A point that touches no polygon, or the middle of a side.
+        // A point that touches no polygon if there is one, otherwise the middle of the first side.
         let points = &polygons[k];
         let free = (0..points.len()).find(|&i| !self.place.contains_key(&(k, i)));
         let inside = free.map_or_else(|| 0.5 * (points[0] + points[1]), |i| points[i]);
@@ -352,7 +354,7 @@ mod tests {
     #[test]
     fn a_hole_at_a_corner_a_side_or_another_hole_is_joined_there() {
         let outline = square(0.0, 4.0);
-        // The loop runs along the outline, and once the other way round the hole.
+        // The loop runs along the outline, and once round the hole in the opposite direction.
         let at_a_corner = polygon(&[[0.0, 0.0], [2.0, 1.0], [1.0, 2.0]]);
         let expected = vec![vec![(0, 0), (1, 2), (1, 1), (0, 0), (0, 1), (0, 2), (0, 3)]];
         assert_eq!(places(&[outline.clone(), at_a_corner]), expected);

@@ -1,11 +1,12 @@
-//! Constrained Delaunay triangulations of a region of the plane: [`triangles_inside`] makes the triangles once, and a
-//! [`Triangulation`] takes new points inside.
+//! Constrained Delaunay triangulations of a region of the plane. [`triangles_inside`] triangulates given points once; a
+//! [`Triangulation`] also takes new points inside the region.
 //!
-//! The first triangulation comes from spade; from then on it is a plain array of triangles in which a point is inserted
-//! by splitting and flipping (Lawson) in constant time on average, because farthest-point insertion always knows the
-//! triangle where it starts. Edges without a twin are the constraints: the region's outline, holes, and slits (edges
-//! that must stay although the region lies on both sides of them). Nothing flips or looks across them. All decisions
-//! use the adaptive predicates of `robust`, so the result is Delaunay exactly, not to a tolerance.
+//! The crate `spade` makes the first triangulation. After that, a [`Triangulation`] is a plain array of triangles. A
+//! point is inserted by splitting its triangle and flipping edges (Lawson). This takes constant time on average,
+//! because farthest-point insertion always knows the triangle where it starts. Edges without a twin are the
+//! constraints: the region's outline, holes, and slits (edges that must stay although the region lies on both sides of
+//! them). Constraints are never flipped, and lines of sight end at them. All decisions use the adaptive predicates of
+//! `robust`, so that the result is exactly Delaunay, not only to a tolerance.
 
 use crate::DVec2;
 use crate::topology::{NONE, next, previous};
@@ -18,16 +19,16 @@ fn coord(p: DVec2) -> Coord<f64> {
     Coord { x: p.x, y: p.y }
 }
 
-/// Positive if `c` lies to the left of a→b; the sign is exact.
+/// Twice the signed area of the triangle a, b, c: positive if `c` lies to the left of a→b. The sign is exact.
 #[inline]
 pub fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     orient2d(coord(a), coord(b), coord(c))
 }
 
-/// An edge of the first triangulation, with a direction.
+/// A directed edge of spade's triangulation.
 type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 
-/// The kind of border that a constraint is.
+/// The kind of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Border {
     /// A piece of the polygon's outline or of a hole, directed with the domain on its left.
@@ -46,37 +47,39 @@ pub struct Constraint {
     pub border: Border,
 }
 
-/// Why the constraints bound no region.
+/// Why the constraints do not bound a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tangle {
-    /// Two points coincide.
+    /// These two points coincide.
     Coincident(u32, u32),
     /// This constraint crosses another one or runs through a point.
     Crossing { from: u32, to: u32 },
-    /// This piece of outline has the domain on the wrong side: its loop is outside the outer one or nested in a hole.
+    /// This piece of outline has the domain on the wrong side, because its loop lies outside the outer loop or is
+    /// nested in a hole.
     WrongSide { from: u32, to: u32 },
-    /// Coordinates beyond what the triangulation takes.
+    /// A coordinate is outside the range that spade accepts.
     OutOfRange,
 }
 
-/// Triangles counter-clockwise; half-edge `3 t + k` runs from corner k to corner k + 1 of triangle t, `twin` as in
-/// [`topology`](crate::topology).
+/// A triangulation of a region that takes new points. Triangles run counter-clockwise. Half-edge `3 t + k` runs from
+/// corner k to corner k + 1 of triangle t, and `twin` has the same meaning as in [`topology`](crate::topology).
 #[derive(Clone, Debug, Default)]
 pub struct Triangulation {
     pub points: Vec<DVec2>,
     pub corners: Vec<[u32; 3]>,
     pub twin: Vec<[u32; 3]>,
-    /// Scratch of `insert`, kept to save its allocation.
+    /// Working memory of `insert`, which is kept to avoid allocating it again.
     stack: Vec<u32>,
 }
 
-/// The triangles of the constrained Delaunay triangulation of the points that lie inside an odd number of the outlines,
-/// counter-clockwise, in the triangulation's order. Slits are edges that the triangles must have. O(n log n).
+/// The triangles of the constrained Delaunay triangulation that lie inside an odd number of the outlines. They run
+/// counter-clockwise, in the order of the triangulation. Slits are edges that the triangulation must contain. O(n log
+/// n).
 ///
 /// # Errors
-/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way.
-/// A loop may visit a place several times if its points there have the same coordinates and it does not cross itself
-/// ([`touching`](super::touching)); each of these points is a vertex of its own.
+/// A [`Tangle`] if the constraints bound no region. Outlines must be disjoint simple loops, in any direction and nested
+/// in any way. A loop may visit a place several times if its points there have the same coordinates and it does not
+/// cross itself ([`touching`](super::touching)). Each of these points is a vertex of its own.
 #[inline]
 pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
     if let Some(shared) = SharedPlaces::of(points, constraints)? {
@@ -86,7 +89,7 @@ pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<
     }
     let faces = Faces::of(points, constraints)?;
     let is_inside = |label: Option<Label>| label.is_some_and(|label| label.depth % 2 == 1);
-    // An outline that touches another one, or is given twice, does not separate inside from outside.
+    // An outline edge that lies on another outline, or is given twice, does not separate inside from outside.
     let separates = |c: &&Constraint| is_inside(faces.left_of(c)) != is_inside(faces.right_of(c));
     if let Some(c) = constraints.iter().filter(|c| c.border == Border::Outline).find(|c| !separates(c)) {
         return Err(Tangle::WrongSide { from: c.from, to: c.to });
@@ -95,7 +98,7 @@ pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<
     Ok(inside.map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect())
 }
 
-/// Where a face of the first triangulation lies.
+/// Where a face of spade's triangulation lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Label {
     /// Number of outlines around the face.
@@ -104,7 +107,7 @@ struct Label {
     lattice: bool,
 }
 
-/// The first triangulation of the whole convex hull, and where each of its faces lies.
+/// Spade's triangulation of the whole convex hull, with the label of each face.
 struct Faces {
     cdt: ConstrainedDelaunayTriangulation<Point2<f64>>,
     label: Vec<Option<Label>>,
@@ -114,7 +117,7 @@ impl Faces {
     /// Triangulates the points with the constraints, and labels the faces.
     ///
     /// # Errors
-    /// [`Tangle`], except that a loop on the wrong side is not noticed.
+    /// A [`Tangle`]. [`Tangle::WrongSide`] is not detected here.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
         let mut crossing = None;
         let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
@@ -130,7 +133,8 @@ impl Faces {
         if cdt.num_vertices() != points.len() {
             return Err(Tangle::OutOfRange);
         }
-        // An edge that runs through a point is split there, so the triangulation lacks it.
+        // Spade splits a constraint that runs through a point, so that the triangulation does not contain the whole
+        // constraint.
         let is_missing = |c: &&Constraint| directed(&cdt, c).is_none_or(|edge| !edge.is_constraint_edge());
         if let Some(c) = constraints.iter().find(is_missing) {
             return Err(Tangle::Crossing { from: c.from, to: c.to });
@@ -154,7 +158,7 @@ fn directed<'a>(cdt: &'a ConstrainedDelaunayTriangulation<Point2<f64>>, c: &Cons
     cdt.get_edge_from_neighbors(from, to)
 }
 
-/// Where each face lies, found from the convex hull inwards.
+/// Finds the label of each face, starting outside the convex hull.
 fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Constraint]) -> Vec<Option<Label>> {
     let mut borders: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
     borders.sort_unstable_by_key(|&(ends, _)| ends);
@@ -164,8 +168,8 @@ fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Co
     };
     let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
     label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
-    // A region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
-    // then belongs to a region that was not reached before, one level further in.
+    // A region is filled completely before the next border is crossed. A face without a label beyond a border therefore
+    // belongs to a new region, one level further in.
     let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
     let mut crossings = VecDeque::new();
     // Ends because edges are added only when a face gets its label, which happens once.
@@ -198,14 +202,15 @@ fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Co
     }
 }
 
-/// Points of outlines with the same coordinates, as one point each.
+/// The triangulation's input with points of equal coordinates merged, and the data to separate them again in the
+/// result.
 struct SharedPlaces {
-    /// The distinct points, and the constraints between them.
+    /// The distinct points, and the constraints between the distinct points.
     points: Vec<DVec2>,
     constraints: Vec<Constraint>,
-    /// For each distinct point the (first) point that it stands for.
+    /// For each distinct point, the first of the given points with its coordinates.
     first: Vec<u32>,
-    /// For each point that shares its place with others: the distinct point at the place, the point itself, and the
+    /// The points that share their place with others. Each is stored with the distinct point at its place, and with the
     /// distinct points before and after it on its loop.
     copies: Vec<FanVertex>,
 }
@@ -219,10 +224,10 @@ struct FanVertex {
 }
 
 impl SharedPlaces {
-    /// `None` if all points are distinct.
+    /// Merges points with equal coordinates. `None` if all points are distinct.
     ///
     /// # Errors
-    /// [`Tangle::Coincident`] for equal points of which one is not on an outline.
+    /// [`Tangle::Coincident`] for two equal points if one of them is not on an outline.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Option<Self>, Tangle> {
         let mut order: Vec<u32> = (0..points.len() as u32).collect();
         let position = |v: u32| points[v as usize];
@@ -233,7 +238,7 @@ impl SharedPlaces {
         if order.windows(2).all(|pair| position(pair[0]) != position(pair[1])) {
             return Ok(None);
         }
-        // Points are in the order of their numbers, without those that equal an earlier one.
+        // The distinct points keep the order of their numbers. A point that equals an earlier point is left out.
         let mut leader: Vec<u32> = (0..points.len() as u32).collect();
         for pair in order.windows(2).filter(|pair| position(pair[0]) == position(pair[1])) {
             leader[pair[1] as usize] = leader[pair[0] as usize];
@@ -263,14 +268,15 @@ impl SharedPlaces {
         Ok(Some(Self { points: first.iter().map(|&v| position(v)).collect(), constraints, first, copies }))
     }
 
-    /// Renumbers the corners of the triangles from the distinct points to the given points. The triangles between the
-    /// two neighbours of a copy get that copy as their corner.
+    /// Renumbers the corners of the triangles from the distinct points to the given points. A copy (one of several
+    /// points at the same place) becomes a corner of the triangles between its two neighbours on its loop.
     ///
     /// # Errors
-    /// [`Tangle::Coincident`] if the copies do not each have a fan of their own, because their loops cross there.
+    /// [`Tangle::Coincident`] if a copy has no fan of its own, because its loop crosses another one there.
     fn divide(&self, triangles: &mut [[u32; 3]]) -> Result<(), Tangle> {
         let places: BTreeSet<u32> = self.copies.iter().map(|copy| copy.place).collect();
-        // For an edge from a shared place to a point the triangle on its left, and its corner there.
+        // For each edge that starts at a shared place: the triangle on its left, the index of the triangle's corner at
+        // the place, and the next corner around the place.
         let mut left_of = BTreeMap::new();
         for (t, corners) in triangles.iter().enumerate() {
             for k in (0..3).filter(|&k| places.contains(&corners[k])) {
@@ -287,7 +293,7 @@ impl SharedPlaces {
                 // Ends because no two edges have the same next one: the walk runs out of edges or comes back to its
                 // start.
                 while edge != end {
-                    // A closed fan that does not have the end leads back to its start.
+                    // The walk through a closed fan that does not contain `end` leads back to its start.
                     let is_round = !fan.is_empty() && edge == start;
                     let &(t, k, next) = left_of.get(&(copy.place, edge)).filter(|_| !is_round)?;
                     fan.push((t, k, edge));
@@ -310,22 +316,22 @@ impl SharedPlaces {
     }
 }
 
-/// The end of a straight path from a triangle towards a point.
+/// Where a straight path from a triangle towards a point ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
-    /// In this triangle.
+    /// The path reaches the point, which lies in this triangle.
     In(u32),
-    /// Behind a constraint.
+    /// The path meets a constraint, so that the point is not visible.
     Hidden,
 }
 
 impl Triangulation {
-    /// The constrained Delaunay triangulation of the points, cut down to the region: inside the outer outline, outside
-    /// the holes, outside the lattice. O(n log n).
+    /// The constrained Delaunay triangulation of the points, restricted to the region: inside the outer outline,
+    /// outside the holes, and outside the lattice. O(n log n).
     ///
     /// # Errors
-    /// What is wrong with the constraints. Outlines must be disjoint simple loops, which may touch at points as in
-    /// [`triangles_inside`].
+    /// A [`Tangle`] if the constraints bound no region. Outlines must be disjoint simple loops, which may touch at
+    /// points as in [`triangles_inside`].
     pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
         if let Some(mut shared) = SharedPlaces::of(&points, constraints)? {
             let mut whole = Self::build(std::mem::take(&mut shared.points), &shared.constraints)?;
@@ -340,7 +346,7 @@ impl Triangulation {
         }
         let cdt = &faces.cdt;
         let inside = |face: usize| faces.label[face] == Some(Label { depth: 1, lattice: false });
-        // Numbered by their corners, not in spade's order, which a turned or scaled input changes.
+        // The triangles are sorted by their corners, because spade's order changes when the input is rotated or scaled.
         let mut numbered: Vec<([u32; 3], usize)> = cdt
             .inner_faces()
             .filter(|face| inside(face.fix().index()))
@@ -394,16 +400,16 @@ impl Triangulation {
         self.corners[t as usize].map(|v| self.position_of(v))
     }
 
-    /// Goes straight from the middle of triangle `start` towards `goal`. Returns where the path ends, and the number of
-    /// triangles visited.
+    /// Walks straight from the centroid of triangle `start` towards `goal`. Returns where the path ends, and the number
+    /// of triangles visited.
     pub fn look_towards(&self, start: u32, goal: DVec2) -> (Sight, u64) {
         let [a, b, c] = self.triangle(start);
         if side(a, b, goal) >= 0.0 && side(b, c, goal) >= 0.0 && side(c, a, goal) >= 0.0 {
             return (Sight::In(start), 1);
         }
         let eye = (a + b + c) / 3.0;
-        // The way out of the first triangle: the edge whose ends lie right and left of the way, and beyond which the
-        // goal lies.
+        // The edge through which the path leaves the first triangle. Its ends lie to the right and to the left of the
+        // path, and the goal lies beyond it.
         let corners = [a, b, c];
         let way_out = (0..3).find(|&k| {
             let (u, v) = (corners[k], corners[(k + 1) % 3]);
@@ -412,8 +418,8 @@ impl Triangulation {
         let Some(k) = way_out else { return (Sight::Hidden, 1) };
         let mut half_edge = 3 * start + k as u32;
         let mut visited = 1;
-        // A straight path meets no triangle twice. The bound ends the loop if rounding has put the start outside its
-        // triangle.
+        // At most one pass per triangle, because a straight path visits no triangle twice. The count is checked too,
+        // because rounding may have put the start outside its triangle.
         while visited <= self.corners.len() as u64 {
             let entered = self.twin_of(half_edge);
             if entered == NONE {
@@ -421,7 +427,8 @@ impl Triangulation {
             }
             visited += 1;
             let apex = self.position_of(self.from(previous(entered)));
-            // Entered over v→u (u was on the right): the apex decides between u→apex and apex→v.
+            // The triangle is entered across v→u, with u on the right of the path. The side of the apex decides whether
+            // the path leaves through u→apex or apex→v.
             let out = if side(eye, goal, apex) >= 0.0 { next(entered) } else { previous(entered) };
             let (from, to) = (self.position_of(self.from(out)), self.position_of(self.from(next(out))));
             if side(from, to, goal) >= 0.0 {
@@ -432,8 +439,8 @@ impl Triangulation {
         (Sight::Hidden, visited)
     }
 
-    /// Inserts a point that lies in triangle `t`, or on an edge of it that has a twin. Flips the edges opposite to the
-    /// point for whose half-edges `flips` holds; with [`is_not_delaunay`](Self::is_not_delaunay) as `flips` the
+    /// Inserts a point that lies in triangle `t`, or on an edge of `t` that has a twin. Flips an edge opposite the
+    /// point if `flips` returns true for its half-edge. If `flips` is [`is_not_delaunay`](Self::is_not_delaunay), the
     /// triangulation stays Delaunay. Appends the triangles around the new point to `star`.
     pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
@@ -441,7 +448,7 @@ impl Triangulation {
         let [a, b, c] = self.corners[t as usize];
         let [ab, bc, ca] = self.twin[t as usize];
         let n = self.corners.len() as u32;
-        // Every triangle of the star keeps the new point at corner 2, so that edge 0 is the one to examine.
+        // The new point is corner 2 of every triangle around it, so that edge 0 is the edge opposite the point.
         self.corners[t as usize] = [a, b, p];
         self.corners.push([b, c, p]);
         self.corners.push([c, a, p]);
@@ -463,22 +470,23 @@ impl Triangulation {
         self.stack = stack;
     }
 
-    /// Whether the circle through a half-edge's triangle holds the corner beyond it.
+    /// Whether the circumcircle of a half-edge's triangle contains the opposite corner of the twin's triangle.
     #[inline]
     pub fn is_not_delaunay(&self, half_edge: u32) -> bool {
         let [a, b, c, d] = self.around(half_edge).map(|v| coord(self.position_of(v)));
         incircle(a, b, c, d) > 0.0
     }
 
-    /// The ends of a half-edge that has a twin, the third corner of its triangle and that of its twin's.
+    /// The ends of a half-edge that has a twin, then the third corner of its triangle, then the third corner of its
+    /// twin's triangle.
     #[inline]
     pub fn around(&self, half_edge: u32) -> [u32; 4] {
         let across = self.twin_of(half_edge);
         [half_edge, next(half_edge), previous(half_edge), previous(across)].map(|h| self.from(h))
     }
 
-    /// Replaces the edge between two triangles by the other diagonal. Both new triangles have the third corner of the
-    /// half-edge's triangle as their corner 2.
+    /// Replaces the edge between two triangles by the other diagonal of their quadrilateral. Returns the two triangles.
+    /// Their corner 2 is the third corner of the half-edge's triangle.
     pub fn flip(&mut self, half_edge: u32) -> [u32; 2] {
         let across = self.twin_of(half_edge);
         let (t, s) = (half_edge / 3, across / 3);
@@ -502,7 +510,7 @@ impl Triangulation {
         }
     }
 
-    /// Checks twins, orientation and the Delaunay property of every edge that may flip; for tests.
+    /// Asserts that the twins and orientations are right and that every edge with a twin is Delaunay. For tests.
     #[cfg(test)]
     pub fn sanity_check(&self) {
         for h in 0..3 * self.corners.len() as u32 {
@@ -557,7 +565,7 @@ mod tests {
                 (state >> 40) as f64 / (1u64 << 21) as f64,
                 (state >> 20 & 0xff_ffff) as f64 / (1u64 << 21) as f64,
             );
-            // A grid of eighths makes many points fall on edges and circles.
+            // Coordinates rounded to eighths put many points on edges and circumcircles.
             let p = (p * 8.0).round() / 8.0;
             let strictly_inside = p.min_element() > 0.0 && p.max_element() < 8.0;
             if !strictly_inside || region.points.contains(&p) {

@@ -1,25 +1,26 @@
-//! Where polylines meet: a search for two segments that are nearer to each other than a tolerance.
+//! Finds where polylines meet: two segments whose distance is at most a tolerance.
 //!
-//! Each polyline has a tree of boxes around runs of its segments. Pairs of boxes that are too far apart are left out
-//! with all their segments, and the others are halved. Polylines that stay apart take O(n log n) operations.
+//! Each polyline has a binary tree of boxes around runs of consecutive segments. If two boxes are farther apart than
+//! the tolerance, all pairs of their segments are skipped. Otherwise the box with more segments is halved. Polylines
+//! that stay apart take O(n log n) operations.
 
 use crate::DVec3;
 use crate::axis_box::AxisBox;
 use crate::execution::{Execution, Interruption};
 
-/// Number of segments in the smallest boxes.
+/// Largest number of segments in a box that is not halved further.
 const RUN: usize = 4;
-/// Pairs of boxes between two looks at the execution.
+/// Number of pairs of boxes between two calls of [`Execution::look`].
 const PAIRS_PER_LOOK: u64 = 4096;
 
-/// Two segments that meet, by their numbers. A segment has the number of its first point.
+/// Two segments that meet. The number of a segment is that of its first point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Number of the first segment.
     pub first: usize,
     /// Number of the second segment.
     pub second: usize,
-    /// A point at which they meet, on the first one.
+    /// The point of the first segment that is nearest to the second.
     pub point: DVec3,
 }
 
@@ -28,7 +29,7 @@ pub struct Contact {
 pub struct Segments<'p> {
     points: &'p [DVec3],
     count: usize,
-    /// The halves of box k are the boxes 2 k and 2 k + 1, and box 1 has all segments.
+    /// The boxes of the binary tree. Box 1 contains all segments; the halves of box k are the boxes 2 k and 2 k + 1.
     boxes: Vec<AxisBox>,
 }
 
@@ -57,7 +58,7 @@ impl<'p> Segments<'p> {
     }
 }
 
-/// A box of a tree: its number and its segments.
+/// A box of the tree: its number, and the range `from..to` of its segments.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     node: usize,
@@ -76,7 +77,7 @@ impl Run {
 }
 
 /// The first pair of segments that are at most `tolerance` apart and that `counts` accepts. Pairs are tried in the
-/// order of the first polyline's boxes.
+/// order of the boxes of the first polyline.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -130,7 +131,7 @@ fn nearest([p, p_end]: [DVec3; 2], [q, q_end]: [DVec3; 2]) -> [DVec3; 2] {
     let fraction = |numerator: f64, denominator: f64| {
         if denominator > 0.0 { (numerator / denominator).clamp(0.0, 1.0) } else { 0.0 }
     };
-    // Parallel segments have no determinant, and any point of the first one will do.
+    // The determinant of parallel segments is zero. Then any point of the first segment will do.
     let mut s = fraction(b * f - c * e, a * e - b * b);
     let t = if e > 0.0 { (b * s + f) / e } else { 0.0 };
     if t < 0.0 {
@@ -190,7 +191,7 @@ mod tests {
             let found = near.distance(far);
             assert!(found <= searched + 1e-12 && found > searched - 0.03, "{found} and {searched}");
         }
-        // Parallel and empty segments.
+        // Parallel segments, and segments of length zero.
         let x = |a: f64, b: f64, y: f64| [DVec3::new(a, y, 0.0), DVec3::new(b, y, 0.0)];
         for (p, q, expected) in [
             (x(0.0, 2.0, 0.0), x(1.0, 3.0, 1.0), 1.0),

@@ -1,16 +1,16 @@
-//! Flips of edges that reduce the area of a surface.
+//! Edge flips that reduce the area of a surface.
 //!
-//! Where a film is folded onto itself, as beside a noisy boundary, Delaunay flips leave the folds: they never join two
-//! triangles that face away from each other. A flip that reduces the area opens such a fold.
+//! A flip that reduces the area opens a fold, where a film lies on itself, for example beside a noisy boundary.
+//! Delaunay flips leave folds, because they never join two triangles that face away from each other.
 
 use super::flips::flip_where;
 use crate::film::Film;
 use crate::measure::{double_area_vector, is_degenerate};
 use crate::{Execution, Interruption};
 
-/// A flip must reduce the area of its two triangles by more than this fraction of the products of their sides. An area
-/// is a cross product, whose rounding error is a few 1e-16 of that product. For a sliver this error exceeds the area
-/// itself. With a least gain in proportion to the area, flips of slivers undid each other for ever.
+/// Least reduction of the area by a flip, as a fraction of the products of the triangles' sides. An area is a cross
+/// product, whose rounding error is a few 1e-16 of that product. For a sliver this error exceeds the area itself. If
+/// the least reduction were proportional to the area, flips of slivers could undo each other for ever.
 const LEAST_GAIN: f64 = 1e-12;
 
 /// Flips edges as long as that reduces the area. Returns the number of flips.
@@ -28,7 +28,7 @@ pub fn reduces_area(film: &Film, h: u32) -> bool {
     let double_area = |corners| double_area_vector(corners).length();
     let before = double_area([p, q, r]) + double_area([q, p, s]);
     let after = double_area([s, r, p]) + double_area([r, s, q]);
-    // The lengths of the pairs of sides whose cross products these areas are.
+    // The sum of the products of side lengths that bound these areas.
     let products = p.distance(q) * (p.distance(r) + q.distance(s)) + r.distance(s) * (s.distance(p) + r.distance(q));
     before - after > LEAST_GAIN * products
         && !is_degenerate([s, r, p])
@@ -43,8 +43,8 @@ mod tests {
     use crate::measure;
     use crate::structured::{relax, shaken};
 
-    /// In a plane no flip reduces the area. The triangles are a billion times longer than high, and turned, so that
-    /// their areas are known to seven digits only.
+    /// In a plane no flip reduces the area. The triangles are a billion times longer than high, and rotated in space,
+    /// so that their areas are known to seven digits only.
     #[test]
     fn rounding_of_slivers_is_no_gain() {
         let mut film = shaken(20, 0.3);
@@ -55,11 +55,11 @@ mod tests {
         assert_eq!(flip_to_less_area(&mut film, &Execution::default()), Ok(0));
     }
 
-    /// A square of which one corner is folded over its diagonal.
+    /// A square with one corner folded over its diagonal.
     #[test]
     fn a_fold_is_opened_by_the_other_diagonal() {
         let vertices = [(0.0, 0.0), (1.0, 0.0), (0.8, 0.7), (0.5, 0.1)].map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
-        // The triangle [0, 2, 3] lies on [0, 1, 2], turned over.
+        // The triangle [0, 2, 3] lies on the triangle [0, 1, 2] with the opposite orientation.
         let mut film = Film::new(vertices, &[[0, 1, 2], [0, 2, 3]], vec![vec![0, 1, 2, 3]]).unwrap();
         let area = |film: &Film| -> f64 {
             film.triangles().iter().map(|&t| 0.5 * double_area_vector(film.corners(t)).length()).sum()

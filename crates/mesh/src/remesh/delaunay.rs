@@ -1,12 +1,12 @@
-//! Delaunay flips and smoothing on a surface that stays where it is. Fixed vertices do not move, locked edges stay, and
-//! no triangle turns over.
+//! Delaunay flips and tangential smoothing, which leave the surface where it is. Fixed vertices do not move, locked
+//! edges stay, and no triangle turns over.
 
 use super::flips::flip_where;
 use crate::film::Film;
 use crate::measure::double_area_vector;
 use crate::{DVec3, Execution, Interruption};
 
-/// Flips edges whose opposite angles sum to more than π until there are none. Returns the number of flips.
+/// Flips edges whose two opposite angles sum to more than π, until there are none. Returns the number of flips.
 ///
 /// An edge is not flipped if its two triangles form a fold of a right angle or more, before or after the flip. In the
 /// plane the result is the (constrained) Delaunay triangulation.
@@ -17,7 +17,8 @@ pub fn flip_to_delaunay(film: &mut Film, exec: &Execution) -> Result<u64, Interr
     flip_where(film, |film, h| wants_flip(film, h, |_, _| true), exec)
 }
 
-/// [`flip_to_delaunay`] without flips to an edge whose ends are both fixed: two films over one boundary would share it.
+/// Does the same as [`flip_to_delaunay`], but never creates an edge whose ends are both fixed. Two films over the same
+/// boundary would share such an edge.
 ///
 /// # Errors
 /// The interruption. The film is valid in that case too.
@@ -26,8 +27,8 @@ pub fn flip_without_chords(film: &mut Film, exec: &Execution) -> Result<u64, Int
     flip_where(film, |film, h| wants_flip(film, h, may), exec)
 }
 
-/// Whether the edge is to be flipped. `may` receives the four vertices of its hinge; the flipped edge connects the last
-/// two.
+/// Whether an edge should be flipped. `may` receives the four vertices of the edge's two triangles, and can refuse the
+/// flip. The flipped edge connects the last two vertices.
 fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> bool {
     let Some(hinge) = film.topology.hinge(h) else { return false };
     let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
@@ -53,8 +54,8 @@ fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> boo
 
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
 ///
-/// The vertices move one after the other, in the order of their numbers. A step that would turn a triangle of the ring
-/// by a right angle is halved up to twice, and then left out.
+/// The vertices move one after the other, in the order of their numbers. A step must not turn a triangle of the ring
+/// over or take nearly all of its area. Otherwise the step is halved up to twice, and then left out.
 pub fn tangential_relaxation(film: &mut Film, rounds: u32) {
     for _ in 0..rounds {
         for v in 0..film.vertices.len() as u32 {
@@ -87,7 +88,7 @@ fn relax(film: &mut Film, v: u32) {
             let (j, k) = ring_edge(film, h);
             let moved = here + step;
             let (before, after) = (double_area_vector([here, j, k]), double_area_vector([moved, j, k]));
-            // The triangle must not turn over, and must keep a twentieth of its area.
+            // The triangle must not turn over, and must keep at least a twentieth of its area.
             after.dot(before) > 0.05 * before.length_squared()
         });
         if keeps {
@@ -98,7 +99,7 @@ fn relax(film: &mut Film, v: u32) {
     }
 }
 
-/// The ends of the edge opposite to the start of an outgoing half-edge, in its triangle.
+/// In the triangle of an outgoing half-edge, the ends of the edge opposite the start of the half-edge.
 fn ring_edge(film: &Film, h: u32) -> (DVec3, DVec3) {
     (film.vertices[film.topology.to(h) as usize], film.vertices[film.topology.opposite(h) as usize])
 }

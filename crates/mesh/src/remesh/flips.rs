@@ -1,4 +1,4 @@
-//! Flips of edges, one after the other, until no edge asks for one.
+//! Flips edges one after the other until a condition holds for no edge.
 
 use crate::film::Film;
 use crate::topology::{next, previous};
@@ -7,11 +7,11 @@ use crate::{Execution, Interruption};
 /// Largest number of flips of one call, as a multiple of the number of edges. On curved surfaces flips can undo each
 /// other, and flips that lower an energy can be many.
 const FLIPS_PER_EDGE: usize = 10;
-/// Number of visited edges between two looks, which takes about 20 ms.
+/// Number of visited edges between two calls of [`Execution::look`]. Visiting them takes about 20 ms.
 const LOOK_EVERY: u64 = 100_000;
 
-/// Flips edges for which `wants` holds until there are none, or until the largest number of flips is reached. Returns
-/// the number of flips.
+/// Flips edges for which `wants` holds, until there are none or the largest number of flips is reached. Returns the
+/// number of flips.
 ///
 /// All edges are visited once, and afterwards only those around a flipped edge.
 ///

@@ -1,10 +1,11 @@
-//! Isotropic remeshing: every edge gets a length near a target size that is given at each vertex. Long edges are split
-//! and short edges are collapsed; the surface stays where it is.
+//! Isotropic remeshing: brings every edge near a target length that is given at each vertex. Long edges are split and
+//! short edges are collapsed. The surface stays where it is.
 //!
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4. Departures:
-//! - The target size grows with the distance from the boundary's own spacing; theirs is one length.
-//! - The edges that are split in one pass share no triangle, and those that are collapsed share no neighbourhood. The
-//!   triangle list is therefore rebuilt once a pass.
+//! - The target size grows with the distance from the boundary, where it equals the boundary's spacing. In the paper it
+//!   is one length everywhere.
+//! - Edges that are split in one pass share no triangle, and edges that are collapsed in one pass share no
+//!   neighbourhood. The triangle list is therefore rebuilt once per pass.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::edit::may_collapse;
@@ -16,44 +17,45 @@ use crate::{DVec3, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// An edge is split if it exceeds this multiple of the target size at its ends. With √2 both halves are then as far
-/// below the size as the whole was above it.
+/// An edge is split if it exceeds this multiple of the target size at its ends. With √2, each half falls below the size
+/// by the same factor by which the whole exceeded it.
 const LONG: f64 = std::f64::consts::SQRT_2;
-/// An edge is collapsed if it is shorter than this multiple of the target size. Above √2 / 2 the halves of a split edge
-/// would collapse again.
+/// An edge is collapsed if it is shorter than this multiple of the target size. If the value were above √2 / 2, the
+/// halves of a split edge would collapse again.
 const SHORT: f64 = 0.7;
-/// Growth of the target size per length of distance from a fine boundary.
+/// Growth of the target size with the distance from a fine boundary, per unit of length.
 const GRADING: f64 = 0.3;
-/// Upper bound of the growth that is tried where [`GRADING`] would give more triangles than are wanted.
+/// Largest growth that is tried if [`GRADING`] would give more triangles than are wanted.
 const STEEPEST_GRADING: f64 = 5.0;
 /// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. Without the bound
 /// a fan of needles starts at the edge.
 const FLOOR: f64 = 0.8;
-/// Decrease of that lower bound per length of distance from the edge.
+/// Decrease of the lower bound of [`FLOOR`] with the distance from the edge, per unit of length.
 const FALL: f64 = 0.5;
-/// Upper bound of the decrease that is tried where too few triangles would be left for the rest of the film.
+/// Largest decrease of the lower bound that is tried if too few triangles would be left for the rest of the film.
 const STEEPEST_FALL: f64 = 4.0;
-/// The lower bounds may reduce the largest target size to this fraction of its value without them.
+/// The lower bounds make triangles beside long edges larger. To keep the number of triangles, the cap of the target
+/// size may be reduced down to this fraction of its value without lower bounds.
 const ROOM: f64 = 0.7;
-/// A pass that changes the number of triangles by less than this fraction has settled.
+/// A pass counts as settled if it changes the number of triangles by less than this fraction.
 const SETTLED_COUNT: f64 = 0.1;
-/// Passes end if there are more than this multiple of the wanted number of triangles, because the film then has no
+/// The passes end if the number of triangles exceeds this multiple of the wanted number, because the film then has no
 /// area.
 pub const RUNAWAY: f64 = 4.0;
-/// Passes end when the number of triangles is within this fraction of the wanted number.
+/// The passes end when the number of triangles differs from the wanted number by less than this fraction.
 const CLOSE_ENOUGH: f64 = 0.03;
 
-/// Treatment of the boundary's own edges.
+/// Whether boundary edges are split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundaryEdges {
-    /// Long boundary edges are split. The new vertices are fixed and stand on the segments.
+    /// Long boundary edges are split. The new vertices are fixed and lie on the boundary segments.
     Refined,
     Kept,
 }
 
-/// Brings the number of triangles to about `count`, of even size away from the boundary. Fixed vertices and locked
-/// edges stay; `boundary_edges` says whether boundary edges are split. Vertices that are not fixed get new numbers.
-/// Each of at most `passes` passes splits, collapses, flips and relaxes once.
+/// Brings the number of triangles to about `count`, with triangles of even size away from the boundary. Fixed vertices
+/// and locked edges stay; `boundary_edges` says whether boundary edges are split. Vertices that are not fixed get new
+/// numbers. Each of at most `passes` passes splits, collapses, flips and relaxes once.
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is valid in that case too.
@@ -79,7 +81,7 @@ pub fn resample(
         exec.look(WORK_PER_TRIANGLE * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
         if reached > most {
-            // The film has no area: its triangles stay too flat for their sizes, however often their edges are split.
+            // The film has no area: its triangles remain too flat for their sizes, however often their edges are split.
             break;
         }
         let settled = (reached / before - 1.0).abs() < SETTLED_COUNT;
@@ -87,8 +89,8 @@ pub fn resample(
         if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
             break;
         }
-        // Splitting and collapsing allow a band of lengths around the size. The number of triangles depends on where in
-        // this band the lengths settle, so the aim is corrected by the number that was reached.
+        // Splitting and collapsing leave a range of lengths around the size. The number of triangles depends on where
+        // in this range the lengths settle, so the aim is corrected by the number that was reached.
         if settled {
             aim *= (count / reached).clamp(0.7, 1.4);
         }
@@ -97,8 +99,8 @@ pub fn resample(
 }
 
 /// Splits the edges that are longer than √2 times the size at their ends, in at most `passes` passes, with flips and
-/// tangential relaxation after each. `size` is the [`graded`] target size at every vertex. Nothing is collapsed: fixed
-/// vertices, locked edges and the other vertices stay, with their numbers.
+/// tangential relaxation after each. `size` is the [`graded`] target size at every vertex. No edge is collapsed: all
+/// vertices keep their numbers, and fixed vertices and locked edges stay.
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is valid in that case too.
@@ -123,12 +125,12 @@ pub fn refine(
     Ok(())
 }
 
-/// Lowers sizes so that they grow along the edges by no more than 0.3 of the distance.
+/// Lowers target sizes so that they grow along the edges by no more than 0.3 of the distance.
 pub fn graded(film: &Film, size: &mut [f64]) {
     grade(film, size, GRADING);
 }
 
-/// Lowers sizes so that they grow along the edges by no more than `grading` per length.
+/// Lowers target sizes so that they grow along the edges by no more than `grading` times the distance.
 fn grade(film: &Film, size: &mut [f64], grading: f64) {
     spread(film, |near, far, length| {
         let reached = size[near] + grading * length;
@@ -140,8 +142,8 @@ fn grade(film: &Film, size: &mut [f64], grading: f64) {
     });
 }
 
-/// The target size at every vertex: the boundary's spacing, growing inwards up to a cap. The cap is chosen so that
-/// about `count` equilateral triangles cover the film.
+/// The target size at every vertex. It equals the boundary's spacing on the boundary and grows inwards up to a cap. The
+/// cap is chosen so that about `count` equilateral triangles cover the film.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -166,7 +168,8 @@ fn sizes(film: &Film, count: f64, exec: &Execution) -> Result<Vec<f64>, Interrup
         exec.look(film.triangles().len() as u64)?;
         grading *= 1.5;
     };
-    // For a cap between the sizes of two triangles the number of triangles is Σ(below) A / s² + Σ(above) A / cap².
+    // With a cap, the number of triangles is the sum of A / s² over the triangles of size s below the cap, plus the sum
+    // of A / cap² over the others, up to a constant factor. A is a triangle's area.
     pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut above: f64 = pieces.iter().map(|piece| piece.1).sum();
     let (mut below, mut cap) = (0.0, f64::INFINITY);
@@ -185,7 +188,7 @@ fn sizes(film: &Film, count: f64, exec: &Execution) -> Result<Vec<f64>, Interrup
     Ok(spacing.into_iter().map(|size| size.min(cap)).collect())
 }
 
-/// The sizes of [`sizes`] with lower bounds beside the edges that are longer than the cap.
+/// The target sizes of [`sizes`], but with lower bounds beside the stiff edges that are longer than the cap.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -223,7 +226,7 @@ fn with_floors(
     Ok(spacing.iter().map(|size| size.min(plain_cap)).collect())
 }
 
-/// The edges that keep their length (boundary edges and locked edges): for each one half-edge and the length.
+/// The stiff edges, which keep their length: boundary edges and locked edges. Gives a half-edge and the length of each.
 fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
     let topology = &film.topology;
     (0..topology.twin.len() as u32).filter_map(move |h| {
@@ -234,8 +237,8 @@ fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
     })
 }
 
-/// The lower bound of the size at every vertex: [`FLOOR`] times the length of a stiff edge at its ends, decreasing
-/// inwards by `fall` per length, at least zero.
+/// The lower bound of the target size at every vertex. At the ends of a stiff edge it is [`FLOOR`] times the edge's
+/// length. It decreases inwards by `fall` times the distance, and is at least zero.
 fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
     let mut floor = vec![0.0f64; film.vertices.len()];
     let topology = &film.topology;
@@ -243,7 +246,7 @@ fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
         for v in [topology.from(h), topology.to(h)] {
             floor[v as usize] = floor[v as usize].max(FLOOR * length);
         }
-        // The third corner of a triangle lies beside the edge, at the distance of the altitude.
+        // The third corner of a triangle at the edge is as far from the edge as the triangle is high.
         for half in [h, topology.twin[h as usize]].into_iter().filter(|&half| half != NONE) {
             let apex = topology.opposite(half) as usize;
             let altitude = double_area_vector(film.corners(film.triangles()[half as usize / 3])).length() / length;
@@ -261,8 +264,8 @@ fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
     floor
 }
 
-/// Calls `offer` for every edge in both directions until nothing changes, sweeping forwards and backwards through the
-/// edges. A few sweeps suffice, because sizes need not travel far.
+/// Calls `offer` for every edge in both directions until it changes nothing, in at most 50 sweeps that run forwards and
+/// backwards through the edges. A few sweeps suffice, because sizes need not travel far.
 fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
     let topology = &film.topology;
     for sweep in 0..50 {
@@ -280,8 +283,8 @@ fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
     }
 }
 
-/// At each vertex the length of the shortest stiff edge that ends there; from there it grows inwards along the edges by
-/// `grading` per length.
+/// The uncapped target size at every vertex. At the ends of stiff edges it is the length of the shortest stiff edge
+/// there. From there it grows inwards along the edges by `grading` times the distance.
 fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     let mut size = vec![f64::INFINITY; film.vertices.len()];
     for (h, length) in stiff_edges(film) {
@@ -293,7 +296,7 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     size
 }
 
-/// The edges whose key is above 1, largest first, without those of the boundary if these are kept.
+/// The edges whose key is above 1, largest key first. Boundary edges are left out if they are kept.
 fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
     let twin = &film.topology.twin;
     let may = |h: u32| boundary_edges == BoundaryEdges::Refined || twin[h as usize] != NONE;
@@ -308,8 +311,8 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
     0.5 * (size[film.topology.from(h) as usize] + size[film.topology.to(h) as usize])
 }
 
-/// Splits the edges that are too long, the longest in relation to its size first. Two edges of one triangle are not
-/// split in the same pass. A new vertex gets the mean of the sizes at the ends of its edge.
+/// Splits the edges that are too long, beginning with the largest ratio of length to size. Two edges of one triangle
+/// are not split in the same pass. A new vertex gets the mean of the sizes at the ends of its edge.
 fn split_long(film: &mut Film, size: &mut Vec<f64>, boundary_edges: BoundaryEdges) {
     let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
     let mut taken = vec![false; film.triangles().len()];
@@ -355,8 +358,8 @@ fn split_long(film: &mut Film, size: &mut Vec<f64>, boundary_edges: BoundaryEdge
     film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
 }
 
-/// Collapses the edges that are too short, the shortest in relation to its size first. Collapses in one pass share no
-/// neighbourhood.
+/// Collapses the edges that are too short, beginning with the smallest ratio of length to size. Collapses in one pass
+/// share no neighbourhood.
 fn collapse_short(film: &mut Film, size: &[f64]) {
     let edges =
         ranked(film, BoundaryEdges::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
@@ -366,7 +369,7 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
             continue;
         }
         let (a, b) = (film.topology.from(h), film.topology.to(h));
-        // A free vertex moves to the other end of the edge. Two free vertices meet in the middle.
+        // If one end is fixed, the free end moves there. Two free ends meet in the middle.
         let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
         let meeting = if film.fixed[stays as usize] {
             film.vertices[stays as usize]
@@ -388,8 +391,8 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
     film.close_gaps().expect("the link condition keeps a manifold");
 }
 
-/// Whether the triangles around `v` that do not contain `other` keep their orientation, and their edges stay short
-/// enough, when `v` moves to `place`.
+/// Whether a collapse may move `v` to `place`: the triangles around `v` that do not contain `other` keep their
+/// orientation, and their edges stay short enough.
 fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
     let topology = &film.topology;
     topology.outgoing_half_edges(v).all(|h| {
@@ -456,7 +459,7 @@ mod tests {
         }
     }
 
-    /// Two triangles in a square, with boundary edges far longer than the edges are to become.
+    /// A square of two triangles, whose boundary edges are far longer than the target size.
     fn coarse_square() -> Film {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
         Film::new(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]], vec![vec![0, 1, 2, 3]]).unwrap()

@@ -1,8 +1,8 @@
-//! Remeshing of a film whose edges move: its edge lengths stay near one size while corners and curves travel.
+//! Remeshing of a film with a moving boundary: keeps the edge lengths near one size while corners and curves move.
 //!
-//! A round splits long edges, collapses short ones, flips edges and relaxes vertices within the film. Vertices of a
-//! flexible stretch (a cable, an edge that slides) are split, collapsed and relaxed along their own stretch. Vertices
-//! that are kept stay where they are and keep their identity.
+//! Each round splits long edges, collapses short edges, flips edges and relaxes vertices within the film. On a flexible
+//! stretch (a cable, or an edge that slides), vertices are split, collapsed and relaxed along the stretch. Kept
+//! vertices stay where they are and are not merged.
 //!
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4.
 
@@ -15,40 +15,42 @@ use crate::topology::{NONE, Topology, edge_key};
 use crate::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
-/// An edge is split if it exceeds this multiple of the size at its ends.
+/// An edge is split if it exceeds this multiple of the target size at its ends.
 const LONG: f64 = 1.4;
-/// An edge is collapsed if it is shorter than this multiple of the size. With values from 0.5 to 0.65 the forms of
-/// random structures are found equally often.
+/// An edge is collapsed if it is shorter than this multiple of the target size. With values from 0.5 to 0.65, the forms
+/// of random structures are found equally often.
 const SHORT: f64 = 0.65;
-/// No collapse makes an edge longer than this multiple of the size.
+/// A collapse is refused if it makes an edge longer than this multiple of the target size.
 const LONGEST: f64 = 1.5;
-/// Growth of the size per length of distance from a short edge that keeps its length.
+/// Growth of the target size with the distance from a short edge that keeps its length, per unit of length.
 const GRADING: f64 = 0.4;
-/// A loop of three edges that bounds no triangle is a neck if its girth is below this multiple of the size.
+/// A loop of three edges that bounds no triangle is a neck if its length (its girth) is below this multiple of the
+/// target size.
 const NECK: f64 = 3.0 * SHORT;
-/// Sweeps along the curves in a relaxation. With fewer the segments of a cable are less even.
+/// Number of sweeps along the curves in a relaxation. With fewer sweeps the segments of a cable are less even.
 const CURVE_SWEEPS: u32 = 4;
-/// Keys of edges are compared in steps of this relative size, so that rounding does not decide between edges of equal
-/// length. The value is no simple fraction, so that lengths of regular meshes do not lie on the limit between two
-/// steps.
+/// Edges are sorted by their length relative to the size, in logarithmic steps of this relative width, so that rounding
+/// does not decide between edges of equal length. The value is not a simple fraction, so that the lengths of regular
+/// meshes do not lie on the limit between two steps.
 const KEY_STEP: f64 = 1.234_567_891e-6;
 
 /// The changes that remeshing may make to a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Move within the film, and merge with any vertex.
+    /// Moves within the film, and may merge with any vertex.
     Inside,
-    /// Move along the stretch of this number, and merge with vertices of it.
+    /// Moves along the stretch of this number, and may merge with a vertex of the same stretch.
     Along(u32),
-    /// Nothing: the vertex stays and keeps its identity.
+    /// Does not move, and is not merged into another vertex.
     Kept,
 }
 
-/// A boundary loop, or a line across the film.
+/// A boundary loop (closed), or a line across the film.
 #[derive(Clone, Debug)]
 pub struct Curve {
     pub vertices: Vec<u32>,
-    /// For each edge, from each vertex to the next, the number of its stretch. A closed curve has one more edge.
+    /// For each edge from a vertex to the next, the number of its stretch. A closed curve also has the edge from its
+    /// last vertex to its first.
     pub stretches: Vec<u32>,
 }
 
@@ -63,17 +65,18 @@ impl Curve {
 pub struct MovingFilm {
     pub film: Film,
     pub kinds: Vec<Kind>,
-    /// The boundaries in the order of the film's, then the lines across it.
+    /// The boundary loops in the order of the film's boundaries, then the lines across the film.
     pub curves: Vec<Curve>,
-    /// For each stretch whether its vertices move along it. On others no vertex moves, and new ones are kept.
+    /// For each stretch, whether its vertices move along it. On a stretch that is not flexible no vertex moves, and new
+    /// vertices are kept.
     pub flexible: Vec<bool>,
-    /// For each stretch the fewest vertices inside it.
+    /// For each stretch, the smallest number of vertices inside it that collapses must leave.
     pub fewest: Vec<usize>,
-    /// Numbers of kept vertices. They are updated when the vertices are renumbered.
+    /// Numbers of kept vertices in which the caller is interested. They are updated when the vertices are renumbered.
     pub named: Vec<u32>,
 }
 
-/// A place where the film closes.
+/// A neck: a place where the film is about to close.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neck {
     pub place: DVec3,
@@ -86,8 +89,8 @@ fn key(ratio: f64) -> u64 {
 }
 
 impl MovingFilm {
-    /// Brings the edge lengths near `size`. `onto` takes a point near a stretch onto the stretch's support. Returns the
-    /// narrowest neck of the last round.
+    /// Brings the edge lengths near `size`, in the given number of rounds. `onto` projects a point near a stretch onto
+    /// the stretch's support. Returns the narrowest neck of the last round.
     ///
     /// # Errors
     /// The interruptions of `exec`; the film is valid in that case too.
@@ -136,7 +139,7 @@ impl MovingFilm {
         self.curves.iter().flat_map(edge_stretches).collect()
     }
 
-    /// For each stretch the number of vertices inside it.
+    /// For each stretch, the number of vertices inside it.
     fn numbers_inside(&self) -> Vec<usize> {
         let mut numbers = vec![0; self.flexible.len()];
         for kind in &self.kinds {
@@ -147,7 +150,7 @@ impl MovingFilm {
         numbers
     }
 
-    /// The size at every vertex: the given one, and less beside shorter edges that keep their length and beside
+    /// The target size at every vertex: the given size, but less beside shorter edges that keep their length and beside
     /// stretches that need more vertices.
     fn sizes(&self, size: f64) -> Vec<f64> {
         let mut sizes = vec![size; self.film.vertices.len()];
@@ -189,7 +192,7 @@ impl MovingFilm {
         sizes
     }
 
-    /// A half-edge for each edge, with the edge's length over the size.
+    /// For each edge, the ratio of its length to the target size, and a half-edge.
     fn ratios(&self, sizes: &[f64]) -> Vec<(f64, u32)> {
         let (topology, at) = (&self.film.topology, &self.film.vertices);
         let ratio = |h: u32| {
@@ -306,7 +309,7 @@ impl MovingFilm {
             }
             let (kind_a, kind_b) = (self.kinds[a as usize], self.kinds[b as usize]);
             let stretch = stretches.get(&edge_key([a, b])).copied();
-            // The vertex that leaves, the one that stays, and whether they meet in the middle.
+            // The vertex that is removed, the vertex that stays, and whether they meet in the middle.
             let (leaves, stays, in_the_middle) = match (stretch, kind_a, kind_b) {
                 (Some(s), _, _) if left[s as usize] <= self.fewest[s as usize] => continue,
                 (Some(_), Kind::Along(_), Kind::Along(_)) | (None, Kind::Inside, Kind::Inside) => (a, b, true),
@@ -350,7 +353,8 @@ impl MovingFilm {
         (any, neck)
     }
 
-    /// The loop of three edges that keeps an edge from collapsing, if it bounds no triangle.
+    /// The neck that prevents an edge from collapsing: a loop of three edges that contains the edge and bounds no
+    /// triangle.
     fn neck_at(&self, a: u32, b: u32) -> Option<Neck> {
         let topology = &self.film.topology;
         let corners = [(a, b), (b, a)].map(|(from, to)| topology.half_edge(from, to).map(|h| topology.opposite(h)));
@@ -365,8 +369,8 @@ impl MovingFilm {
         Some(Neck { place: (p + q + r) / 3.0, girth: p.distance(q) + q.distance(r) + r.distance(p) })
     }
 
-    /// Whether the triangles around `v` that do not contain `other` stay whole, and their edges short enough, when `v`
-    /// moves to `place`.
+    /// Whether a collapse may move `v` to `place`: the triangles around `v` that do not contain `other` pass
+    /// [`stays_whole`], and their edges stay short enough.
     fn keeps_shape(&self, sizes: &[f64], v: u32, other: u32, place: DVec3) -> bool {
         let (topology, at) = (&self.film.topology, &self.film.vertices);
         topology.outgoing_half_edges(v).all(|h| {
@@ -397,7 +401,7 @@ impl MovingFilm {
         for curve in &mut self.curves {
             let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
             for (k, &v) in curve.vertices.iter().enumerate() {
-                // Both edges at a vertex that leaves are of one stretch.
+                // Both edges at a vertex that is removed belong to the same stretch.
                 if !dead[v as usize] {
                     vertices.push(place[v as usize]);
                     stretches.extend(curve.stretches.get(k));
@@ -408,7 +412,7 @@ impl MovingFilm {
         self.renew_curves();
     }
 
-    /// Moves each vertex of a flexible stretch along its curve towards the middle between its neighbours.
+    /// Moves each vertex of a flexible stretch along its curve, so that its two edges on the curve become more equal.
     fn relax_curves(&mut self, onto: &dyn Fn(u32, DVec3) -> DVec3) {
         for curve in &self.curves {
             let count = curve.vertices.len();
@@ -434,9 +438,9 @@ impl MovingFilm {
     }
 }
 
-/// Whether a triangle that moves turns by less than the angle of this cosine and does not become thin: twice its area
-/// stays above the fraction `thin` of the sum of its squared sides, or grows in relation to that sum. A triangle that
-/// was almost without area may turn in any direction.
+/// Whether a moved triangle keeps its direction and does not become thin. Its normal must turn by less than the angle
+/// with this cosine; a triangle that had almost no area may turn in any direction. Twice its area divided by the sum of
+/// its squared sides must be at least `thin`, or at least as large as before the move.
 fn stays_whole(before: [DVec3; 3], after: [DVec3; 3], cosine: f64, thin: f64) -> bool {
     let squares = |[p, q, r]: [DVec3; 3]| p.distance_squared(q) + q.distance_squared(r) + r.distance_squared(p);
     let (normal, moved) = (double_area_vector(before), double_area_vector(after));

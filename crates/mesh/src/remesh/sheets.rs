@@ -1,5 +1,5 @@
-//! Delaunay flips and smoothing on sheets that meet along junctions: the steps of [`delaunay`](super::delaunay), sheet
-//! by sheet.
+//! Delaunay flips and smoothing for sheets that meet along junctions. Applies the steps of
+//! [`delaunay`](super::delaunay) to each sheet.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::codes::Reason;
@@ -8,12 +8,12 @@ use crate::film::Film;
 use crate::measure;
 use crate::{DVec3, Error, Execution};
 
-/// Fraction of the way to the middle of its two neighbours that a vertex of a junction moves in one round. From 1 on
-/// the vertices oscillate.
+/// Fraction of the way to the middle between its two neighbours that a junction vertex moves in one round. With 1 or
+/// more the vertices oscillate.
 const SPREAD: f64 = 0.5;
 
-/// Returns a sheet as a film whose edge (boundary and junctions) is fixed, and for each vertex of the film its number
-/// in the complex. `None` for a sheet that touches itself along a junction.
+/// Returns a sheet as a film whose border (boundary and junctions) is fixed, and the number in the complex of each
+/// vertex of the film. `None` if the sheet touches itself along a junction.
 fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Film, Vec<u32>)> {
     let corners = || triangles.iter().map(|&t| complex.triangles[t as usize]);
     let mut numbers: Vec<u32> = corners().flatten().collect();
@@ -26,12 +26,13 @@ fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Fi
     Some((film, numbers))
 }
 
-/// Spreads the vertices within the sheets and along the junctions, and flips edges within the sheets until they are
-/// Delaunay. Returns the number of flips. A sheet that touches itself along a junction is left as it is.
+/// Evens out the spacing of the vertices within the sheets and along the junctions, and flips edges within the sheets
+/// until they are Delaunay. Returns the number of flips. A sheet that touches itself along a junction is left
+/// unchanged.
 ///
 /// # Errors
-/// [`Error::Interrupted`], with a valid film. [`Error::NoResult`] with the defect of the complex that the flips left;
-/// none is expected, because a flip keeps its sheet a manifold.
+/// [`Error::Interrupted`]; the complex is then valid. [`Error::NoResult`] with the defect of the complex that the flips
+/// produced. This error is not expected, because a flip keeps its sheet a manifold.
 pub fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u32, exec: &Execution) -> Result<u64, Error> {
     for _ in 0..rounds {
         for v in 0..vertices.len() {
@@ -77,7 +78,8 @@ mod tests {
 
     #[test]
     fn a_fin_on_a_strip_is_evened_out_and_its_junction_stays() {
-        // Three strips of 2 x 6 squares between z = 0 and z = 3 around the z axis. The heights of the rows are uneven.
+        // Three strips of 2 x 6 quadrilaterals between z = 0 and z = 3 that meet at the z axis. The heights of the rows
+        // are uneven.
         let height = |i: usize| 3.0 * (i as f64 / 6.0).powi(2);
         let mut vertices: Vec<DVec3> = (0..=6).map(|i| DVec3::new(0.0, 0.0, height(i))).collect();
         let mut triangles = Vec::new();
@@ -93,8 +95,8 @@ mod tests {
             let at = |i: usize, j: usize| if j == 0 { i as u32 } else { (first + 2 * i + j - 1) as u32 };
             for i in 0..6 {
                 for j in 0..2 {
-                    // The vertices on the axis move up against the outer ones, so that this diagonal becomes the longer
-                    // one.
+                    // The vertices on the axis will move up relative to the outer ones, so that this diagonal becomes
+                    // the longer one.
                     triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
                     triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
                 }

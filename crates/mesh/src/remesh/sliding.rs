@@ -1,8 +1,8 @@
-//! Vertices that slide along a film until the gradient of its area has hardly any part along the surface.
+//! Slides the vertices of a film along its surface until the gradient of the area has hardly any tangential part.
 //!
-//! A film whose area no motion along its normals lowers is a minimal surface, but how its triangles lie on the surface
-//! still changes the area a little. Chen, Cai and Zheng ("Constructing triangular meshes of minimal area", section 3)
-//! measure the whole gradient, in which the layout of the triangles shows.
+//! If no motion along the normals lowers the area, the film is a minimal surface. The layout of the triangles on the
+//! surface still changes the area a little. Chen, Cai and Zheng ("Constructing triangular meshes of minimal area",
+//! section 3) measure the whole gradient, which includes this tangential part.
 
 use super::small_angles::least_tangent;
 use crate::film::Film;
@@ -13,36 +13,38 @@ use glam::DMat3;
 
 /// Number of sweeps over the vertices. Further sweeps lower the largest gradient, but make angles smaller.
 pub const SWEEPS: u32 = 4;
-/// The last sweeps visit a vertex again if half its gradient, divided by the area of its ring and multiplied by the
-/// radius of the boundary, exceeds this.
+/// The last sweeps visit a vertex again if its dimensionless gradient exceeds this: half its gradient divided by the
+/// area of its ring and multiplied by the radius of the boundary.
 const UNEVEN: f64 = 1.6e-2;
-/// Part of the trace that is added to a vertex's second derivative, which is singular where the ring is plane.
+/// Multiple of the identity that is added to a vertex's second derivative, as a fraction of its trace. The second
+/// derivative is singular if the ring is plane.
 const DAMPING: f64 = 3e-3;
 /// Longest step, as a fraction of the shortest edge at the vertex. Longer steps turn triangles over.
 const REACH: f64 = 0.25;
-/// A vertex stays where it is if the figure that [`UNEVEN`] limits is below this.
+/// A vertex does not move if its dimensionless gradient (see [`UNEVEN`]) is below this.
 const NEGLIGIBLE: f64 = 3e-3;
-/// No step makes an angle smaller than the one with this tangent, 21 degrees. Films have to keep angles of 20 degrees,
-/// and the motion along the normals that follows may make angles smaller again.
+/// Tangent of 21 degrees, the smallest angle that a step may produce. Films have to keep angles of 20 degrees, and the
+/// motion along the normals that follows may make angles smaller again.
 const LEAST_TANGENT: f64 = 0.383_864;
-/// Number of vertices that slide between two looks at the signal.
+/// Number of vertices that are moved between two calls of [`Execution::look`].
 const VERTICES_BETWEEN_LOOKS: usize = 4096;
-/// Units of work of one vertex: its six triangles are measured, and measured again for each part of a step.
+/// Work for one vertex, as passed to [`Execution::look`]. Its six triangles are measured, and measured again for each
+/// fraction of a step.
 const WORK_PER_VERTEX: u64 = 20;
-/// Fractions of a step that are tried in this order. The first that keeps the angles is taken.
+/// Fractions of a step, in the order in which they are tried. The first fraction that keeps the angles is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
-/// Lets the free vertices of a film slide to where the area of their rings is least, one after the other, in sweeps
-/// that run forwards and backwards in turn. The connectivity stays.
+/// Moves the free vertices of a film, one after the other, to where the area of their rings is least, in sweeps that
+/// run alternately forwards and backwards. The connectivity does not change.
 ///
-/// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative
-/// Σ |e|²/(4A) n nᵀ, where n and A are the normal and the area of a triangle and e is its edge opposite to x. A sweep
-/// takes a damped step of Newton's method. No step takes an angle below 21 degrees, or below the ring's smallest angle
-/// if that is less. `radius` is the radius of the boundary. The first `full` of the [`SWEEPS`] visit every vertex, and
-/// the others those whose gradient was large when they were visited last.
+/// The area of a ring is a convex function of its vertex x, with the gradient Σ n × e / 2 and the second derivative Σ
+/// |e|²/(4A) n nᵀ. Here n and A are the normal and the area of a triangle, and e is its edge opposite x. A sweep takes
+/// a damped step of Newton's method at each vertex. No step reduces an angle below 21 degrees, or below the ring's
+/// smallest angle if that is less. `radius` is the radius of the boundary. The first `full` of the [`SWEEPS`] sweeps
+/// visit every vertex. The other sweeps visit the vertices whose gradient was large at their last visit.
 ///
 /// # Errors
-/// The interruptions of `exec`. Some vertices have slid then, and others have not.
+/// The interruptions of `exec`. Some vertices have then been moved, and others have not.
 pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Result<(), Interruption> {
     let mut visited: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     let mut ring = Vec::new();
@@ -71,8 +73,8 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
     Ok(())
 }
 
-/// Returns the place of a vertex after one step, and half the gradient before the step, divided by the area of the ring
-/// and multiplied by the radius. `ring` has the edges opposite to the vertex in its triangles.
+/// Returns the place of a vertex after one step, and its dimensionless gradient (see [`UNEVEN`]) before the step.
+/// `ring` holds the edge opposite the vertex in each of its triangles.
 fn slid(here: DVec3, ring: &[[DVec3; 2]], radius: f64) -> (DVec3, f64) {
     let (mut gradient, mut second, mut trace) = (DVec3::ZERO, DMat3::ZERO, 0.0);
     let (mut double_area, mut shortest, mut smallest) = (0.0, f64::INFINITY, LEAST_TANGENT);

@@ -1,14 +1,15 @@
-//! Widens small angles one triangle at a time: flips, collapses and moves around a thin triangle, each of which raises
-//! the smallest angle of the triangles that it changes.
+//! Widens small angles one triangle at a time. Flips an edge, collapses an edge or moves a vertex around a thin
+//! triangle. Each change raises the smallest angle of the triangles that it affects.
 //!
 //! Source: Freitag, Ollivier-Gooch, *Tetrahedral mesh improvement using swapping and smoothing* (1997), on a surface.
 //! Departures:
-//! - Only the triangles below a goal are treated, thinnest first. The rest of the mesh keeps its bits.
-//! - A flipped triangle (its normal points against those of its vertices) counts as one with an angle of zero.
-//! - An interior edge may also collapse. At a corner of the boundary this takes triangles out of a fan that is too
-//!   dense for the corner's angle, which no flip and no move does.
+//! - Only triangles with an angle below a goal are treated, thinnest first. The rest of the mesh stays bit for bit.
+//! - A flipped triangle (its normal points against those of its vertices) counts as having an angle of zero.
+//! - An interior edge may also collapse. At a corner of the boundary this removes triangles from a fan that has too
+//!   many for the corner's angle. Neither a flip nor a move can do that.
 //!
-//! The surface changes where its triangles are large for its curvature. A solver brings it back afterwards.
+//! The changes alter the surface where its triangles are large compared with its radius of curvature. The caller's
+//! solver restores the surface afterwards.
 
 use crate::edit::may_collapse;
 use crate::film::Film;
@@ -19,22 +20,22 @@ use crate::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A change must raise the smallest angle by at least this much (radians). Without this bound the changes could go on
-/// by ever smaller gains.
+/// Least increase of the smallest angle by a change, in radians. Without this bound the changes could go on with ever
+/// smaller gains.
 const LEAST_GAIN: f64 = 0.01;
-/// Relative rounding error of a tangent. A triangle is left out by its tangent alone, before its angle is computed,
-/// only if it misses the useful angle by more than this.
+/// Relative rounding error of a tangent. A triangle is rejected by its tangent alone, before its angle is computed,
+/// only if the tangent is below that of the least useful angle by more than this.
 const ROUNDING: f64 = 1e-12;
 /// Cosine of the largest angle between a changed triangle and the mean of the triangles around it.
 const LEAST_COSINE: f64 = 0.3;
-/// Largest number of changes for each triangle that is below the goal at first.
+/// Largest number of changes in total, per triangle that is below the goal at the start.
 const CHANGES_PER_TRIANGLE: usize = 16;
-/// Largest number of changes that are made for one triangle. Without this bound two flips can undo each other again and
-/// again: on a noisy boundary one pair of flips used up all changes of the mesh.
+/// Largest number of changes that are made for the same triangle. Without this bound two flips can undo each other
+/// again and again: on a noisy boundary one pair of flips used up all changes of the mesh.
 const MOST_CHANGES: u8 = 16;
-/// Number of directions in which a vertex is moved on trial.
+/// Number of directions in which moves of a vertex are tried.
 const DIRECTIONS: usize = 8;
-/// Length of the first trial move, as a fraction of the mean edge at the vertex.
+/// Length of the first move that is tried, as a fraction of the mean edge length at the vertex.
 const FIRST_MOVE: f64 = 0.4;
 /// Number of lengths that are tried in each direction. Each is half the length before.
 const HALVINGS: u32 = 4;
@@ -42,7 +43,7 @@ const HALVINGS: u32 = 4;
 #[derive(Clone, Copy, Debug)]
 enum Change {
     Flip(u32),
-    /// The first vertex stays, at the place, and the second merges into it.
+    /// The second vertex is merged into the first, which moves to the given place.
     Collapse(u32, u32, DVec3),
     Move(u32, DVec3),
 }
@@ -52,9 +53,9 @@ pub fn smallest_angle(film: &Film) -> f64 {
     libm::atan(film.triangles().iter().map(|&t| least_tangent(film.corners(t))).fold(f64::INFINITY, f64::min))
 }
 
-/// Raises the angles below `goal` (radians) as far as single changes can. Fixed vertices and locked edges stay.
+/// Raises angles below `goal` (radians) as far as single changes can. Fixed vertices and locked edges stay.
 ///
-/// Returns for each vertex of the film its number before, or `None` if nothing changed.
+/// Returns the former number of each vertex of the film, or `None` if nothing changed.
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is then as it was before.
@@ -107,12 +108,12 @@ pub(super) fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
     if double_area == 0.0 {
         return 0.0;
     }
-    // The cosine times both lengths at each corner: the largest belongs to the smallest tangent.
+    // The cosine times both side lengths at each corner. The largest of these belongs to the smallest tangent.
     double_area / (-u.dot(w)).max(-v.dot(u)).max(-w.dot(v))
 }
 
-/// The smallest angle of some triangles. `None` if one of them leans too far from the direction of all together, or has
-/// an angle whose tangent is below `useful`.
+/// The smallest angle of some triangles. `None` if the normal of one of them is too far from their common `direction`,
+/// or if one has an angle whose tangent is below `useful`.
 fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3, useful: f64) -> Option<f64> {
     let mut smallest = f64::INFINITY;
     for corners in triangles {
@@ -126,11 +127,11 @@ fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3, useful
         }
         smallest = smallest.min(tangent);
     }
-    // The arc tangent grows with the tangent, so that one is enough for all triangles.
+    // The arc tangent grows with its argument, so that a single arc tangent is enough for all triangles.
     Some(libm::atan(smallest))
 }
 
-/// A bound for [`quality`]: angles with a smaller tangent are certainly below this angle.
+/// The argument `useful` of [`quality`] for an angle: an angle with a smaller tangent is certainly below it.
 fn useful_tangent(angle: f64) -> f64 {
     libm::tan(angle) * (1.0 - ROUNDING)
 }
@@ -143,7 +144,7 @@ struct State {
     angle: f64,
     /// The angle with which the triangle waits in the queue; NaN if it does not wait.
     queued: f64,
-    /// Number of changes that were made for this triangle.
+    /// Number of changes made so far to widen this triangle.
     changes: u8,
 }
 
@@ -151,11 +152,11 @@ struct State {
 struct Widening {
     film: Film,
     goal: f64,
-    /// Sines and cosines of the directions in which a vertex is moved on trial.
+    /// Sines and cosines of the directions in which moves of a vertex are tried.
     directions: [(f64, f64); DIRECTIONS],
     /// The state of each triangle. It is not kept up to date for removed triangles.
     states: Vec<State>,
-    /// The thin triangles by angle, then by number. The thinnest comes first.
+    /// The queue of thin triangles, sorted by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(TotalOrder, u32)>>,
 }
 
@@ -170,8 +171,9 @@ impl Widening {
         widening
     }
 
-    /// The smallest angle of a triangle; 0 if it is flipped: its normal points away from those of its vertices. Only
-    /// a triangle that leans away from a neighbour is compared with them.
+    /// The smallest angle of a triangle, or 0 if the triangle is flipped: its normal points away from those of its
+    /// vertices. The vertex normals are computed only if the triangle faces away from a neighbour, because otherwise it
+    /// is not flipped.
     fn angle(&self, t: u32) -> f64 {
         let film = &self.film;
         let own = self.states[t as usize].area_vector;
@@ -190,9 +192,9 @@ impl Widening {
         if is_flipped { 0.0 } else { least(film.corners(triangle)) }
     }
 
-    /// Computes the angles of new or changed triangles anew, and queues the thin ones. Whether a triangle is flipped
-    /// depends on the triangles around its vertices, so that all triangles which share a vertex with a changed one must
-    /// be among them.
+    /// Computes the angles of new or changed triangles, and queues the thin ones. Whether a triangle is flipped depends
+    /// on the triangles around its vertices. `triangles` must therefore contain every triangle that shares a vertex
+    /// with a changed one.
     fn consider(&mut self, triangles: impl Iterator<Item = u32> + Clone) {
         for t in triangles.clone() {
             let triangle = self.film.triangles()[t as usize];
@@ -202,7 +204,8 @@ impl Widening {
             let angle = self.angle(t);
             let state = &mut self.states[t as usize];
             state.angle = angle;
-            // A triangle waits once only, because a look at it takes long and would come to the same result.
+            // A triangle is queued only once for the same angle, because treating it again takes long and gives the
+            // same result.
             if angle < self.goal && state.queued != angle {
                 state.queued = angle;
                 self.thin.push(Reverse((TotalOrder(angle), t)));
@@ -246,7 +249,7 @@ impl Widening {
         Some((reached - before, Change::Flip(h)))
     }
 
-    /// The better of the collapses of an edge into its ends or its middle.
+    /// The best collapse of an edge: into one of its ends or its middle.
     fn collapse(&self, h: u32) -> Option<(f64, Change)> {
         let film = &self.film;
         let (a, b) = (film.topology.from(h), film.topology.to(h));
@@ -288,7 +291,7 @@ impl Widening {
         best
     }
 
-    /// The best move of a vertex within its tangent plane that a search in a few directions finds.
+    /// The best move of a vertex within its tangent plane, found by a search in a few directions.
     fn movement(&self, v: u32) -> Option<(f64, Change)> {
         let film = &self.film;
         if film.fixed[v as usize] {
@@ -381,7 +384,7 @@ mod tests {
         }
     }
 
-    /// A corner of 60 degrees with a fan of six triangles of 10 degrees each.
+    /// A boundary corner of 60 degrees with a fan of six triangles of 10 degrees each.
     #[test]
     fn a_fan_that_is_too_dense_for_its_corner_loses_triangles() {
         let at = |degrees: f64, radius: f64| {

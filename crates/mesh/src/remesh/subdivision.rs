@@ -4,10 +4,10 @@ use crate::DVec3;
 use crate::film::Film;
 use crate::topology::{NONE, Topology, next, previous};
 
-/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge. For each
-/// new vertex the ends of that edge are returned, so that values can be carried between the two meshes.
+/// Splits every triangle into four. New vertices follow the old ones and lie in the middle of their edge. Also returns
+/// the ends of that edge for each new vertex, so that values can be transferred between the two meshes.
 ///
-/// On the boundary and on locked edges the new vertex is fixed.
+/// New vertices on the boundary and on locked edges are fixed.
 pub fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
     let old = film.vertices.len();
     let (topology, parents) = film.topology.subdivided();
@@ -31,11 +31,12 @@ pub fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
     (Film { vertices, topology, fixed, locked, boundaries }, parents)
 }
 
-/// A boundary loop of the old mesh with the midpoints inserted.
+/// A boundary loop of the old mesh, with the midpoints of its edges inserted. `topology` is that of the new mesh.
 fn halved(boundary: &[u32], topology: &Topology, old: u32) -> Vec<u32> {
     let middle = |a: u32, b: u32| {
         let ahead = topology.to(topology.outgoing[a as usize]);
-        // If the loop runs against the triangles, its next midpoint is on the half-edge that leads to a.
+        // If the loop runs against its triangles, the next midpoint is the start of the boundary half-edge that ends at
+        // a.
         let along = topology.to(topology.outgoing[ahead as usize]) == b;
         if along { ahead } else { topology.from(previous_on_boundary(topology, a)) }
     };
@@ -53,8 +54,8 @@ fn previous_on_boundary(topology: &Topology, vertex: u32) -> u32 {
     topology.outgoing_half_edges(vertex).last().map_or(NONE, previous)
 }
 
-/// Regular subdivision like [`Topology::subdivided`], except that boundary edges for which `splits` is false stay
-/// whole. The triangles at these edges are divided into three or two.
+/// Regular subdivision like [`Topology::subdivided`], except that boundary edges for which `splits` returns false are
+/// not split. The triangles at these edges are divided into fewer parts.
 pub fn subdivided_inside(
     topology: &Topology,
     vertices: &[DVec3],
@@ -81,7 +82,7 @@ pub fn subdivided_inside(
     };
     let mut triangles = Vec::with_capacity(4 * topology.triangles().len());
     for t in 0..topology.triangles().len() {
-        // The triangle's outline with its midpoints. The corners between two midpoints are cut off, and the rest is
+        // The triangle is divided along its midpoints. Corners between two midpoints are cut off, and the rest is
         // divided along its shorter diagonal.
         let h = 3 * t as u32;
         let mut whole = [h, next(h), previous(h)].into_iter().filter(|&h| middle[h as usize] == NONE);

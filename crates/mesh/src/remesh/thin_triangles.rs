@@ -1,22 +1,23 @@
-//! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: rules against degenerate triangles, and the
-//! change of topology that follows from them.
+//! Removes degenerate triangles by the rules of Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*.
+//! The rules can change the topology of the surface.
 //!
-//! A triangle with an angle below the threshold is removed by the first rule that fits it (their Fig. 3):
-//! - (a) one small angle: the edge opposite to it collapses, two triangles go;
-//! - (b) an angle near 180° at a vertex of three triangles: the vertex goes, the three become one;
-//! - (c) an angle near 180° elsewhere: the edge opposite to it is flipped.
+//! A triangle with an angle below the threshold is treated by the first rule that fits it (their Fig. 3):
+//! - (a) one small angle: the edge opposite it collapses, which removes two triangles;
+//! - (b) an angle near 180° at a vertex of three triangles: the vertex is removed, and one triangle replaces the three;
+//! - (c) an angle near 180° elsewhere: the edge opposite it is flipped.
 //!
-//! Where rule (a) would leave two edges between the same vertices (their Fig. 5: a neck of three edges), the surface is
+//! If rule (a) would leave two edges between the same vertices (their Fig. 5: a neck of three edges), the surface is
 //! cut along the three edges. Each side is closed with a triangle, which rule (a) then removes. A component without a
 //! boundary is removed.
 //!
 //! Departures from the paper, which make the rules terminate:
 //! - The thinnest triangle is treated first, and a flip must increase the smallest angle of its two triangles. In the
-//!   order of their Fig. 4, unguarded flips undo each other for ever. With the guard every step lowers the number of
-//!   triangles, raises the angles, or cuts; a surface over k loops can be cut only a bounded number of times.
-//! - If the edge opposite to an angle near 180° cannot be flipped (it lies on the boundary, or the other diagonal
-//!   exists already), the vertex with that angle moves into the nearer end of the edge.
-//! - A fixed vertex stays where it is; an edge between two fixed vertices does not collapse.
+//!   order of their Fig. 4, flips without this condition undo each other for ever. With the condition every step lowers
+//!   the number of triangles, raises the angles, or cuts. A surface over k loops can be cut only a bounded number of
+//!   times.
+//! - If the edge opposite an angle near 180° cannot be flipped (it lies on the boundary, or the other diagonal exists
+//!   already), the vertex with that angle is merged into the nearer end of the edge.
+//! - A fixed vertex stays where it is. An edge between two fixed vertices does not collapse.
 
 use crate::edit::may_collapse;
 use crate::film::Film;
@@ -27,21 +28,22 @@ use crate::{DVec3, Execution, Interruption};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Number of visited triangles between two looks at the signal.
+/// Number of visited triangles between two calls of [`Execution::look`].
 const WORK_PER_LOOK: u64 = 100_000;
 
-/// A change of topology: where a neck closed.
+/// A change of topology at the place where a neck closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pinch {
     /// The iteration in which it happened, from 1.
     pub iteration: u32,
     /// Where it happened.
     pub place: DVec3,
-    /// The kind of change: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
+    /// The kind of change: `split` (a component became two), `handle_cut` (the component stayed connected), or
+    /// `closed_component_removed`.
     pub what: &'static str,
 }
 
-/// Number of changes that the rules made to a film.
+/// The changes that the rules made to a film.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
     /// Number of collapsed edges, rule (a).
@@ -69,9 +71,10 @@ pub enum Necks {
 }
 
 /// Applies the rules to the triangles with an angle below `degenerate_angle` (radians), until no rule applies to any of
-/// them. The film stays an oriented manifold over the same boundary loops. Interior vertices may vanish or be doubled.
+/// them. The film stays an oriented manifold over the same boundary loops. Interior vertices may be removed or
+/// duplicated.
 ///
-/// Costs one pass over the triangles if none is below the threshold, else O(triangles + changes · log).
+/// Takes one pass over the triangles if no angle is below the threshold, otherwise O(triangles + changes · log).
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is then as it was before.
@@ -98,7 +101,7 @@ pub fn remove_degenerate_triangles(
     }
     // Ends because each change lowers the number of triangles, raises the smallest angle of two of them, or cuts.
     while let Some(Reverse((TotalOrder(angle), t))) = rules.thin.pop() {
-        // Changes at a vertex with many triangles queue all of them again.
+        // Work is counted here too, because changes at a vertex queue all its triangles again.
         rules.work += 1;
         if rules.work >= WORK_PER_LOOK {
             exec.look(std::mem::take(&mut rules.work))?;
@@ -133,10 +136,10 @@ struct Rules {
     film: Film,
     degenerate_angle: f64,
     necks: Necks,
-    /// The thin triangles by angle, then by number. The thinnest comes first.
+    /// The queue of thin triangles, sorted by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(TotalOrder, u32)>>,
     changes: Changes,
-    /// Number of triangles visited since the last look at the signal.
+    /// Number of triangles visited since the last call of [`Execution::look`].
     work: u64,
 }
 
@@ -162,7 +165,7 @@ impl Rules {
         let shortest = (0..3).fold(0, |best, k| if length(k) < length(best) { k } else { best });
         let small = angles.iter().filter(|&&angle| angle < self.degenerate_angle).count();
         let rotated = |k: usize| [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
-        // If an edge has vanished, two angles are computed as 0 whatever the shape is.
+        // If an edge has length zero, two angles are computed as 0, whatever the shape of the triangle is.
         if small == 1 || length(shortest) <= self.degenerate_angle * 1e-3 * length(widest) {
             let [_, a, b] = rotated(shortest);
             self.collapse(a, b);
@@ -202,7 +205,7 @@ impl Rules {
         true
     }
 
-    /// Rule (a). Collapses the edge; if the edge belongs to a neck of three edges, cuts the neck instead.
+    /// Rule (a). Collapses the edge. If the edge belongs to a neck of three edges, cuts the neck instead.
     fn collapse(&mut self, a: u32, b: u32) -> bool {
         let fixed = |v: u32| self.film.fixed[v as usize];
         let (a, b) = if fixed(b) { (b, a) } else { (a, b) };
@@ -223,8 +226,8 @@ impl Rules {
         true
     }
 
-    /// A vertex c such that a-b-c are joined in pairs although no triangle at the edge a-b has the corner c: if a and b
-    /// became one vertex, two edges would join it with c.
+    /// The third vertex c of a neck: a, b and c are joined in pairs, but no triangle at the edge a-b has the corner c.
+    /// If a and b became one vertex, two edges would join it with c.
     fn third_of_empty_triangle(&self, a: u32, b: u32) -> Option<u32> {
         let topology = &self.film.topology;
         let corners = [(a, b), (b, a)].map(|(from, to)| topology.half_edge(from, to).map(|h| topology.opposite(h)));
@@ -232,8 +235,8 @@ impl Rules {
         topology.neighbours(a).filter(is_third).min()
     }
 
-    /// The position of the one vertex that a and b become. A fixed a stays where it is. Otherwise it is the middle, or
-    /// the end that turns fewer triangles over.
+    /// The position of the vertex into which a and b are merged. If a is fixed, this is its position. Otherwise it is
+    /// the middle of the edge, or an end if that turns fewer triangles over.
     fn place_for(&self, a: u32, b: u32) -> DVec3 {
         let film = &self.film;
         let (from, to) = (film.vertices[a as usize], film.vertices[b as usize]);
@@ -254,7 +257,7 @@ impl Rules {
         };
         let places = [0.5 * (from + to), from, to];
         let counts = places.map(turned_over);
-        // The first of equal counts is taken, so the middle is preferred to the ends.
+        // The first of equal counts is taken, so that the middle is preferred to the ends.
         let best = (1..3).fold(0, |best, k| if counts[k] < counts[best] { k } else { best });
         places[best]
     }
@@ -265,7 +268,7 @@ impl Rules {
             return false;
         }
         let film = &mut self.film;
-        // A fixed vertex inside the film would be doubled.
+        // The cut would duplicate a fixed vertex inside the film.
         if cycle.iter().any(|&v| film.fixed[v as usize] && !film.topology.is_boundary(v)) {
             return false;
         }
@@ -289,7 +292,8 @@ impl Rules {
         let what = match (apart, removed) {
             (true, 0) => Some("split"),
             (false, _) => Some("handle_cut"),
-            // A closed side of four triangles was one vertex of three triangles and the new cap: the cut was rule (b).
+            // A closed side of four triangles consists of a vertex of three triangles and the new cap. The cut has then
+            // done the same as rule (b).
             (true, 4) => None,
             (true, _) => Some("closed_component_removed"),
         };
@@ -318,7 +322,7 @@ impl Rules {
     }
 }
 
-/// Whether a component has no boundary and no fixed vertex, so that nothing holds it.
+/// Whether a component has neither a boundary nor a fixed vertex, so that nothing holds it in place.
 fn is_loose(film: &Film, component: &[u32]) -> bool {
     component.iter().all(|&t| {
         let corners = film.triangles()[t as usize];
@@ -343,9 +347,9 @@ mod tests {
         film.triangles().iter().map(|&t| smallest_angle(film.corners(t))).fold(f64::INFINITY, f64::min)
     }
 
-    /// The mesh of Bento and Cavalcanti's Fig. 4. Triangle 1 is (p, q, a); across the edge p-q lies triangle 2 = (q, p,
-    /// d) with a wide angle at q. Flipping p-q leaves the triangle (d, q, a), which is wide at q again, and flipping
-    /// its edge brings p-q back.
+    /// The mesh of Bento and Cavalcanti's Fig. 4. Triangle 1 is (p, q, a). Across the edge p-q lies triangle 2 = (q, p,
+    /// d), with a wide angle at q. Flipping p-q produces the triangle (d, q, a), which is again wide at q, and flipping
+    /// its edge restores p-q.
     fn figure_4() -> Film {
         let points = [
             (0.0, 0.0),    // 0 p
@@ -366,7 +370,7 @@ mod tests {
     #[test]
     fn figure_4_flipping_triangle_1_first_would_never_end() {
         let mut film = figure_4();
-        // Rule (c) without a guard, always on the triangle with the corners a and q.
+        // Rule (c) without the condition on the angles, always applied to the triangle with the corners a and q.
         let widest = |film: &Film, t: [u32; 3]| {
             let angles = measure::angles(film.corners(t));
             (0..3).fold(0, |best, k| if angles[k] > angles[best] { k } else { best })
@@ -397,7 +401,7 @@ mod tests {
     #[test]
     fn rule_a_collapses_a_needle() {
         let mut film = patch(6, 6, |u, v| DVec3::new(u, v, 0.0));
-        // Two neighbours in the middle come close together.
+        // Two neighbours in the middle are moved close together.
         let (a, b) = (3 * 7 + 3, 4 * 7 + 3);
         film.vertices[b] = film.vertices[a] + DVec3::new(1e-4, 0.0, 0.0);
         let before = film.triangles().len();
@@ -418,7 +422,7 @@ mod tests {
     #[test]
     fn a_wide_angle_at_the_boundary_moves_its_vertex_into_the_nearer_end() {
         let mut film = patch(4, 4, |u, v| DVec3::new(u, v, 0.0));
-        // The vertex next to the middle of the lower side drops almost onto it.
+        // The vertex next to the middle of the lower side is moved almost onto the side.
         let middle = 2 * 5 + 1;
         film.vertices[middle] = DVec3::new(0.6, 1e-4, 0.0);
         remove(&mut film, ONE_DEGREE, Necks::Keep);

@@ -6,29 +6,32 @@ use crate::axis_box::AxisBox;
 use crate::{DVec3, Execution, Interruption};
 use std::ops::{ControlFlow, Range};
 
-/// Slack of the floating-point boxes, as a fraction of the largest coordinate and of the extent of the mesh.
+/// Slack that makes up for the rounding of the boxes, as a fraction of the largest coordinate and of the extent of the
+/// mesh.
 const SLACK: f64 = 1e-14;
 
 /// How the triangles are arranged before the tree is built over them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Neighbours in the list are neighbours in space, as along a strip.
+    /// In the order of the list, for meshes whose neighbours in the list are neighbours in space. The triangles of a
+    /// strip are an example.
     AsGiven,
     /// Along a space-filling curve (Hilbert's).
     Spatial,
 }
 
-/// A direction serves as an axis if the square of its part across the normal exceeds this fraction of its whole square.
+/// A direction serves as an axis only if the squared length of its part perpendicular to the normal exceeds this
+/// fraction of its whole squared length.
 const LEAST_ACROSS: f64 = 1e-12;
 
-/// A box along axes of its own.
+/// An oriented box: its axes are its own normal, its longest edge, and the direction perpendicular to both.
 #[derive(Clone, Copy)]
 pub(super) struct OwnBox {
     axes: [DVec3; 3],
     centre: DVec3,
     half: DVec3,
-    /// The sum of the triangles' area vectors, and the sum of their longest edges, of which each is turned to the side
-    /// of the edges before it.
+    /// The sum of the triangles' area vectors, and the sum of their longest edges. Each longest edge is first reversed,
+    /// if necessary, so that it makes no obtuse angle with the sum of the edges before it.
     normal: DVec3,
     along: DVec3,
 }
@@ -37,13 +40,13 @@ impl OwnBox {
     const EMPTY: Self =
         Self { axes: DVec3::AXES, centre: DVec3::ZERO, half: DVec3::ZERO, normal: DVec3::ZERO, along: DVec3::ZERO };
 
-    /// The axes for a normal and a direction; the extent is not set.
+    /// An oriented box whose axes follow a normal and a direction. Its extent is not set yet.
     fn directed(normal: DVec3, along: DVec3) -> Self {
         let third = normal.normalize_or(DVec3::Z);
         let across = |v: DVec3| v - third * v.dot(third);
-        // The remainder of a direction along the normal is only rounding, and may itself lie along the normal. For
-        // other directions the remainder is computed twice, because the first difference may have lost some of its
-        // digits.
+        // If the direction runs along the normal, its perpendicular remainder is only rounding, and may itself lie
+        // along the normal: another vector is taken. For other directions the remainder is computed twice, because the
+        // first difference may have lost some of its digits.
         let left = across(along);
         let is_certain = left.length_squared() > LEAST_ACROSS * along.length_squared();
         let first = if is_certain { across(left.normalize()).normalize() } else { third.any_orthonormal_vector() };
@@ -90,7 +93,7 @@ impl OwnBox {
             + self.half.z * self.axes[2].dot(axis).abs()
     }
 
-    /// Whether one of the two boxes' own axes separates them by more than `slack`.
+    /// Whether an axis of one of the two boxes separates them by more than `slack`.
     fn is_apart(&self, other: &Self, slack: f64) -> bool {
         let between = other.centre - self.centre;
         (0..3).any(|k| between.dot(self.axes[k]).abs() > self.half[k] + other.reach(self.axes[k]) + slack)
@@ -108,19 +111,19 @@ fn aligned(sum: DVec3, direction: DVec3) -> DVec3 {
     if sum.dot(direction) < 0.0 { sum - direction } else { sum + direction }
 }
 
-/// A balanced binary tree over triangles. Node 1 is the root, the children of k are 2k and 2k + 1.
+/// A balanced binary tree of boxes over triangles. Node 1 is the root; the children of node k are 2k and 2k + 1.
 pub(super) struct Tree {
     /// Triangles in the order of the leaves.
     order: Vec<u32>,
-    /// Their boxes, if pairs of triangles are visited.
+    /// The boxes of the triangles in the same order, if pairs of triangles are visited. Otherwise empty.
     boxes: Vec<AxisBox>,
     nodes: Vec<AxisBox>,
-    /// The boxes along the nodes' own axes, if pairs of triangles are visited.
+    /// The oriented boxes of the nodes, if pairs of triangles are visited. Otherwise empty.
     own: Vec<OwnBox>,
-    /// A point of the mesh, relative to which the boxes along own axes are computed, so that their rounding depends
-    /// only on the mesh's extent.
+    /// The point relative to which the oriented boxes are computed: the centre of the mesh's box. The rounding of these
+    /// boxes therefore depends only on the extent of the mesh, not on its distance from the origin of the coordinates.
     origin: DVec3,
-    /// The first leaf's node.
+    /// The number of the node that is the first leaf.
     base: usize,
     /// Triangles in a leaf.
     leaf_size: usize,
@@ -131,22 +134,22 @@ pub(super) struct Tree {
 pub(super) struct Leaves {
     /// The triangles' numbers.
     pub triangles: Vec<u32>,
-    /// How they are arranged.
+    /// How the triangles are arranged.
     pub order: Order,
     /// Triangles in a leaf of the tree.
     pub size: usize,
-    /// Largest distance by which the triangles may differ from those of the given corners.
+    /// Largest distance between a point of the exact triangles and the corners that the tree is given.
     pub margin: f64,
-    /// The pairs that walks will visit.
+    /// The pairs that walks through the tree will visit.
     pub visits: Visits,
 }
 
 /// The pairs that a walk through a tree visits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Visits {
-    /// Pairs of leaves whose boxes along the axes meet.
+    /// Pairs of leaves whose axis-aligned boxes meet.
     Leaves,
-    /// Pairs of triangles too, for which the tree keeps a box of each triangle, and the own box of each node.
+    /// Pairs of triangles too. The tree then also stores the box of each triangle and the oriented box of each node.
     Pairs,
 }
 
@@ -173,7 +176,7 @@ impl Tree {
             origin: DVec3::ZERO,
             base,
             leaf_size: size,
-            // Coordinates are at most 1: their rounding, and that of extents, moves a box by less than this.
+            // Coordinates are at most 1. Their rounding and that of the extents move a box by less than this.
             slack: SLACK,
             order: list,
         };
@@ -221,7 +224,7 @@ impl Tree {
         self.nodes[node].low.x == f64::INFINITY
     }
 
-    /// For each node the label that all its triangles have, or [`NONE`].
+    /// For each node, the label that all its triangles share, or [`NONE`] if their labels differ.
     pub fn labels(&self, label: impl Fn(u32) -> u32) -> Vec<u32> {
         let mut labels = vec![NONE; 2 * self.base];
         for (leaf, triangles) in self.order.chunks(self.leaf_size).enumerate() {
@@ -237,8 +240,9 @@ impl Tree {
         labels
     }
 
-    /// Visits every pair of leaves whose boxes meet, a leaf with itself too, unless `skip` says of two nodes that none
-    /// of their pairs is needed. False if more work than `most_work` was needed, or the visitor broke off.
+    /// Visits every pair of leaves whose boxes meet, including each leaf with itself. A pair of nodes for which `skip`
+    /// returns true is left out with all pairs of leaves below it. Returns false if the walk needed more work than
+    /// `most_work`, or if the visitor broke off.
     pub fn visit_leaves(
         &self,
         most_work: u64,
@@ -286,8 +290,8 @@ impl Tree {
         Ok(true)
     }
 
-    /// Visits every pair of triangles whose boxes meet, as [`visit_leaves`](Self::visit_leaves). The tree was built for
-    /// [`Visits::Pairs`].
+    /// Visits every pair of triangles whose boxes meet, with the arguments and result of
+    /// [`visit_leaves`](Self::visit_leaves). The tree must have been built for [`Visits::Pairs`].
     pub fn visit_pairs(
         &self,
         most_work: u64,
@@ -309,13 +313,13 @@ impl Tree {
         self.visit_leaves(most_work, skip, visit, exec)
     }
 
-    /// The box of some triangles along their own axes.
+    /// The oriented box of some triangles.
     pub fn own_box(&self, triangles: impl Iterator<Item = [DVec3; 3]>) -> OwnBox {
         let here: Vec<[DVec3; 3]> = triangles.map(|corners| corners.map(|corner| corner - self.origin)).collect();
         OwnBox::of(&here)
     }
 
-    /// Whether two own boxes are certainly apart.
+    /// Whether two oriented boxes are certainly apart.
     pub fn are_apart(&self, one: &OwnBox, other: &OwnBox) -> bool {
         one.is_apart(other, self.slack)
     }
@@ -331,13 +335,13 @@ impl Tree {
     }
 }
 
-/// Number of bits of the curve along each axis. Each pass of the sort takes as many bits.
+/// Number of bits per axis of a position on the curve. Each pass of the radix sort takes as many bits.
 const BITS: u32 = 10;
 
 /// Position of a cell of a cube of 2^[`BITS`] cells along each axis on Hilbert's curve (J. Skilling, *Programming the
 /// Hilbert curve*, 2004). Unlike Morton's curve it makes no jumps, so that a leaf is one piece of the surface.
 fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
-    // All bits if the bit is set, and none otherwise: branches here would be taken at random.
+    // All ones if the bit is set, and zero otherwise. This avoids branches, which would be taken at random.
     let all_if = |value: u32, bit: u32| 0u32.wrapping_sub(value >> bit & 1);
     for bit in (1..BITS).rev() {
         let below = (1 << bit) - 1;
@@ -362,7 +366,7 @@ fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
     spread(x) << 2 | spread(y) << 1 | spread(z)
 }
 
-/// Triangles by the place of their centre on a space-filling curve.
+/// Sorts triangles by the position of their centroid on Hilbert's space-filling curve.
 pub(super) fn sorted_along_curve(
     corners: impl Fn(u32) -> [DVec3; 3],
     list: &[u32],
@@ -379,7 +383,7 @@ pub(super) fn sorted_along_curve(
     Ok(order.into_iter().map(|k| list[k as usize]).collect())
 }
 
-/// The numbers of points by their places on a space-filling curve, stable.
+/// The numbers of the points, sorted by their position on Hilbert's curve. The sort is stable.
 fn along_curve(points: &[DVec3], whole: &AxisBox, exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
     let cells = f64::from((1 << BITS) - 1);
     let scale = cells / (whole.high - whole.low).max(DVec3::splat(f64::MIN_POSITIVE));

@@ -1,4 +1,5 @@
-//! Triangles that may intersect others, found from parts of the surface that provably do not intersect themselves.
+//! Finds the triangles that may intersect others, by excluding parts of the surface that provably do not intersect
+//! themselves.
 //!
 //! A *chart* is a set of triangles that all face one direction and whose boundary, seen along that direction, consists
 //! of polygons that neither cross nor touch, one of which runs counter-clockwise. No two triangles of a chart intersect
@@ -8,16 +9,18 @@
 //! that runs counter-clockwise, with all others clockwise, winds round no point more than once. Two triangles could
 //! therefore meet only over a point where the boundary touches itself.
 //!
-//! Charts are made of patches. A patch faces a direction if the cone of its normals does. Vertices with equal
-//! coordinates count as different ones here. Edges along which such vertices meet are boundaries that touch, so that no
-//! chart is found there, and the exact search decides.
+//! Charts are made of patches. A patch faces a direction if its whole cone of normals does. Here, vertices with equal
+//! coordinates count as different vertices. Edges along which such vertices meet are boundaries that touch. No chart
+//! contains them, and the exact search decides.
 //!
-//! A few directions are chosen so that each patch is near one of them. The patches within a wide cone around each
-//! direction form charts, which overlap: neighbours are nearly always together in one of them. A part that lies over
-//! itself, as a helicoid of several turns does, is cut across the direction into slabs, twice, half a slab apart.
+//! A few directions are chosen so that the axis of each patch is near one of them. The patches within a wide cone
+//! around each direction form charts. The charts of different directions overlap, so that neighbouring patches are
+//! nearly always together in one of them. A part that lies over itself, such as a helicoid of several turns, is cut
+//! across the direction into slabs. It is cut twice, the second time half a slab further, so that neighbours at a cut
+//! are together in one of the two.
 //!
-//! A tree then finds the pairs of patches that are neither apart nor together in a chart. Only their triangles are
-//! suspects. On smooth films there are none.
+//! A tree of boxes then finds the pairs of patches that may meet and are not together in a chart. Only the triangles of
+//! these patches are suspects. Smooth films have none.
 
 use super::boxes::{Leaves, Order, OwnBox, Tree, Visits};
 use super::patches::{Patch, Patches};
@@ -26,39 +29,41 @@ use crate::{DVec2, DVec3, Execution, Interruption};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-/// Largest angle between a direction and the normals of its charts: 72 degrees. A larger angle makes the charts overlap
-/// more, and the boundaries that are seen from the side touch more often.
+/// Largest angle between a direction and the normals of its charts, in radians: 72 degrees. With a larger angle the
+/// charts would overlap more, but their boundaries, then seen from the side, would touch more often.
 const CHART: f64 = 0.4 * PI;
-/// Angle by which a patch lies inside the edge of a direction's cone, as a multiple of the largest angle between the
-/// patch's normals and their middle. The patches beside it are then in the same chart, unless the surface bends more
+/// Margin between a patch's normals and the edge of the cone of a direction that covers the patch, as a multiple of the
+/// patch's [`spread`](Patch::spread). The patches beside it are then in the same chart, unless the surface bends more
 /// there than in the patch itself.
 const MARGIN_OF_NEIGHBOURS: f64 = 2.0;
-/// Bounds of this margin: 5 and 32 degrees.
+/// Lower and upper bound of the margin of [`MARGIN_OF_NEIGHBOURS`], in radians: 5 and 32 degrees.
 const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
-/// Largest number of directions. A sphere of 8,000 triangles needs about 14; more are needed only by noise.
+/// Largest number of directions. A sphere of 8,000 triangles needs about 14. Only noisy surfaces need more.
 const DIRECTIONS: usize = 20;
-/// Numbers of slabs into which the parts that lie over themselves are cut. The numbers are tried one after the other.
+/// Numbers of slabs into which parts that lie over themselves are cut. If some patches are still in no chart, the next
+/// number is tried.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
-/// Bound on the work of cutting: the number of cuts of a patch into slabs, over the number of patches of the mesh.
+/// Bound on the work of cutting into slabs: how many times a patch may be cut on average, over all patches of the mesh.
 const SLAB_WORK: usize = 4;
 /// Largest number of times that the boundary of a chart may pass through one vertex.
 const PASSES: usize = 16;
-/// A surface whose boundary edges are more than this share of its triangles, beyond [`FREE_BOUNDARY`], is not searched
-/// for charts: checking their boundaries would cost as much as checking the triangles. Strips are such surfaces.
+/// A surface with more boundary edges than its number of triangles divided by this, plus [`FREE_BOUNDARY`], is not
+/// searched for charts, because checking its boundary would cost as much as checking the triangles. Strips are such
+/// surfaces.
 const BOUNDARY_SHARE: usize = 4;
-/// Number of boundary edges that are checked in any case.
+/// Number of boundary edges that may be checked whatever the number of triangles.
 const FREE_BOUNDARY: usize = 64;
-/// Pairs of boxes for each boundary edge, and for each patch, after which a search gives up. Smooth films take 10 to
-/// 60.
+/// Number of pairs of boxes per boundary edge, or per patch, after which the search of a tree gives up. Smooth films
+/// take 10 to 60.
 const WORK: u64 = 512;
 /// Distance, in units of the largest coordinate, below which points and edges of a boundary count as touching. Rounding
 /// moves the projected points by less than a tenth of it.
 const MARGIN: f64 = 1e-14;
-/// Smallest area of a boundary polygon, as a fraction of its squared length, whose sign is certain.
+/// Smallest area of a boundary polygon whose sign is certain, as a fraction of the square of its perimeter.
 const LEAST_AREA: f64 = 1e-10;
 
-/// The triangles that may intersect another one, or all of them where no charts are found. Those of a patch, at most
-/// `size` triangles, are suspects together.
+/// The triangles that may intersect another one, or all triangles if no charts are found. Patches have at most `size`
+/// triangles, and the triangles of a patch are suspects together.
 pub(super) fn suspects(
     vertices: &[DVec3],
     triangles: &[[u32; 3]],
@@ -82,10 +87,10 @@ pub(super) fn suspects(
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
     let mut is_suspect = vec![false; count];
-    // Boxes along own axes are made only for the patches that are compared, because these are few.
+    // Oriented boxes are made only for the patches that are compared, because these are few.
     let mut own_boxes: Vec<Option<OwnBox>> = vec![None; count];
     let visit = |a: usize, b: usize| {
-        // The leaves behind the last patch are empty.
+        // The leaves after the last patch are empty.
         let [Some(&a), Some(&b)] = [a, b].map(|leaf| tree.leaf(leaf).first()) else { return ControlFlow::Continue(()) };
         let [a, b] = [a as usize, b as usize];
         if a != b {
@@ -113,7 +118,7 @@ pub(super) fn suspects(
     Ok(suspects)
 }
 
-/// Directions of which nearly every patch faces one, together with the patches beside it.
+/// Chooses directions such that nearly every patch, together with the patches beside it, faces at least one of them.
 fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
     let mut directions: Vec<DVec3> = Vec::new();
     let mut last = 0;
@@ -144,19 +149,21 @@ fn least_cosine(patch: &Patch, margin: f64) -> Option<f64> {
     (left > 0.0).then(|| libm::cos(left))
 }
 
-/// The charts of a surface, one direction after another.
+/// Finds the charts of a surface, one direction after another.
 struct Charts<'a> {
     patches: &'a Patches<'a>,
-    /// For each patch its cell if it is one of the present members, else [`NONE`].
+    /// For each patch that is searched at present (a member), the number of its cell: its slab, or 0 without slabs.
+    /// [`NONE`] for all other patches.
     cells: Vec<u32>,
-    /// For each patch the number of its connected part, or [`NONE`].
+    /// For each member, the number of the connected part of its cell. [`NONE`] for all other patches.
     parts: Vec<u32>,
-    /// Patches that may still be cut into slabs.
+    /// Number of patches that may still be cut into slabs.
     slab_work: usize,
 }
 
 impl Charts<'_> {
-    /// Adds the charts of a direction: for each layer the number of the chart that all patches of a node belong to.
+    /// Adds the charts of one direction to `layers`. A layer holds, for each node of the tree, the number of the chart
+    /// that contains all patches of the node, or [`NONE`].
     fn add_layers(
         &mut self,
         direction: DVec3,
@@ -169,7 +176,8 @@ impl Charts<'_> {
         let mut left: Vec<u32> = (0..).zip(list).filter(|(_, patch)| is_member(patch)).map(|(p, _)| p).collect();
         exec.look(list.len() as u64)?;
         let mut next = self.add_layer(direction, &left, |_| 0, tree, layers, exec)?;
-        // The members that are in no chart yet lie over themselves, and are cut into slabs.
+        // The members that are in no chart yet are cut into slabs, because they belong to parts that lie over
+        // themselves.
         let height = |p: u32| self.patches.list[p as usize].extent.centre().dot(direction);
         for count in SLABS {
             left = next;
@@ -193,7 +201,8 @@ impl Charts<'_> {
         Ok(())
     }
 
-    /// Adds the layer of the charts of some cells, if there are any charts. Returns the members that are in no chart.
+    /// Divides the members into cells, finds the charts among the parts of the cells, and adds a layer if there are any
+    /// charts. Returns the members that are in no chart.
     fn add_layer(
         &mut self,
         direction: DVec3,
@@ -221,8 +230,8 @@ impl Charts<'_> {
         Ok(outside)
     }
 
-    /// Finds parts of the cells, and returns for each whether it is a chart. The members face the direction, and no
-    /// other patch has a cell.
+    /// Finds the connected parts of the cells, and returns for each part whether it is a chart. All members must face
+    /// the direction, and no other patch may have a cell.
     fn find(&mut self, direction: DVec3, members: &[u32], exec: &Execution<'_>) -> Result<Vec<bool>, Interruption> {
         let mut boundary: Vec<u32> = Vec::new();
         let (mut work, mut triangles) = (0, 0);
@@ -244,8 +253,8 @@ impl Charts<'_> {
         if boundary.len() > triangles / BOUNDARY_SHARE + FREE_BOUNDARY {
             return Ok(Vec::new());
         }
-        // A part that faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one
-        // such polygon, the members are one part.
+        // Each part has an area because it faces the direction, and therefore a polygon that runs counter-clockwise. If
+        // there is only one such polygon, the members are one part.
         members.iter().for_each(|&p| self.parts[p as usize] = 0);
         let whole = Boundary::new(self, direction, &boundary);
         if whole.has_one_outer_polygon(1) == [true] {
@@ -255,7 +264,7 @@ impl Charts<'_> {
         Boundary::new(self, direction, &boundary).encloses_once(count, exec)
     }
 
-    /// Numbers the connected parts of the cells. Returns how many there are.
+    /// Numbers the connected parts of the cells, and returns their number.
     fn find_parts(&mut self, members: &[u32], exec: &Execution<'_>) -> Result<usize, Interruption> {
         members.iter().for_each(|&p| self.parts[p as usize] = NONE);
         let (mut count, mut work) = (0, 0);
@@ -289,25 +298,25 @@ impl Charts<'_> {
     }
 }
 
-/// The boundary edges of parts of a surface, seen along a direction.
+/// The boundary edges of parts of a surface, projected along a direction.
 struct Boundary {
-    /// For each edge the part that it bounds, its ends' numbers, and where they are seen.
+    /// For each edge, the part that it bounds, the numbers of its ends, and the projections of its ends.
     parts: Vec<u32>,
     ends: Vec<[u32; 2]>,
     points: Vec<[DVec2; 2]>,
-    /// For each edge the next edge around its part, which starts where this one ends.
+    /// For each edge, the next edge of the boundary of its part, which starts where this edge ends.
     next: Vec<u32>,
 }
 
 impl Boundary {
-    /// Joins boundary edges to closed polygons. `edges` are the half-edges that bound the parts, each of which bounds
+    /// Joins boundary edges into closed polygons. `edges` are the half-edges that bound the parts; each bounds exactly
     /// one part.
     fn new(charts: &Charts, direction: DVec3, edges: &[u32]) -> Self {
         let patches = charts.patches;
         let across = direction.any_orthonormal_vector();
         let up = direction.cross(across);
         let ends: Vec<[u32; 2]> = edges.iter().map(|&e| patches.edges[e as usize]).collect();
-        // Relative to a point of the boundary, so that the rounding is that of the extent.
+        // Points are taken relative to a point of the boundary, so that the rounding depends on the extent alone.
         let origin = ends.first().map_or(DVec3::ZERO, |&[first, _]| patches.point(first));
         let seen = |vertex: u32| {
             let point = patches.point(vertex) - origin;
@@ -322,8 +331,8 @@ impl Boundary {
             let here = (parts[e], ends[e][1]);
             let from = departures.partition_point(|&other| start(other) < here);
             let leaving = departures[from..].iter().copied().take_while(|&other| start(other) == here);
-            // The part lies on the left of its edges, so that the edge that bounds the same sector at the vertex is the
-            // first one clockwise from here.
+            // The part lies on the left of its edges. The edge that bounds the same sector of the part at the vertex is
+            // therefore the first edge clockwise from this edge.
             let [before, corner] = points[e];
             let clockwise = |other: u32| {
                 let [u, v] = [before - corner, points[other as usize][1] - corner];
@@ -338,8 +347,8 @@ impl Boundary {
         Self { parts, ends, points, next }
     }
 
-    /// For each part whether its boundary is certain to consist of polygons that do not cross or touch, one of which
-    /// runs counter-clockwise.
+    /// For each part, whether its boundary certainly consists of polygons that neither cross nor touch, exactly one of
+    /// which runs counter-clockwise.
     fn encloses_once(&self, parts: usize, exec: &Execution<'_>) -> Result<Vec<bool>, Interruption> {
         let mut holds = self.has_one_outer_polygon(parts);
         self.reject_crossings_at_vertices(&mut holds);
@@ -392,20 +401,21 @@ impl Boundary {
         is_certain.iter().zip(outer).map(|(&is_certain, outer)| is_certain && outer == 1).collect()
     }
 
-    /// Where the boundary passes through a vertex several times, the triangles that each pass goes round must lie in
-    /// sectors of their own. Then the passes can be moved apart, so that they do not cross there.
+    /// Rejects parts whose boundary may cross itself at a vertex. Where the boundary passes through a vertex several
+    /// times, each pass bounds a sector of triangles, and these sectors must not overlap. Then the passes can be moved
+    /// apart, so that they do not cross at the vertex.
     fn reject_crossings_at_vertices(&self, holds: &mut [bool]) {
         let vertex = |edge: u32| (self.parts[edge as usize], self.ends[edge as usize][1]);
         let mut arrivals: Vec<u32> = (0..self.ends.len() as u32).collect();
         arrivals.sort_unstable_by_key(|&edge| vertex(edge));
         for passes in arrivals.chunk_by(|&a, &b| vertex(a) == vertex(b)).filter(|passes| passes.len() > 1) {
-            // From the vertex to the pass's next point and to the one before.
+            // The vectors from the vertex to the next point and to the previous point of the pass.
             let rays = |edge: u32| {
                 let [[before, here], [_, after]] =
                     [edge, self.next[edge as usize]].map(|edge| self.points[edge as usize]);
                 [after - here, before - here]
             };
-            // Whether a ray is certain to lie outside the sector that runs counter-clockwise from one to the other.
+            // Whether a ray certainly lies outside the sector that runs counter-clockwise from ray `from` to ray `to`.
             let is_outside = |[from, to]: [DVec2; 2], ray: DVec2| match turn(from, to) {
                 1.0 => turn(from, ray) < 0.0 || turn(ray, to) < 0.0,
                 -1.0 => turn(to, ray) > 0.0 && turn(ray, from) > 0.0,
@@ -448,7 +458,7 @@ impl Boundary {
     }
 }
 
-/// The sign of the turn from the first vector to the second one; zero if it is not certain.
+/// The sign of the turn from the first vector to the second. Zero if rounding makes it uncertain.
 fn turn(u: DVec2, v: DVec2) -> f64 {
     let turn = u.perp_dot(v);
     let is_certain = turn.abs() > MARGIN * (u.abs().element_sum() + v.abs().element_sum());
@@ -459,7 +469,8 @@ fn turn(u: DVec2, v: DVec2) -> f64 {
 mod tests {
     use super::*;
 
-    /// A square on its corner, and a smaller one in it that has the same corner. The polygon runs round both.
+    /// A square that stands on its corner, and a smaller square inside it with the same corner. One closed polygon runs
+    /// round both squares. It is accepted if the small square is a hole, and rejected if it is covered twice.
     #[test]
     fn passes_through_one_vertex_must_go_round_sectors_of_their_own() {
         let outer = [[0.0, 0.0], [3.0, -3.0], [6.0, 0.0], [3.0, 3.0]];

@@ -1,35 +1,36 @@
-//! Large fans whose triangles may intersect each other: many triangles around one vertex.
+//! Self-intersections within large fans: many triangles around one vertex that may intersect each other.
 //!
-//! The boxes of these triangles all meet at the vertex, so that a tree of boxes would compare every pair. Two triangles
-//! of a fan meet beyond its vertex if and only if the arcs meet that they cut out of a sphere around the vertex. A tree
-//! over the arcs therefore finds the pairs that are to be compared.
+//! The boxes of a fan's triangles all meet at the common vertex, so that a tree of boxes would compare every pair. Each
+//! triangle cuts an arc out of a small sphere around the vertex. Two triangles of a fan meet beyond the vertex if and
+//! only if their arcs meet. A tree over the arcs therefore finds the pairs of triangles that must be compared.
 
 use super::boxes::{Leaves, Order, Tree, Visits};
 use super::soup::{NONE, Soup};
 use crate::{DVec3, Execution, Interruption};
 use std::ops::ControlFlow;
 
-/// Smallest number of triangles around a vertex for which a tree of arcs is made. Comparing all pairs of fewer takes as
-/// long.
+/// Smallest number of triangles around a vertex for which a tree of arcs is built. For fewer triangles, comparing all
+/// pairs is as fast.
 const LARGE: u32 = 64;
 /// Triangles in a leaf of the tree.
 const LEAF: usize = 4;
-/// How far rounding may move the ends of an arc on the unit sphere. They are off by a few units in the last place.
+/// Largest distance by which rounding may move the ends of an arc on the unit sphere. The actual error is a few units
+/// in the last place.
 const MARGIN: f64 = 1e-14;
-/// An arc is longer than 170 degrees if 1 + the cosine of its angle is below this. The tangents at its ends then meet
-/// too far away, and it counts as a whole sphere.
+/// An arc counts as longer than 170 degrees if 1 plus the cosine of its angle is below this. The tangents at the ends
+/// of a longer arc meet too far away, so that the box of the whole sphere takes the place of the arc's box.
 const ALMOST_STRAIGHT: f64 = 0.015;
 
 /// The large fans of a mesh.
 pub(super) struct Fans {
-    /// For each vertex the number of its triangles if they are a large fan that is not settled as a star, else 0.
-    /// Empty without a fan.
+    /// For each vertex, the number of its triangles if they form a large fan that is not settled as a star, and 0
+    /// otherwise. Empty if the mesh has no such fan.
     sizes: Vec<u32>,
-    /// Each triangle with the vertex of its fan, fan by fan.
+    /// The vertex of the fan and the number of the triangle, for each triangle of a large fan. Sorted by fan.
     members: Vec<(u32, u32)>,
 }
 
-/// Finds the fans among triangles with an area. O(triangles).
+/// Finds the large fans among the triangles of `list`, which must have an area. O(triangles).
 pub(super) fn large(soup: &Soup, list: &[u32], stars: &[u32]) -> Fans {
     let mut sizes = vec![0; soup.points.len()];
     list.iter().flat_map(|&t| soup.triangles[t as usize]).for_each(|v| sizes[v as usize] += 1);
@@ -51,7 +52,8 @@ pub(super) fn large(soup: &Soup, list: &[u32], stars: &[u32]) -> Fans {
 }
 
 impl Fans {
-    /// The vertex of the fan to which a triangle belongs: the corner with the most triangles. [`NONE`] for the others.
+    /// The vertex of the large fan to which a triangle belongs: the corner with the most triangles. [`NONE`] if no
+    /// corner is the vertex of a large fan.
     pub fn of(&self, triangle: &[u32; 3]) -> u32 {
         if self.sizes.is_empty() {
             return NONE;
@@ -60,8 +62,8 @@ impl Fans {
         most.filter(|&v| self.sizes[v as usize] > 0).unwrap_or(NONE)
     }
 
-    /// Visits the pairs of triangles of each fan whose arcs may meet. False if more work than `most_work` was needed
-    /// for a fan.
+    /// Visits the pairs of triangles of each fan whose arcs may meet. Returns false if a fan needed more work than
+    /// `most_work`.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -86,8 +88,8 @@ impl Fans {
     }
 }
 
-/// A triangle that holds the arc which a triangle cuts out of the unit sphere around one of its corners: the ends of
-/// the arc, and the point where the tangents at the ends meet.
+/// A triangle that contains the arc which `triangle` cuts out of the unit sphere around its corner `centre`. Its
+/// corners are the ends of the arc, and the point where the tangents at the ends meet.
 fn hull_of_arc(soup: &Soup, triangle: [u32; 3], centre: u32) -> [DVec3; 3] {
     let from = soup.points[centre as usize];
     let k = triangle.iter().position(|&v| v == centre).unwrap_or(0);

@@ -1,5 +1,5 @@
-//! A surface in patches: connected pieces of a few triangles, each with its box, the cone of its normals, and the
-//! patches on the other sides of its edges.
+//! Patches of a surface. A patch is a connected piece of a few triangles, with its box, the cone of its normals, and
+//! the patches on the other side of each of its edges.
 //!
 //! Most steps of the search for charts treat patches in place of triangles. Only the first step reads the triangles, in
 //! one pass.
@@ -11,15 +11,16 @@ use crate::measure::power_of_two_above;
 use crate::{DVec3, Execution, Interruption};
 use std::ops::Range;
 
-/// Blocks of triangles are compact if the sum of their squared extents is at most this multiple of the sum over their
-/// triangles. The sums are equal where the triangles of a block divide a triangle of their own shape.
+/// The blocks of triangles count as compact if the sum of the blocks' squared box diagonals is at most this multiple of
+/// the sum of the triangles' squared box diagonals. The two sums are equal if the triangles of each block subdivide a
+/// larger triangle of the same shape.
 const COMPACT: f64 = 2.5;
 
-/// Connected triangles that follow each other in [`Patches::order`].
+/// Connected triangles that are stored one after the other in [`Patches::order`].
 pub(super) struct Patch {
     /// The box of its triangles.
     pub extent: AxisBox,
-    /// A unit vector in the middle of the normals.
+    /// Unit vector along the sum of the triangles' area vectors.
     pub axis: DVec3,
     /// Largest angle between the axis and a normal in radians; infinite if a triangle has no certain normal.
     pub spread: f64,
@@ -34,17 +35,18 @@ pub(super) struct Patches<'a> {
     mesh: Scaled<'a>,
     /// The patches in the order of their triangles and edges.
     pub list: Vec<Patch>,
-    /// The triangles' numbers.
+    /// The numbers of the triangles, patch by patch.
     order: Vec<u32>,
-    /// The ends of the half-edges that have no opposite one in their patch.
+    /// The ends of the half-edges whose opposite half-edge is missing or lies in another patch.
     pub edges: Vec<[u32; 2]>,
     /// For each of `edges` the number of its patch.
     pub owners: Vec<u32>,
-    /// For each of `edges` the patch of the opposite half-edge, or [`NONE`] if not exactly one half-edge lies there.
+    /// For each of `edges`, the patch of the half-edge on the other side. [`NONE`] unless exactly two half-edges lie
+    /// along the edge.
     pub across: Vec<u32>,
 }
 
-/// A mesh times a power of two, so that the largest coordinate is about 1.
+/// A mesh with the power of two that scales its largest coordinate to about 1.
 struct Scaled<'a> {
     vertices: &'a [DVec3],
     triangles: &'a [[u32; 3]],
@@ -58,7 +60,7 @@ impl Scaled<'_> {
 }
 
 impl<'a> Patches<'a> {
-    /// Patches of at most `size` triangles, at most 64.
+    /// Divides a mesh into patches of at most `size` triangles. `size` must be at most 64.
     pub fn new(
         vertices: &'a [DVec3],
         triangles: &'a [[u32; 3]],
@@ -81,7 +83,8 @@ impl<'a> Patches<'a> {
             owners: Vec::new(),
             across: Vec::new(),
         };
-        // Triangles that were made by dividing larger ones are in compact blocks as they are given.
+        // The given order is tried first, because triangles made by subdividing larger ones already form compact
+        // blocks.
         if !patches.add_all(size, order == Order::Spatial, exec)? {
             patches.list.clear();
             patches.edges.clear();
@@ -110,7 +113,7 @@ impl<'a> Patches<'a> {
         self.mesh.corners(t)
     }
 
-    /// Where a vertex is, scaled.
+    /// The scaled position of a vertex.
     pub fn point(&self, vertex: u32) -> DVec3 {
         self.mesh.vertices[vertex as usize] * self.mesh.scale
     }
@@ -120,7 +123,7 @@ impl<'a> Patches<'a> {
         self.across.iter().filter(|&&across| across == NONE).count()
     }
 
-    /// Makes the patches of all triangles. False if they must be compact and are not.
+    /// Divides all triangles into patches, block by block. Returns false if the blocks must be compact and are not.
     fn add_all(&mut self, size: usize, must_be_compact: bool, exec: &Execution<'_>) -> Result<bool, Interruption> {
         let mut block = Block::default();
         let (mut of_blocks, mut of_triangles) = (0.0, 0.0);
@@ -153,9 +156,9 @@ impl<'a> Patches<'a> {
         Ok(true)
     }
 
-    /// Sets `across`.
+    /// Fills in `across`.
     fn find_neighbours(&mut self, exec: &Execution<'_>) -> Result<(), Interruption> {
-        // Each edge is listed at its end with the lower number, with the number of the other end as the key to sort by.
+        // Each edge is listed at its end with the lower number. The number of the other end is the sorting key.
         let mut start = vec![0u32; self.mesh.vertices.len() + 1];
         for chunk in self.edges.chunks(LOOK) {
             chunk.iter().for_each(|[a, b]| start[*a.min(b) as usize + 1] += 1);
@@ -168,7 +171,7 @@ impl<'a> Patches<'a> {
         }
         let mut around = vec![0u64; self.edges.len()];
         for (e, [a, b]) in self.edges.iter().enumerate() {
-            // The slots of a vertex are filled from the end.
+            // The slots of a vertex are filled from the last to the first.
             let slot = &mut start[*a.min(b) as usize + 1];
             *slot -= 1;
             around[*slot as usize] = u64::from(*a.max(b)) << 32 | e as u64;
@@ -176,7 +179,7 @@ impl<'a> Patches<'a> {
                 exec.look(LOOK as u64)?;
             }
         }
-        // Entry v + 1 is now where the edges of vertex v start.
+        // Entry v + 1 now holds the first slot of vertex v.
         start.remove(0);
         start.push(around.len() as u32);
         self.across = vec![NONE; self.edges.len()];
@@ -207,11 +210,11 @@ impl<'a> Patches<'a> {
 struct BlockTriangle {
     number: u32,
     extent: AxisBox,
-    /// Zero if it is not certain.
+    /// Twice the area vector. Zero if rounding makes it uncertain.
     normal: DVec3,
 }
 
-/// Triangles that follow each other.
+/// Consecutive triangles of the order, which are divided into connected pieces.
 #[derive(Default)]
 struct Block {
     triangles: Vec<BlockTriangle>,
@@ -250,18 +253,19 @@ impl Block {
             .map(|(triangle, _)| triangle)
     }
 
-    /// The triangles' numbers, piece by piece.
+    /// The numbers of the triangles, piece by piece.
     fn by_piece(&self) -> Vec<u32> {
         (0..self.pairing.pieces).flat_map(|piece| self.members(piece).map(|triangle| triangle.number)).collect()
     }
 
-    /// The half-edges of a piece that have no opposite one in it.
+    /// The half-edges of a piece that have no opposite half-edge in the same block.
     fn edges_of(&self, piece: u8) -> impl Iterator<Item = [u32; 2]> {
         let piece_of = |h: u8| self.pairing.piece[h as usize / 3];
         self.pairing.single.iter().filter(move |&&h| piece_of(h) == piece).map(|&h| self.edges[h as usize])
     }
 
-    /// The patch of a piece, without its place, and the number of its triangles.
+    /// Makes the patch of a piece, and returns it with the number of its triangles. The caller sets `first` and
+    /// `first_edge`.
     fn patch(&self, piece: u8) -> (Patch, usize) {
         let (mut extent, mut sum, mut count) = (AxisBox::EMPTY, DVec3::ZERO, 0);
         for triangle in self.members(piece) {
@@ -281,14 +285,14 @@ impl Block {
     }
 }
 
-/// Which half-edges of a block are opposite to each other, along the same edge.
+/// Pairs the opposite half-edges of a block: two half-edges that run along the same edge in opposite directions.
 #[derive(Default)]
 struct Pairing {
     /// Pairs of opposite half-edges.
     pairs: Vec<[u8; 2]>,
-    /// The other half-edges.
+    /// The half-edges without an opposite half-edge in the block.
     single: Vec<u8>,
-    /// For each triangle its connected piece.
+    /// For each triangle, the number of its connected piece.
     piece: Vec<u8>,
     pieces: u8,
 }
@@ -333,7 +337,7 @@ impl Pairing {
         pairing
     }
 
-    /// Whether the half-edges of another block are opposite in the same pairs.
+    /// Whether every pair is also a pair of opposite half-edges in another block of as many triangles.
     fn holds(&self, edges: &[[u32; 2]]) -> bool {
         let is_pair = |&[one, other]: &[u8; 2]| {
             let [[a, b], [c, d]] = [edges[one as usize], edges[other as usize]];

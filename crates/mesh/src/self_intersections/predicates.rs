@@ -1,9 +1,9 @@
-//! Exact decisions about triangles and segments, by the adaptive predicates of `robust`.
+//! Exact intersection tests for triangles and segments, based on the adaptive predicates of `robust`.
 
 use crate::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// A point where two triangles without a common vertex meet.
+/// A common point of two triangles without a common vertex, or `None` if they do not meet.
 pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
     for (one, other) in [(a, b), (b, a)] {
         let sides = other.map(|corner| volume(one, corner));
@@ -11,15 +11,15 @@ pub(super) fn meet_apart(a: &[DVec3; 3], b: &[DVec3; 3]) -> Option<DVec3> {
             return None;
         }
     }
-    // Two triangles meet if and only if an edge of one meets the other. This holds for a triangle inside the other one
-    // in the same plane too.
+    // Two triangles meet if and only if an edge of either triangle meets the other triangle. This also holds if one
+    // lies inside the other in the same plane.
     [(a, b), (b, a)]
         .into_iter()
         .find_map(|(one, other)| (0..3).find_map(|k| segment_meets_triangle(one[k], one[(k + 1) % 3], other)))
 }
 
-/// A point of the common edge of two triangles with the third corners `third` and `fourth`, if they lie in one plane
-/// and are folded onto each other.
+/// The midpoint of the common edge of two triangles, if they lie in one plane and are folded onto each other. Their
+/// third corners are `third` and `fourth`.
 pub(super) fn overlap_beside_edge(from: DVec3, to: DVec3, third: DVec3, fourth: DVec3) -> Option<DVec3> {
     let triangle = [from, to, third];
     if volume(&triangle, fourth) != 0.0 {
@@ -69,7 +69,8 @@ fn segment_meets_in_plane(p: DVec3, q: DVec3, triangle: &[DVec3; 3]) -> Option<D
     })
 }
 
-/// Whether a segment passes from one side of a triangle to the other through its inside, an edge or a corner.
+/// Whether a segment passes from one side of a triangle's plane to the other through the triangle: through its inside,
+/// an edge or a corner.
 pub(crate) fn passes_through([p, q]: [DVec3; 2], triangle: &[DVec3; 3]) -> bool {
     let [a, b, c] = *triangle;
     let (above, below) = (volume(triangle, p), volume(triangle, q));
@@ -94,19 +95,20 @@ pub(super) fn pierces(edges: &[DVec3; 3], triangle: &[DVec3; 3]) -> bool {
     })
 }
 
-/// The volume of a triangle and a point, times six: its sign is exact.
+/// Six times the signed volume of the tetrahedron of a triangle and a point. The sign is exact.
 fn volume([a, b, c]: &[DVec3; 3], d: DVec3) -> f64 {
     let coord = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
     orient3d(coord(*a), coord(*b), coord(*c), coord(d))
 }
 
-/// The area of a triangle seen along an axis, times two: its sign is exact.
+/// Twice the signed area of a triangle projected to the plane of two coordinate axes. The sign is exact.
 fn turn([u, v]: [usize; 2], a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let coord = |p: DVec3| Coord { x: p[u], y: p[v] };
     orient2d(coord(a), coord(b), coord(c))
 }
 
-/// Two axes in whose plane the triangle has an area; `None` if it has none at all.
+/// Two coordinate axes such that the triangle's projection to their plane has an area. `None` if the triangle has no
+/// area.
 pub(super) fn plane_axes(&[a, b, c]: &[DVec3; 3]) -> Option<[usize; 2]> {
     [[0, 1], [1, 2], [2, 0]].into_iter().find(|&axes| turn(axes, a, b, c) != 0.0)
 }

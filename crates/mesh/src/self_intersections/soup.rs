@@ -1,36 +1,39 @@
-//! The triangles of a mesh as they are searched for self-intersections: scaled, with equal points merged.
+//! A mesh prepared for the search for self-intersections: its triangles as a list without connectivity, scaled, with
+//! points of equal coordinates merged.
 
 use super::predicates::plane_axes;
 use crate::measure::power_of_two_above;
 use crate::{DVec3, Execution, Interruption};
 
-/// Triangles, vertices or pairs between two looks at the execution: a few milliseconds at most.
+/// Number of triangles, vertices or pairs that are processed between two checks for a cancellation or deadline.
+/// Processing them takes a few milliseconds at most.
 pub(super) const LOOK: usize = 1 << 14;
-/// No vertex, triangle or label.
+/// Marks the absence of a vertex, triangle or label.
 pub(super) const NONE: u32 = u32::MAX;
 /// A triangle counts as facing a vertex normal if the cosine between the two normals, times the sine of the triangle's
 /// angle at the vertex, exceeds this. Values near rounding (1e-15) are not safe.
 const FACING: f64 = 1e-7;
 /// Two edges at a vertex count as apart if the sine of the angle between them exceeds this.
 const APART: f64 = 1e-11;
-/// An edge that is in line with a ray points the opposite way if the cosine between them is below minus this. The angle
-/// to the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle
-/// of a triangle.
+/// An edge in line with a ray counts as opposite to the ray if the cosine between them is below minus this. The edge is
+/// then within the angle [`APART`] / [`OPPOSITE`] of the exact opposite direction. That angle must be well below
+/// [`FACING`], the smallest angle of a triangle that counts as facing.
 const OPPOSITE: f64 = 1e-3;
-/// The normal of a triangle that has an area but no certain normal: so short that the triangle faces no direction.
+/// Placeholder normal of a triangle that has an area, but whose normal rounding makes uncertain. The vector is so short
+/// that the triangle faces no direction.
 const NO_NORMAL: DVec3 = DVec3::splat(f64::MIN_POSITIVE);
 
 /// Triangles over points, without connectivity.
 pub(super) struct Soup {
-    /// The vertices times a power of two, so that the largest coordinate is about 1: exact, and no product under- or
-    /// overflows.
+    /// The vertices, scaled by a power of two so that the largest coordinate is about 1. The scaling is exact, and no
+    /// product of coordinates overflows or underflows.
     pub points: Vec<DVec3>,
-    /// Multiplied by this, the points are the vertices again.
+    /// Factor that turns the scaled points back into the vertices.
     pub unit: f64,
-    /// Corners; vertices with equal coordinates have the lowest of their numbers.
+    /// Corners of each triangle. Vertices with equal coordinates are replaced by the one with the lowest number.
     pub triangles: Vec<[u32; 3]>,
-    /// Twice the area vector of each triangle, with a relative error below 1e-3. Zero for triangles without area,
-    /// exactly; [`NO_NORMAL`] for triangles that are so thin that rounding leaves them no certain normal.
+    /// Twice the area vector of each triangle, with a relative error below 1e-3. Exactly zero for a triangle without
+    /// area, and [`NO_NORMAL`] for a triangle so thin that rounding makes its normal uncertain.
     pub normals: Vec<DVec3>,
 }
 
@@ -64,9 +67,9 @@ impl Soup {
         triangle.map(|v| self.points[v as usize])
     }
 
-    /// For each vertex the number of its triangles in the list if no two of them can intersect: they form one fan, all
-    /// of them face the sum of their normals, and seen from there the fan goes round the vertex at most once. Zero
-    /// where that is not certain. The triangles of the list have an area.
+    /// For each vertex, the number of its triangles in the list if no two of these triangles can intersect, and zero if
+    /// that is not certain. They cannot intersect if they form one fan, all face the sum of their normals, and the fan,
+    /// seen along that sum, goes round the vertex at most once. Every triangle of the list must have an area.
     pub fn embedded_stars(&self, list: &[u32], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
         let mut start = vec![0u32; self.points.len() + 1];
         for &triangle in list {
@@ -110,15 +113,16 @@ impl Soup {
         (0..self.triangles.len() as u32).filter(|&t| self.normals[t as usize] != DVec3::ZERO).collect()
     }
 
-    /// Whether [`embedded_stars`](Self::embedded_stars) holds for one vertex. `corners` are 3 t + k for each triangle t
-    /// whose corner k is the vertex.
+    /// Whether the triangles around one vertex certainly do not intersect, by the conditions of
+    /// [`embedded_stars`](Self::embedded_stars). `corners` holds 3 t + k for each triangle t whose corner k is the
+    /// vertex.
     fn is_embedded(&self, vertex: usize, corners: &[u32], [after, before]: &mut [Vec<u32>; 2]) -> bool {
         let ends = |corner: u32| {
             let (triangle, k) = (self.triangles[corner as usize / 3], corner as usize % 3);
             (triangle[(k + 1) % 3], triangle[(k + 2) % 3])
         };
-        // The neighbours after the vertex in its triangles, and those before it: in one fan every neighbour is in both
-        // lists once, but for the two ends of a fan that is open.
+        // The neighbours that follow the vertex in its triangles, and those that precede it. In one fan every neighbour
+        // is in both lists once, except the two ends of an open fan, which are in one list each.
         after.clear();
         before.clear();
         for &corner in corners {
@@ -176,8 +180,8 @@ impl Soup {
     }
 }
 
-/// Twice the area vector of a triangle, if it is certain that the triangle has an area: with a relative error below
-/// 1e-3.
+/// Twice the area vector of a triangle, with a relative error below 1e-3. `None` if rounding leaves it uncertain
+/// whether the triangle has an area.
 pub(super) fn clear_normal(&[a, b, c]: &[DVec3; 3]) -> Option<DVec3> {
     let (u, v) = (b - a, c - a);
     let normal = u.cross(v);
@@ -185,7 +189,7 @@ pub(super) fn clear_normal(&[a, b, c]: &[DVec3; 3]) -> Option<DVec3> {
     (normal.length_squared() > 1e-24 * u.length_squared() * v.length_squared()).then_some(normal)
 }
 
-/// For each point the lowest number of those with the same coordinates.
+/// For each point, the lowest number of a point with the same coordinates.
 fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
     // A hash table with open addressing, at most half full.
     let size = (2 * points.len()).next_power_of_two().max(2);

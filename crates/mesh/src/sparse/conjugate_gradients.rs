@@ -3,13 +3,13 @@
 use super::{SymmetricMatrix, dot};
 use crate::{Execution, Interruption};
 
-/// Why conjugate gradients did not reach their goal.
+/// Why the method of conjugate gradients did not reach the required residual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CgFailure {
     /// A direction of negative or zero curvature occurred, or a number that is not finite: the matrix or the
     /// preconditioner is not positive definite.
     Indefinite,
-    /// The iterations are used up.
+    /// The maximum number of iterations was reached.
     Slow,
     /// The caller asked to stop.
     Interrupted(Interruption),
@@ -18,11 +18,11 @@ pub enum CgFailure {
 /// Improves `x` until `is_small` accepts the residual b - A x. Returns the number of iterations.
 ///
 /// `precondition` writes an approximation of A⁻¹ r to its second argument. The map from r to the approximation must be
-/// linear, symmetric and positive definite. Copying r gives the method without preconditioner. Each iteration takes one
-/// product with the matrix and one look at `exec`.
+/// linear, symmetric and positive definite. A `precondition` that copies r gives the method without a preconditioner.
+/// Each iteration takes one product with the matrix and one call of `exec.look`.
 ///
 /// # Errors
-/// See [`CgFailure`]. `x` is then the last iterate.
+/// See [`CgFailure`]. After a failure `x` is the last iterate.
 pub fn conjugate_gradients(
     matrix: &SymmetricMatrix,
     b: &[f64],
@@ -78,7 +78,7 @@ mod tests {
     use crate::sparse::Symbolic;
     use std::cell::Cell;
 
-    /// The path graph's Laplacian with both ends held, `shift` subtracted from its diagonal.
+    /// The Laplacian of a path graph with both ends held, minus `shift` times the identity.
     fn path(n: usize, shift: f64) -> SymmetricMatrix {
         let mut matrix = SymmetricMatrix { row_start: vec![0], ..Default::default() };
         for k in 0..n {
@@ -94,7 +94,7 @@ mod tests {
         matrix
     }
 
-    /// Without preconditioner, to an absolute residual.
+    /// Solves with the right-hand side 1, without a preconditioner, to an absolute residual of 1e-11.
     fn solve(matrix: &SymmetricMatrix, x: &mut [f64], exec: &Execution) -> Result<usize, CgFailure> {
         let n = x.len();
         let small = |residual: &[f64]| residual.iter().all(|r| r.abs() < 1e-11);

@@ -1,16 +1,18 @@
-//! Levenberg and Marquardt's method: damped Gauss-Newton steps for ½ Σ r² over nodes with N unknowns each.
+//! Levenberg and Marquardt's method: damped Gauss-Newton steps that minimise ½ Σ r², a function of nodes with N
+//! unknowns each.
 //!
-//! Source: Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least Squares Problems* (2004), algorithm 3.16. A step
-//! solves (JᵀJ + μM) δ = -Jᵀr. The problem gives the metric M. The source has the identity in its place; another metric
-//! can make the steps independent of how the unknowns are chosen. μ follows the ratio of the gain to what the linear
-//! model predicts (Nielsen's rule). Every step that is kept lowers the energy.
+//! Source: Madsen, Nielsen, Tingleff, *Methods for Non-Linear Least Squares Problems* (2004), algorithm 3.16. A step δ
+//! solves (JᵀJ + μM) δ = -Jᵀr. The caller provides the metric M, which is the identity in the source. Another metric
+//! can make the steps independent of the choice of the unknowns. The damping μ follows the ratio of the actual decrease
+//! of the energy to the decrease that the linear model predicts (Nielsen's rule). Every accepted step lowers the
+//! energy.
 
 use super::pattern::BlockPattern;
 use super::{Symbolic, SymmetricMatrix};
 use crate::execution::{Execution, Interruption};
 
-/// Ends a run in which no step lowers the energy: with this damping, in units of the metric, steps are too short to
-/// matter.
+/// Largest damping μ, in units of the metric. A run in which no step lowers the energy ends above it, because steps are
+/// then too short to matter.
 const LARGEST_DAMPING: f64 = 1e9;
 const LEAST_DAMPING: f64 = 1e-15;
 
@@ -18,20 +20,21 @@ const LEAST_DAMPING: f64 = 1e-15;
 pub trait LeastSquares<const N: usize> {
     /// The location of a node.
     type Location: Clone;
-    /// Calls its argument with the nodes of each residual that depends on more than one.
+    /// Calls `couple` with the nodes of each residual that depends on more than one node.
     fn couplings(&self, couple: &mut dyn FnMut(&[u32]));
-    /// ½ Σ r², infinite where the locations are not allowed.
+    /// The energy ½ Σ r². Infinite if the locations are not allowed.
     fn energy(&mut self, x: &[Self::Location]) -> f64;
-    /// Adds every residual with its derivatives.
+    /// Adds every residual with its derivatives to the normal equations.
     fn assemble(&mut self, x: &[Self::Location], normal: &mut NormalEquations<N>);
-    /// A node's block of the metric, as of the last [`assemble`](Self::assemble): symmetric and positive definite.
+    /// A node's block of the metric M at the locations of the last [`assemble`](Self::assemble). It must be symmetric
+    /// and positive definite.
     fn metric(&self, node: usize) -> [[f64; N]; N];
-    /// Writes to `to` the locations after the part of the step that may be taken, and returns that part as a fraction
-    /// of the step.
+    /// Takes the largest part of a step that is allowed: writes the new locations to `to`, and returns the part as a
+    /// fraction of the step.
     fn advance(&self, x: &[Self::Location], step: &[[f64; N]], to: &mut [Self::Location]) -> f64;
 }
 
-/// JᵀJ and Jᵀr on a fixed pattern.
+/// The matrix JᵀJ on a fixed pattern, and the gradient Jᵀr.
 #[derive(Debug)]
 pub struct NormalEquations<const N: usize> {
     pattern: BlockPattern,
@@ -51,7 +54,7 @@ impl<const N: usize> NormalEquations<N> {
         self.gradient.fill([0.0; N]);
     }
 
-    /// Adds a residual with its derivatives by its nodes.
+    /// Adds a residual with its derivatives with respect to the unknowns of its nodes.
     pub fn add(&mut self, residual: f64, nodes: &[u32], derivatives: &[[f64; N]]) {
         for (&v, by_v) in nodes.iter().zip(derivatives) {
             for (sum, derivative) in self.gradient[v as usize].iter_mut().zip(by_v) {
@@ -73,8 +76,8 @@ impl<const N: usize> NormalEquations<N> {
         (0..self.matrix.order()).map(|row| self.matrix.diagonal(row)).fold(0.0, f64::max)
     }
 
-    /// The largest entry of the gradient. Infinite if an entry is not a number, because such a gradient must not count
-    /// as vanishing.
+    /// The largest absolute entry of the gradient. Infinite if an entry is not a number, because such a gradient must
+    /// not count as vanishing.
     fn largest_gradient(&self) -> f64 {
         let entries = self.gradient.iter().flatten();
         entries.fold(0.0, |max, g| if g.is_nan() { f64::INFINITY } else { f64::max(max, g.abs()) })
@@ -94,14 +97,14 @@ impl<const N: usize> NormalEquations<N> {
     }
 }
 
-/// When a run ends.
+/// The stopping criteria of a run, and its initial damping.
 #[derive(Clone, Copy, Debug)]
 pub struct Criteria {
-    /// μ at the start, in units of the metric.
+    /// The damping μ at the start, in units of the metric.
     pub damping: f64,
     /// A step is quiet if it lowers the energy F by at most this times (F + `floor`).
     pub change: f64,
-    /// 1 makes the criteria absolute where F is small, 0 keeps them relative.
+    /// Added to F in the criteria. With 1 the criteria are absolute where F is small, with 0 they are relative.
     pub floor: f64,
     /// Number of quiet steps in a row that ends the run.
     pub quiet_steps: u32,
@@ -129,14 +132,14 @@ pub enum Stop {
     Interrupted(Interruption),
 }
 
-/// Receives the number of each step tried, the locations after the step and the energy there.
+/// Receives the number of each step that was tried, and the best locations and energy so far.
 pub(crate) type Observer<'a, Location> = dyn FnMut(u64, &[Location], f64) + 'a;
 
-/// Lowers the problem's energy from `x`, which must be allowed, until a criterion holds. Returns the reason of the end,
-/// and the energy.
+/// Lowers the problem's energy, starting at `x`, until a criterion holds. The locations `x` must be allowed. Returns
+/// why the run ended, and the final energy.
 ///
-/// `observe` is shown the places and the energy after every step tried. Looks at `execution` once a step (one sparse
-/// factorisation). On an interruption `x` is the best so far.
+/// `observe` receives the best locations and energy after every step that was tried. `execution.look` is called once
+/// per step, which takes one sparse factorisation. On an interruption `x` holds the best locations so far.
 pub fn minimise<const N: usize, P: LeastSquares<N>>(
     problem: &mut P,
     x: &mut Vec<P::Location>,
@@ -217,8 +220,8 @@ pub fn minimise<const N: usize, P: LeastSquares<N>>(
     (Stop::MaxIterations, energy)
 }
 
-/// The decrease of the energy that the linear model predicts for the fraction s of a step: -s (1 - s/2) gᵀδ + ½ s² μ
-/// δᵀMδ.
+/// The decrease of the energy that the linear model predicts for the fraction s (`share`) of a step δ: -s (1 - s/2) gᵀδ
+/// + ½ s² μ δᵀMδ.
 fn predicted<const N: usize>(
     step: &[[f64; N]],
     gradient: &[[f64; N]],
@@ -241,7 +244,8 @@ fn predicted<const N: usize>(
 mod tests {
     use super::*;
 
-    /// Rosenbrock's valley as r = (10 (y - x²), 1 - x), one node with two unknowns, and a bound on the step.
+    /// Rosenbrock's valley with the residuals r = (10 (y - x²), 1 - x): one node with two unknowns. The length of a
+    /// step is limited to `longest`.
     struct Valley {
         longest: f64,
     }

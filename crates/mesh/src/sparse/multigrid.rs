@@ -3,13 +3,14 @@
 //! Brandt, *Multi-level adaptive solutions to boundary-value problems* (1977); as a preconditioner: Braess, *Towards
 //! algebraic multigrid for elliptic problems of second order* (1995).
 //!
-//! 1. A fine mesh comes from a coarse one by halving every edge. The prolongation sets the height at a midpoint to the
-//!    mean of the heights at the ends of the edge, where a fixed end counts as zero. The restriction is its transpose.
-//! 2. The matrix of a level is the one that Newton's method assembled there before; no product of matrices is formed.
-//!    In the plane it is the restriction of the finer matrix, and on a film nearly so.
+//! 1. A fine mesh is made from a coarse one by halving every edge. The prolongation sets the height at a midpoint to
+//!    the mean of the heights at the ends of the edge, where a fixed end counts as zero. The restriction is its
+//!    transpose.
+//! 2. The matrix of a level is the one that Newton's method assembled on that mesh; no product of matrices is formed.
+//!    In the plane it equals the restriction of the finer matrix, and on a film nearly so.
 //! 3. One V-cycle consists of a forward Gauss-Seidel sweep, the correction by the coarser level, and a backward sweep.
 //!    The coarsest level uses the factor L D Lᵀ. The cycle is symmetric, and positive definite if the matrices are.
-//! 4. Conjugate gradients use the cycle as preconditioner. The residual falls by a factor of about ten an iteration,
+//! 4. Conjugate gradients use the cycle as preconditioner. The residual falls by a factor of about ten per iteration,
 //!    whatever the size of the mesh.
 
 use super::{CgFailure, Symbolic, SymmetricMatrix, conjugate_gradients};
@@ -17,20 +18,22 @@ use crate::Execution;
 
 use super::pattern::FIXED;
 
-/// Largest number of iterations. If they do not suffice, the hierarchy is a poor preconditioner for the matrix.
+/// Largest number of iterations of conjugate gradients. If more are needed, the hierarchy is a poor preconditioner for
+/// the matrix.
 const MAX_ITERATIONS: usize = 60;
 
-/// The parents of the unknowns of a level. The prolongation sets each unknown to the mean of its two parents, which are
-/// unknowns of the next coarser level. One parent or both may be [`FIXED`], which stands for zero. An unknown that
-/// exists on both levels is its own parent twice.
+/// The two parents of each unknown of a level, which are unknowns of the next coarser level. The prolongation sets each
+/// unknown to the mean of its parents. A parent may be [`FIXED`], which counts as zero. An unknown that exists on both
+/// levels is its own parent twice.
 pub type Parents = Vec<[u32; 2]>;
 
-/// The levels below the one that is being solved.
+/// The coarser levels below the level of the system that is to be solved.
 #[derive(Debug)]
 pub struct Hierarchy {
     symbolic: Symbolic,
     factor: Vec<f64>,
-    /// The matrices from coarse to fine. Of the coarsest level only the factor is kept.
+    /// The matrices and parents of the levels, from coarse to fine. The coarsest level is not among them, because only
+    /// its factor is kept.
     levels: Vec<(SymmetricMatrix, Parents)>,
 }
 
@@ -45,12 +48,13 @@ impl Hierarchy {
         self.levels.push((matrix, parents));
     }
 
-    /// Applies an approximate inverse of `matrix`. `parents` are the parents of its unknowns on the top level.
+    /// Applies an approximate inverse of `matrix` to the right-hand side: one V-cycle. `parents` are the parents of the
+    /// unknowns on the finest level of the hierarchy.
     pub fn precondition(&self, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
         self.cycle(self.levels.len(), matrix, parents, right_hand_side)
     }
 
-    /// `below` is the number of levels below this one, without the coarsest.
+    /// Runs a V-cycle. `below` is the number of levels below this level, not counting the coarsest.
     fn cycle(&self, below: usize, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
         let n = right_hand_side.len();
         let mut x = vec![0.0; n];
@@ -61,7 +65,7 @@ impl Hierarchy {
             0 => self.symbolic.order(),
             _ => self.levels[below - 1].0.order(),
         };
-        // An additional entry receives the contributions to fixed vertices.
+        // An additional entry collects the contributions to fixed vertices, which are not used.
         let mut coarse = vec![0.0; coarse_order + 1];
         let place = |parent: u32| (parent as usize).min(coarse_order);
         for row in 0..n {
@@ -127,8 +131,8 @@ pub fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
     parents.iter().map(|&[first, second]| 0.5 * (height(first) + height(second))).collect()
 }
 
-/// The parents of the unknowns of a finer mesh. `midpoints` are the ends of the edges that its new vertices halve; new
-/// vertices follow the old ones.
+/// The parents of the unknowns of a finer mesh. `midpoints` are the ends of the edges that the new vertices halve. New
+/// vertices are numbered after the old ones.
 pub fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
     let old = coarse_unknown.len();
     let unknown = |vertex: u32| coarse_unknown[vertex as usize];

@@ -1,8 +1,8 @@
 //! Sparsity patterns of operators on the vertices of a mesh: the entries of a matrix and their positions.
 //!
-//! [`Pattern`] has one unknown per free vertex and knows the positions of the six entries of every triangle. Harmonic
-//! maps need it, and films whose vertices move along their normals. [`BlockPattern`] has any number of unknowns per
-//! vertex and any elements.
+//! [`Pattern`] has one unknown per free vertex and knows the positions of the six off-diagonal entries of every
+//! triangle. It serves harmonic maps, and films whose vertices move along their normals. [`BlockPattern`] has any
+//! number of unknowns per vertex and elements of any number of vertices.
 
 use super::SymmetricMatrix;
 use std::ops::Range;
@@ -10,27 +10,28 @@ use std::ops::Range;
 /// Marks a fixed vertex, which has no unknown.
 pub const FIXED: u32 = u32::MAX;
 
-/// Largest number of neighbours of a vertex among which a neighbour is found by counting instead of by bisection.
+/// Largest number of neighbours of a vertex for which a neighbour is found by counting the smaller numbers. Among more
+/// neighbours it is found by bisection.
 const FEW_NEIGHBOURS: usize = 16;
 
-/// The sparsity of the operators on the free vertices of one connectivity, and the positions of the terms of each
-/// triangle.
+/// The sparsity pattern of operators with one unknown per free vertex of a mesh, and the positions of the entries of
+/// each triangle.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     pub free: FreeVertices,
     pub row_start: Vec<u32>,
     columns: Vec<u32>,
-    /// For each triangle the positions in `columns` of the entries (0,1), (1,2), (2,0), then of (1,0), (2,1), (0,2);
-    /// [`FIXED`] if an end is fixed.
+    /// For each triangle, the positions in `columns` of the entries (0,1), (1,2), (2,0), then of (1,0), (2,1), (0,2),
+    /// by the corners of the triangle. [`FIXED`] if a vertex of the pair is fixed.
     pub slots: Vec<[u32; 6]>,
 }
 
 /// The free vertices and their numbers as unknowns.
 #[derive(Clone, Debug)]
 pub struct FreeVertices {
-    /// For each vertex its row, or [`FIXED`].
+    /// For each vertex, the number of its unknown, or [`FIXED`].
     pub unknown: Vec<u32>,
-    /// For each row its vertex.
+    /// For each unknown, its vertex.
     pub vertex: Vec<u32>,
 }
 
@@ -103,8 +104,8 @@ impl Pattern {
         Self { free, row_start, columns, slots }
     }
 
-    /// Does the same as [`new`](Self::new) for free vertices on edges of one, two or more triangles: on a junction of
-    /// sheets, or on a boundary.
+    /// Does the same as [`new`](Self::new), but allows free vertices on a boundary and on junctions, where edges belong
+    /// to one or to more than two triangles.
     #[inline]
     pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
         let free = FreeVertices::new(fixed);
@@ -128,15 +129,16 @@ impl Pattern {
     }
 }
 
-/// The sparsity of an operator with any number of unknowns per vertex, coupled where two vertices share an element.
+/// The sparsity pattern of an operator with any number of unknowns per vertex. Two vertices are coupled if they share
+/// an element.
 #[derive(Clone, Debug)]
 pub struct BlockPattern {
     /// Vertex v owns the unknowns `start[v]..start[v + 1]`.
     start: Vec<u32>,
-    /// For each unknown the position where its row begins.
+    /// For each unknown, the position where its row begins.
     row_start: Vec<u32>,
-    /// The neighbours of vertex v that have unknowns are `neighbour[first[v]..first[v + 1]]`, ascending. Each comes
-    /// with the number of columns before its own in the rows of v.
+    /// The neighbours of vertex v that have unknowns are `neighbour[first[v]..first[v + 1]]`, ascending. The second
+    /// number of a neighbour is the number of columns before its own columns in each row of v.
     first: Vec<u32>,
     neighbour: Vec<(u32, u32)>,
 }
@@ -144,11 +146,11 @@ pub struct BlockPattern {
 /// The position of the block of two vertices in a matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockPosition {
-    /// The position where the rows of the first vertex begin, and the length of each row.
+    /// The position where the rows of the first vertex begin, and the number of entries of each row.
     row: u32,
     length: u32,
-    /// Number of columns before the block. `None` for a vertex with itself, whose diagonal entry comes first in each
-    /// row.
+    /// Number of columns before the block. `None` for the block of a vertex with itself, where the diagonal entry comes
+    /// first in each row.
     before: Option<u32>,
 }
 
@@ -166,8 +168,8 @@ impl BlockPosition {
 }
 
 impl BlockPattern {
-    /// `counts` is the number of unknowns of each vertex. `elements` must call its argument with the vertices of each
-    /// element.
+    /// Finds the pattern. `counts` holds the number of unknowns of each vertex. `elements` must call its argument with
+    /// the vertices of each element.
     pub fn new(counts: &[u8], elements: impl FnOnce(&mut dyn FnMut(&[u32]))) -> Self {
         let mut start = vec![0u32; counts.len() + 1];
         for (v, &count) in counts.iter().enumerate() {
@@ -183,8 +185,8 @@ impl BlockPattern {
                 }
             }
         });
-        // The pairs by their first vertex: those of v are `ends[at[v]..at[v + 1]]`. Sorting the few ends of each vertex
-        // takes a fraction of the time of sorting all pairs at once.
+        // The pairs are grouped by their first vertex: the second vertices of the pairs of v are `ends[at[v]..at[v +
+        // 1]]`. Sorting these short lists takes a fraction of the time of sorting all pairs at once.
         let mut at = vec![0usize; counts.len() + 1];
         pairs.iter().for_each(|&[v, _]| at[v as usize + 1] += 1);
         for v in 0..counts.len() {
@@ -244,7 +246,7 @@ impl BlockPattern {
         SymmetricMatrix { row_start: self.row_start.clone(), columns, values }
     }
 
-    /// The position of the block of two vertices. `None` if one of them has no unknown, or they share no element.
+    /// The position of the block of two vertices. `None` if one of them has no unknown, or if they share no element.
     #[inline]
     pub fn position(&self, v: u32, w: u32) -> Option<BlockPosition> {
         let own = self.unknowns(v);
@@ -257,8 +259,8 @@ impl BlockPattern {
             return Some(BlockPosition { row, length, before: None });
         }
         let neighbours = &self.neighbour[self.first[v as usize] as usize..self.first[v as usize + 1] as usize];
-        // Counting takes no branch that depends on the neighbours, where a binary search has one for each halving. Such
-        // branches are rarely predicted, because the neighbours differ from vertex to vertex.
+        // Counting takes no branch that depends on the neighbours, whereas a binary search takes one at every halving.
+        // Such branches are rarely predicted correctly, because the neighbours differ from vertex to vertex.
         let at = if neighbours.len() <= FEW_NEIGHBOURS {
             neighbours.iter().map(|&(other, _)| usize::from(other < w)).sum()
         } else {
@@ -278,7 +280,8 @@ mod tests {
     #[test]
     fn blocks_stand_where_the_columns_of_their_unknowns_do() {
         let mut random = SplitMix64::new(3);
-        // Vertex 0 is the middle of a fan, with more neighbours than are compared one by one.
+        // Vertex 0 is the middle of a fan. It has more than `FEW_NEIGHBOURS` neighbours, so that bisection is tested
+        // too.
         let counts: Vec<u8> = (0..60).map(|v| if v == 0 { 3 } else { random.below(4) as u8 }).collect();
         let mut elements: Vec<[u32; 3]> = (1..59).map(|k| [0, k, k + 1]).collect();
         elements.extend((0..30).map(|_| [0; 3].map(|_: u32| random.below(60) as u32)));

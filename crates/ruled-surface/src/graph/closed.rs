@@ -1,8 +1,8 @@
-//! The best path of a strip. An open strip takes one search. A closed strip takes the best over all starts, with fewer
-//! searches than starts.
+//! Search for the best path of a strip. An open strip takes one search. A closed strip takes the best path over all
+//! starts, and finds it with fewer searches than there are starts.
 //!
-//! A closed path takes exactly one step from p_{m-1} to p_0; the bridge (0, j) where it arrives is its start, and it
-//! ends at (m - 1, j + n).
+//! A closed path takes exactly one step from p_{m-1} to p_0. This step arrives at the bridge (0, j), which is the start
+//! of the path. The path ends at (m - 1, j + n).
 //!
 //! - *Single layer*: divide and conquer (Fuchs, Kedem, Uselton 1977). Two shortest paths of different starts need not
 //!   cross, so the path of a start in between lies between them: O(m n log n) altogether.
@@ -126,7 +126,7 @@ pub(crate) fn closed(
     if search.layers() == 1 { divide_and_conquer(search, counter) } else { branch_and_bound(search, counter) }
 }
 
-/// The extreme columns of a path in each row.
+/// First and last column of a path in each row.
 struct PathBounds {
     first: Vec<u32>,
     last: Vec<u32>,
@@ -177,7 +177,8 @@ fn divide_and_conquer(
     Ok(best)
 }
 
-/// A range of starts whose best closed path is at least `bound`. The heap pops the least bound, then the least start.
+/// A range of starts. Every closed path that starts in the range costs at least `bound`. The heap pops the range of
+/// least bound first; among equal bounds, the range with the smallest first start.
 struct StartRange {
     bound: Score,
     first: usize,
@@ -253,7 +254,7 @@ fn branch_and_bound(search: &mut dyn PathSearch, counter: &mut CellCounter<'_, '
             heap.push(StartRange { bound, first: start, last: start, seed: Seed::ByQ });
         }
     }
-    // Without a closed path no range is dropped, and every range is either replaced by smaller ones or gives a closed
-    // path.
+    // While no closed path is known, no range is dropped. Every range is either replaced by smaller ones or gives a
+    // closed path.
     Ok(best.expect("a range that cannot be divided gives a closed path"))
 }

@@ -1,9 +1,10 @@
-//! Local convexity of a bridge (definition 6, with the missing q_{j-1}): whether the bridge lies on the convex hull of
-//! itself and the neighbours of its end points. Equivalently, seen along the bridge, the directions to the neighbours
-//! fit in a closed half-plane.
+//! Local convexity of a bridge (definition 6, with the neighbour q_{j-1} that the definition leaves out). A bridge is
+//! locally convex if it lies on the convex hull of itself and the neighbours of its end points. Equivalently, seen
+//! along the bridge, the directions to the neighbours fit in a closed half-plane.
 //!
-//! By default a direction may reach beyond the half-plane by `tolerance`, and by the effect that rounding of the input
-//! can have on it. With tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
+//! A direction may lie outside the half-plane by `tolerance`, and in addition by the effect that rounding of the input
+//! can have on the direction. With tolerance 0 the answer is exact (adaptive predicates on the input's own
+//! coordinates).
 
 use super::cell_counter::CellCounter;
 use super::lanes::{Lanes, Vector};
@@ -24,7 +25,7 @@ pub(crate) enum ConvexityTest {
 }
 
 impl ConvexityTest {
-    /// `tolerance` in radians.
+    /// Makes the test from an angle `tolerance` in radians. The test is exact if `tolerance` is 0.
     pub(crate) fn new(tolerance: f64) -> Self {
         if tolerance == 0.0 { Self::Exact } else { Self::Within(libm::sin(tolerance)) }
     }
@@ -70,13 +71,14 @@ fn is_convex_exactly(rails: &Rails, i: usize, j: usize) -> bool {
     fits_in_half_plane(count, |a, b| sign[a][b] >= 0, |a, b| sign[a][b] <= 0)
 }
 
-/// Whether some direction has all others on its left, or all others on its right.
+/// Whether there is a direction that has all others on its left, or all others on its right.
 fn fits_in_half_plane(count: usize, left: impl Fn(usize, usize) -> bool, right: impl Fn(usize, usize) -> bool) -> bool {
     let others = |a: usize| (0..count).filter(move |&b| b != a);
     count <= 2 || (0..count).any(|a| others(a).all(|b| left(a, b)) || others(a).all(|b| right(a, b)))
 }
 
-/// A bridge without length: the point is off the hull only if four neighbours surround it.
+/// Local convexity of a bridge whose end points coincide: the point is off the hull only if four neighbours surround
+/// it.
 fn is_on_hull(p: DVec3, near: &[DVec3]) -> bool {
     let &[a, b, c, d] = near else { return true };
     let signs = [orientation(p, b, c, d), -orientation(p, a, c, d), orientation(p, a, b, d), -orientation(p, a, b, c)];
@@ -113,8 +115,8 @@ fn is_convex_within(rails: &Rails, i: usize, j: usize, sine: f64) -> bool {
 }
 
 /// Whether the directions of the four bank edges at a bridge (arriving by P, by Q, leaving by P, by Q) fit in a
-/// half-plane, with tolerance. Directions that are no further from the bridge's line than rounding are ignored, and so
-/// are missing directions (zero).
+/// half-plane, with tolerance. A direction is ignored if its point is no further from the bridge's line than rounding,
+/// or if the bank edge does not exist (zero vector).
 #[inline(always)]
 fn fits_within<V: Lanes>(length: V, triangles: &[BridgeTriangle<V>; 4], sine: f64, rounding: f64) -> V::Mask {
     let (rounding, zero) = (length.constant(rounding), length.constant(0.0));
@@ -165,8 +167,8 @@ fn fits_within<V: Lanes>(length: V, triangles: &[BridgeTriangle<V>; 4], sine: f6
     fits | (far[3] & (lefts[3] | rights[3]))
 }
 
-/// Returns which bridges of a path are locally convex, the first bridge in bit 0. Lane k has the length of bridge k and
-/// its triangles (arriving by P, by Q, leaving by P, by Q).
+/// Returns which bridges of a path are locally convex: bit k is set if bridge k is. Lane k of `length` and of
+/// `triangles` (arriving by P, by Q, leaving by P, by Q) belongs to bridge k.
 #[inline(always)]
 pub(crate) fn are_convex<V: Lanes>(
     rails: &Rails,
@@ -231,7 +233,8 @@ pub(crate) fn concave_bridges<V: Lanes>(
     Ok(table)
 }
 
-/// A kernel without paths: its sweep writes whether each bridge is concave, in place of back pointers.
+/// A kernel that follows no paths. In place of back pointers its sweep stores one bit for each bridge: whether the
+/// bridge is concave.
 struct ConcavityMap<'a, S> {
     simd: S,
     rails: &'a Rails,

@@ -1,5 +1,5 @@
-//! The corridor: the bridges among which a strip of least area is searched. It leaves out most of the grid, and the
-//! optimum stays exact.
+//! The corridor: a subset of the grid of bridges that contains a strip of least area. It leaves out most of the grid,
+//! and the optimum over the corridor is the exact optimum over the grid.
 //!
 //! Take one square of the grid, bank edges u = p_{i+1} - p_i and v = q_{j+1} - q_j. Swapping "P-step, then Q-step" for
 //! "Q-step, then P-step" flips the diagonal of the quadrilateral p_i p_{i+1} q_{j+1} q_j. With A the area,
@@ -15,11 +15,12 @@
 //! in t, so its signs at the square's four bridges decide. If all four lean forward, Q is ahead, and taking the P-step
 //! first never costs more. If all four lean back, taking the Q-step first never costs more.
 //!
-//! Suppose that every square right of a staircase leans forward. A path that strays there can then be cut off at the
-//! staircase without an increase of its area. The same holds left of a staircase if every square there leans back. The
-//! *corridor* lies between two such staircases. To find it, boxes around runs of points and edge directions bound the
-//! lean, and runs whose lean has no certain sign are halved. On smooth directrices this takes some multiple of m + n
-//! steps. If the sign stays open in too many places, the corridor is the whole grid.
+//! Suppose that every square right of a staircase leans forward. If a path crosses to the right of the staircase, that
+//! part of the path can be replaced by the staircase without an increase of the area. The same holds left of a
+//! staircase if every square there leans back. The *corridor* lies between two such staircases. To find it, boxes
+//! around runs of points and of edge directions bound the lean, and runs whose lean has no certain sign are halved. On
+//! smooth directrices this takes a number of steps proportional to m + n. If the sign stays open in too many places,
+//! the corridor is the whole grid.
 
 use super::cell_counter::CellCounter;
 use super::rails::Rails;
@@ -36,11 +37,11 @@ const LEAF: usize = 8;
 /// grid then costs little more.
 const HOPELESS: f64 = 0.25;
 
-/// A lean is certain if it exceeds this, where coordinates are about 1. The rounding error of its computation stays
-/// below 1e-15.
+/// Absolute value of the lean above which its sign is certain, where coordinates are about 1. The rounding error of its
+/// computation stays below 1e-15.
 const ROUNDING: f64 = 1e-12;
 
-/// Returns bridges of an open strip among which there is a path of least area.
+/// Returns a region of an open strip's grid that contains a path of least area.
 pub(crate) fn corridor(rails: &Rails, counter: &mut CellCounter<'_, '_>) -> Result<Region, Interruption> {
     let (m, n) = (rails.m(), rails.n());
     let whole = Region::full(m, 0, n - 1);
@@ -85,7 +86,7 @@ pub(crate) fn corridor(rails: &Rails, counter: &mut CellCounter<'_, '_>) -> Resu
     for row in 1..m - 1 {
         last[row] = last[row].max(last[row - 1]);
     }
-    // A row of bridges is entered by the P-step above it and left by the one below.
+    // A path enters a row of bridges by the P-step above the row and leaves it by the P-step below the row.
     let mut region = whole;
     for row in 0..m - 1 {
         region.first[row + 1] = first[row] as u32;

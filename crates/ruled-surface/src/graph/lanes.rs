@@ -1,6 +1,7 @@
-//! Vectors of numbers: the kernels are written once, over [`Lanes`], and run on one, four or eight `f64` at a time.
+//! Vectors of one, four or eight `f64`. The kernels are written once, over the trait [`Lanes`], and compiled for each
+//! width.
 //!
-//! Every operation is a single correctly rounded IEEE operation on every lane and none is fused, so that all
+//! Every operation is a single correctly rounded IEEE operation on every lane, and no two operations are fused, so all
 //! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
@@ -15,7 +16,7 @@ pub(crate) trait Lanes:
     /// masks can be made only from such a value, so that every operation on them is sound.
     type Simd: Copy + std::fmt::Debug;
     fn splat(simd: Self::Simd, value: f64) -> Self;
-    /// The first `WIDTH` numbers of a list that has at least `WIDTH`.
+    /// Loads the first `WIDTH` numbers of a list that has at least `WIDTH` numbers.
     fn load(simd: Self::Simd, from: &[f64]) -> Self;
     /// The proof from which these numbers were made.
     fn simd(self) -> Self::Simd;
@@ -28,7 +29,7 @@ pub(crate) trait Lanes:
     fn less(self, other: Self) -> Self::Mask;
     fn at_most(self, other: Self) -> Self::Mask;
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Lane `r` in bit `r`.
+    /// Returns the mask as bits: lane `r` is bit `r`.
     fn bits(mask: Self::Mask) -> u32;
     fn from_bits(simd: Self::Simd, bits: u32) -> Self::Mask;
     /// Moves every lane up by one; `first` becomes lane 0.
@@ -38,13 +39,13 @@ pub(crate) trait Lanes:
     fn lane(self, lane: usize) -> f64 {
         self.lanes()[lane]
     }
-    /// All lanes; zeros beyond `WIDTH`.
+    /// Returns all lanes. Entries beyond `WIDTH` are zero.
     fn lanes(self) -> [f64; MOST_LANES];
     /// Runs a task with this instance's instructions enabled.
     fn run<T: Task<Self>>(simd: Self::Simd, task: T) -> T::Output;
 }
 
-/// The largest [`Lanes::WIDTH`] there is.
+/// Largest [`Lanes::WIDTH`] of all instances.
 pub(crate) const MOST_LANES: usize = 8;
 
 /// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's
@@ -112,8 +113,8 @@ impl Lanes for f64 {
     }
 }
 
-/// Which instance to use, with the proof that this processor has it: the widest, or a narrower one on demand (tests
-/// compare them all).
+/// The instance of [`Lanes`] to use, with the proof that this processor has its instructions. It is the widest that the
+/// processor has, or a narrower one in tests, which compare all instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Widest {
     Plain,

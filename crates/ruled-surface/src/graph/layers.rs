@@ -1,17 +1,18 @@
-//! The graphs of sections 4 and 5 as kernels, which derive the costs at a bridge from those at its two predecessors.
+//! Kernels for the graphs of sections 4 and 5. A kernel derives the costs at a bridge from those at its two
+//! predecessors.
 //!
-//! In a graph of one layer (area, twist, convexity, normal variation) a node is a bridge. With two layers (bending) it
-//! is a bridge and the step that led to it. With four layers (mean curvature variation, weighted sums) it is a bridge,
-//! the step that led to it and the step that leaves it. A path enters row 0 by a P-step and leaves the last row by one.
-//! These are virtual steps on an open strip. On a closed strip they are the closing triangle: every path takes exactly
-//! one step from p_{m-1} to p_0, and the bridge after this step is the start of the path.
+//! In a graph of one layer (area, twist, convexity, normal variation) a node is a bridge. With two layers (bending) a
+//! node is a bridge and the step that led to it. With four layers (mean curvature variation, weighted sums) a node is a
+//! bridge, the step that led to it and the step that leaves it. A path enters row 0 by a P-step and leaves the last row
+//! by a P-step. On an open strip both P-steps are virtual. On a closed strip both are the step of the closing triangle:
+//! every path takes exactly one step from p_{m-1} to p_0, and the bridge after this step is the start of the path.
 
 use super::lanes::{Lanes, Vector};
 use super::strip_arrays::{BANK, BandRows, NORMAL, POINT, StripArrays, TANGENT};
 use super::sweep::{BitTable, Bounded, Kernel, Score, Seed};
 use super::weight::{self, BridgeTriangle};
 
-/// The cost of a path so far on every lane: one number, or a count of concave bridges and a number.
+/// The cost of a path up to the present bridge, on every lane: a number, or a count of concave bridges and a number.
 pub(crate) trait PathCost<V: Lanes>: Copy {
     const FIELDS: usize;
     fn of(simd: V::Simd, count: f64, value: f64) -> Self;
@@ -227,7 +228,7 @@ impl<V: Lanes> StepWeights<V> for NormalVariation<'_, V::Simd> {
     }
 }
 
-/// 1 for every bridge that is not locally convex.
+/// Number of bridges that are not locally convex: the weight of a bridge is 1 if it is not convex, otherwise 0.
 #[derive(Debug)]
 pub(crate) struct Concave<'a, S> {
     pub(crate) simd: S,
@@ -300,9 +301,9 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
     }
 }
 
-/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the cost of leaving a node
-/// includes the bending at its bridge. For either step that leaves a bridge, the back pointer is the step that led to
-/// the bridge.
+/// The dual-layer graph (section 5.1). A node is a bridge and the step that led to it. The cost of leaving a node
+/// includes the bending at its bridge. For each of the two steps that can leave a bridge, the back pointer is the step
+/// that led to the bridge.
 #[derive(Debug)]
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
@@ -379,7 +380,7 @@ impl<V: Lanes> Bounded<V> for DualLayer<'_, V::Simd, PlainCost<V>> {
     }
 }
 
-/// Factors of a weighted sum's terms, each divided by the value that normalises the term.
+/// Factors of the terms of a weighted sum. Each factor is the weight divided by the value that normalises the term.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Factors {
     pub(crate) double_area: f64,
@@ -391,15 +392,15 @@ pub(crate) struct Factors {
     pub(crate) sign: f64,
 }
 
-/// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a
-/// link costs the change of the mean curvature vector. The back pointer of a node is the step that led to the previous
-/// bridge.
+/// The quadruple-layer graph (section 5.2). A node is a bridge, the step that led to it and the step that leaves it.
+/// The cost of a link is the change of the mean curvature vector from one node to the next. The back pointer of a node
+/// is the step that led to the previous bridge.
 #[derive(Debug)]
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) arrays: &'a StripArrays,
     pub(crate) concave: Option<&'a BitTable>,
-    /// A weighted sum; `None` is the curvature variation alone.
+    /// Factors of a weighted sum. `None` minimises the curvature variation alone.
     pub(crate) factors: Option<Factors>,
     pub(crate) cost: std::marker::PhantomData<C>,
 }
@@ -449,7 +450,8 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
         let (bridge, squared, triangles) = self.arrays.triangles(band, t);
         let here = curvatures(bridge, &triangles);
         let f = 2 * C::FIELDS;
-        // The nodes one step back: above (leaving by P) and left (leaving by Q), arrived at by P and by Q.
+        // The four predecessor nodes: the bridge above, arrived at by P and by Q, then the bridge to the left, by P and
+        // by Q.
         let mut back = [
             (state.cost[0].shift_in(top), state.curvature[0].shift_in(&top[f..])),
             (state.cost[2].shift_in(&top[C::FIELDS..]), state.curvature[2].shift_in(&top[f + 3..])),

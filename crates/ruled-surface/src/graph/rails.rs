@@ -6,8 +6,9 @@ use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
 ///
-/// Coordinates are divided by a power of two, which is exact, so that the largest is about 1. Then they are centred at
-/// p_0, or at q_0 if Q is far smaller, and divided by a power of two again. Areas and lengths scale back exactly.
+/// Coordinates are first divided by a power of two, so that the largest is about 1. Then they are centred at p_0, or at
+/// q_0 if Q is far smaller, and divided by a second power of two. Dividing by a power of two is exact, so areas and
+/// lengths scale back exactly.
 #[derive(Clone, Debug)]
 pub(crate) struct Rails {
     pub(crate) closed: bool,
@@ -23,11 +24,13 @@ pub(crate) struct Rails {
 #[derive(Clone, Debug)]
 pub(crate) struct Rail {
     pub(crate) points: Vec<DVec3>,
-    /// The input times a power of two, uncentred: exact, for the exact predicates.
+    /// The input divided by a power of two but not centred. These coordinates are exact, as the exact predicates
+    /// require.
     pub(crate) raw: Vec<DVec3>,
-    /// Unit tangents, or zero. If they are not given, they are fitted at the first use.
+    /// Unit tangents; a tangent that has no direction is zero. If the caller gives no tangents, they are fitted at the
+    /// first use.
     tangents: OnceLock<Vec<DVec3>>,
-    /// Unit normals, or zero. Empty if they are not given.
+    /// Unit normals; a normal that has no direction is zero. The list is empty if the caller gives no normals.
     pub(crate) normals: Vec<DVec3>,
 }
 

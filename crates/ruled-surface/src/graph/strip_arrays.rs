@@ -6,12 +6,13 @@ use super::weight::BridgeTriangle;
 use plateau_mesh::DVec3;
 
 /// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row
-/// r one column behind row r - 1) lie side by side. `MARGIN` entries beyond both ends repeat the last ones; lanes read
-/// them, but no path uses them.
+/// r one column behind row r - 1) read adjacent entries. `MARGIN` more entries at both ends hold finite numbers. Lanes
+/// read these entries, but no path uses them.
 #[derive(Debug)]
 pub(crate) struct StripArrays {
     pub(crate) rows: usize,
-    /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
+    /// Number of columns: n on an open strip. It is 2n on a closed strip, where a path that starts in column j ends in
+    /// column j + n.
     pub(crate) columns: usize,
     pub(crate) row: RailNumbers,
     pub(crate) column: RailNumbers,
@@ -20,14 +21,15 @@ pub(crate) struct StripArrays {
 /// Number of entries beyond either end of a row of numbers: the largest number of lanes that can lie beyond an end.
 const MARGIN: usize = MOST_LANES;
 
-/// Quantities along one directrix, each in a row of its own of length `stride`, in one piece of memory.
+/// Quantities along one directrix. Each component of a quantity is a row of `stride` numbers, and `numbers` holds all
+/// rows one after the other.
 #[derive(Debug)]
 pub(crate) struct RailNumbers {
     stride: usize,
     numbers: Vec<f64>,
 }
 
-/// First row of each quantity in a [`RailNumbers`].
+/// The points. This constant and the following ones are the first row of each quantity in a [`RailNumbers`].
 pub(crate) const POINT: usize = 0;
 /// The bank edge that ends at the point; zero where there is none.
 pub(crate) const BANK: usize = 3;
@@ -36,7 +38,8 @@ pub(crate) const TANGENT: usize = 7;
 pub(crate) const NORMAL: usize = 10;
 
 impl RailNumbers {
-    /// Stores the points in the order of `order`, whose items are an index and whether a bank edge ends there.
+    /// Stores the quantities in the order of `order`. Each item is the index of a point and whether a bank edge ends
+    /// there.
     fn new(
         directrix: &Rail,
         order: impl ExactSizeIterator<Item = (usize, bool)> + Clone,
@@ -140,7 +143,7 @@ impl StripArrays {
     pub(crate) fn new(rails: &Rails, with_tangents: bool) -> Self {
         let (rows, n, closed) = (rails.m(), rails.n(), rails.closed);
         let columns = if closed { 2 * n } else { n };
-        // Row `rows` has the edge that leaves the last row. Entries beyond it are never used and only have to be
+        // Entry `rows` has the edge that leaves the last row. The entries after it are never used and only have to be
         // finite.
         let down = (0..rows + 2 * MARGIN).map(|k| {
             let index = if closed { k % rows } else { k.min(rows - 1) };
@@ -171,7 +174,7 @@ impl StripArrays {
     }
 }
 
-/// A band's rows: points and the bank edges that arrive and leave.
+/// The points of a band's rows, and the bank edges that arrive at these points and leave them.
 #[derive(Clone, Copy)]
 pub(crate) struct BandRows<V> {
     pub(crate) number: usize,
@@ -198,7 +201,7 @@ impl StripArrays {
     #[inline(always)]
     pub(crate) fn triangles<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [BridgeTriangle<V>; 4]) {
         let (simd, at) = (rows.point.x.simd(), self.at(t));
-        // The columns are stored backwards, so the next column stands before the present one.
+        // The columns are stored backwards, so the entry before a column's entry belongs to the next column.
         let column: Window<'_, V, TANGENT> = self.column.window(simd, at);
         let bridge = column.vector::<0>(POINT).minus(rows.point);
         let squared = bridge.dot(bridge);

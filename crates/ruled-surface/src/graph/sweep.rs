@@ -1,9 +1,9 @@
 //! The shortest path through a layered graph: one sweep over the grid of bridges, whatever the objective.
 //!
-//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: the two predecessors of a cell
-//! then lie one step back, in the cell's own lane (left) and in the lane above, and no lane waits for another. A band
-//! hands the costs of its last row to the next band. Back pointers are bits, one for each node. Only their table grows
-//! with m n.
+//! A sweep visits the rows in bands of `WIDTH` rows, one lane for each row. Each lane is one column behind the lane
+//! above it. The two predecessors of a cell then lie one step back, in the cell's own lane (left) and in the lane
+//! above, so no lane waits for another. A band hands the costs of its last row to the next band. The table of back
+//! pointers, one bit for each node, is the only memory that grows with m n.
 
 use super::cell_counter::{CELLS_BETWEEN_LOOKS, CellCounter};
 use super::lanes::{Lanes, MOST_LANES, Task};
@@ -39,40 +39,42 @@ pub(crate) enum Seed {
     ByQ,
 }
 
-/// An objective on a graph. Each graph numbers the *nodes* of a bridge in its own way. `top` has the `CARRY` numbers
-/// that a column of the row above hands down.
+/// A kernel computes the costs of one objective. Each graph numbers the *nodes* of a bridge in its own way. `LAYERS` is
+/// the number of nodes of a bridge. `top` has the `CARRY` numbers that a column of the row above hands down.
 pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
     type Band: Copy;
-    /// The values of the previous column that a row of lanes remembers.
+    /// The values that each lane remembers from its previous column.
     type State: Copy;
     fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
-    /// The state of lanes that no path has reached.
+    /// The state at the start of a band, when no path has reached any lane.
     fn blank(&self) -> Self::State;
     /// Visits the bridges of step `t` (lane r: column t - r) and returns their back pointers: bit `layer * WIDTH +
     /// lane` is set where the predecessor is the one by a Q-step.
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32;
     /// Writes the values of a lane to `top`, for the row below.
     fn keep(&self, state: &Self::State, lane: usize, top: &mut [f64]);
+    /// Writes to `top` the values of a column that no path has reached.
     fn unreached(&self, top: &mut [f64]);
-    /// Writes the values of a path that starts at the bridge of row 0 in this column.
+    /// Writes to `top` the values of a path whose first bridge is the one of row 0 in this column.
     fn source(&self, column: usize, seed: Seed, top: &mut [f64]);
-    /// The cost of a path that leaves the last row here, having `arrived_by` P (0) or Q (1) (four layers only).
+    /// Returns the cost of a path that leaves the last row in this column. With four layers, `arrived_by` selects the
+    /// step that led to the path's last bridge: 0 for P, 1 for Q. Other graphs ignore `arrived_by`.
     fn end(&self, top: &[f64], arrived_by: usize) -> Score;
 }
 
 /// A kernel whose costs never fall along a path, so that paths above a bound need not be followed.
 pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
-    /// Whether a lane remembers a cost up to `bound`.
+    /// Whether any lane remembers a cost of at most `bound`.
     fn is_alive(&self, state: &Self::State, bound: f64) -> bool;
-    /// Whether a column hands down a cost up to `bound`.
+    /// Whether a column hands down a cost of at most `bound`.
     fn hands_down(&self, top: &[f64], bound: f64) -> bool;
 }
 
-/// For each row the first and last column that a search may visit. Both never fall from one row to the next. Columns
-/// right of a band's end were therefore never written and are still `unreached` for the next band.
+/// The first and the last column that a search may visit, for each row. Neither decreases from one row to the next.
+/// Columns right of a band's end were therefore never written and are still `unreached` for the next band.
 #[derive(Clone, Debug)]
 pub(crate) struct Region {
     pub(crate) first: Vec<u32>,
@@ -88,7 +90,7 @@ impl Region {
     }
 }
 
-/// A bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
+/// `layers` bits for every bridge of a region, in the order in which a sweep visits the bridges.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BitTable {
     layers: usize,
@@ -128,7 +130,7 @@ impl BitTable {
         64 / (self.layers * self.width)
     }
 
-    /// The bit of a bridge's node. The bridge lies in the table's region.
+    /// Returns the bit of a node (`layer`) of a bridge. The bridge must lie in the table's region.
     pub(crate) fn bit(&self, [i, j]: [usize; 2], layer: usize) -> bool {
         let (band, lane) = (self.bands[i / self.width], i % self.width);
         let step = j + lane - band.begin;
@@ -169,8 +171,9 @@ pub(crate) struct Workspace {
 /// Number of columns left of column 0 through which lanes pass on their way into the grid.
 const LEFT: usize = MOST_LANES;
 
-/// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
-/// [`Workspace::end`] the costs along the last row.
+/// Sweeps the region from the source columns, given as the first column, the last column and the step before the first
+/// bridge. Afterwards [`Workspace::table`] has the back pointers and [`Workspace::end`] returns the costs along the
+/// last row.
 pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
     kernel: &K,
     columns: usize,
@@ -214,7 +217,7 @@ pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
 }
 
 impl Workspace {
-    /// The cost of ending in this column of the last row.
+    /// Returns the cost of a path that ends in this column of the last row.
     pub(crate) fn end<V: Lanes, K: Kernel<V>>(&self, kernel: &K, column: usize, arrived_by: usize) -> Score {
         let at = (LEFT + column) * K::CARRY;
         kernel.end(&self.top[at..at + K::CARRY], arrived_by)
@@ -309,8 +312,8 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     position.step = end;
 }
 
-/// Returns the cost of the shortest path of an open strip if it is at most `bound`. The path itself is not kept. The
-/// search visits few cells besides those through which paths within the bound run.
+/// Returns the cost of the shortest path of an open strip if the cost is at most `bound`, without the path. The search
+/// visits hardly any cells besides those through which paths within the bound run.
 pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     kernel: &K,
     (rows, columns): (usize, usize),
@@ -337,7 +340,7 @@ pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     Ok(written.filter(|&(_, last)| last + 1 == columns && end <= bound).map(|_| end))
 }
 
-/// Some bands of a search within a bound.
+/// The part of [`cost_within`] between two checks of the caller's signal: one or more bands.
 struct Pruned<'a, K> {
     kernel: &'a K,
     rows: usize,
@@ -346,7 +349,7 @@ struct Pruned<'a, K> {
     top: &'a mut [f64],
     words: &'a mut [u64],
     band: usize,
-    /// The columns that the row above has written, inclusive.
+    /// First and last column that the row above has written.
     columns_written: (usize, usize),
 }
 
@@ -385,7 +388,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
                 }
             }
             visited += ((position.step - begin) * V::WIDTH) as u64;
-            // Columns further right still hold the values of the row above, so they are reset.
+            // Columns right of `written` still hold values of the row above, so they are reset.
             let written = position.step - lanes;
             for column in written + 1..=to {
                 let at = (LEFT + column) * K::CARRY;

@@ -1,17 +1,17 @@
-//! The formulas of every objective, each once, over [`Lanes`]: the sweeps and the statistics call the same ones.
+//! The formulas of all objectives, over [`Lanes`]. The sweeps and the statistics call the same functions.
 //!
-//! The formulas use a bridge e = q_j - p_i and the bank edges that meet it. The four triangles that a bridge can belong
-//! to each have one bank edge b and the (doubled) area vector b × e: arriving by a P-step (b = p_i - p_{i-1}), leaving
-//! by a P-step (p_{i+1} - p_i), arriving and leaving by a Q-step (q_j - q_{j-1}, q_{j+1} - q_j). Coordinates are those
-//! of [`Rails`](super::rails::Rails): centred, the largest about 1.
+//! The formulas use a bridge e = q_j - p_i and the bank edges that meet it. A bridge can belong to four triangles. Each
+//! has a bank edge b and the area vector b × e, whose length is twice the area. The bank edges are p_i - p_{i-1}
+//! (arriving by a P-step), p_{i+1} - p_i (leaving by a P-step), q_j - q_{j-1} (arriving by a Q-step) and q_{j+1} - q_j
+//! (leaving by a Q-step). Coordinates are those of [`Rails`](super::rails::Rails): centred, the largest about 1.
 
 use super::lanes::{Lanes, Vector};
 
 /// Square of the sine below which a cross product counts as zero: |u × v| <= 1e-14 |u| |v|, about fifty units of
 /// rounding. Triangles above it still have a normal.
 const DEGENERATE_SQUARED: f64 = 1e-28;
-/// Squared double areas below this count as zero too, where coordinates are about 1. No quotient of the formulas then
-/// over- or underflows.
+/// Squared double area below which a triangle also counts as degenerate, where coordinates are about 1. The bound keeps
+/// every quotient of the formulas from overflow and underflow.
 const TINY: f64 = 1e-140;
 
 /// A triangle at a bridge.
@@ -84,9 +84,9 @@ fn half_variation<V: Lanes>(bridge: Vector<V>, bound: V, tangent: Vector<V>, giv
     V::select(bound.less(squared), one - normal.dot(given) / squared.sqrt(), one)
 }
 
-/// `minimal_bending_energy` (eq. 6, K = 1): A s(θ) / L² with A the area of both triangles and L = 2A/|e|, which is
-/// |e|² s / (4A). s = sin²θ up to 90° and 2 - sin²θ beyond; |N_l × N_r| = |e| |N_l·b_r| gives sin²θ without an angle.
-/// 0 where a triangle is degenerate.
+/// `minimal_bending_energy` (eq. 6, K = 1): A s(θ) / L², where A is the area of both triangles and L = 2A/|e|. The
+/// energy is therefore |e|² s / (4A). s is sin²θ for θ up to 90° and 2 - sin²θ beyond. The identity |N_l × N_r| = |e|
+/// |N_l·b_r| gives sin²θ without an angle. The energy is 0 where a triangle is degenerate.
 #[inline(always)]
 pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &BridgeTriangle<V>, right: &BridgeTriangle<V>) -> V {
     let (zero, two) = (bridge_squared.constant(0.0), bridge_squared.constant(2.0));
@@ -106,7 +106,7 @@ pub(crate) fn curvature_part<V: Lanes>(bridge: Vector<V>, triangle: &BridgeTrian
 }
 
 /// The mean curvature vector (eq. 8): H_e = 2|e| sin(φ/2) n_e = e × (n_left - n_right), from the two triangles' parts.
-/// 0 where a triangle is degenerate.
+/// The vector is 0 where a triangle is degenerate.
 #[inline(always)]
 pub(crate) fn mean_curvature<V: Lanes>(left: (Vector<V>, V::Mask), right: (Vector<V>, V::Mask)) -> Vector<V> {
     Vector::select(left.1 & right.1, left.0.minus(right.0), Vector::zero(left.0.x.simd()))

@@ -2,7 +2,7 @@
 
 use plateau_mesh::DVec2;
 
-/// A strip in the plane, its lower left corner at the origin, its longer extent mostly along x.
+/// A strip in the plane. Its lower left corner is at the origin, and its middle line runs roughly along x.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FlatStrip {
@@ -10,9 +10,10 @@ pub struct FlatStrip {
     pub p: Vec<DVec2>,
     /// The points of the second directrix, in order.
     pub q: Vec<DVec2>,
-    /// Index pairs into `p` and `q`, first to last.
+    /// The bridges from first to last, as pairs of an index into `p` and an index into `q`.
     pub bridges: Vec<[u32; 2]>,
-    /// Index triples into `p` followed by `q`, all counter-clockwise: the strip's front, (p_i, p_{i+1}, q_j), faces up.
+    /// Triples of indices into the list of `p` followed by `q`. All triangles are counter-clockwise, so that the front
+    /// of the strip, (p_i, p_{i+1}, q_j), faces up.
     pub triangles: Vec<[u32; 3]>,
     /// Largest |flat length - length| over all edges, divided by the longest edge.
     pub edge_length_error_max: f64,
@@ -25,7 +26,7 @@ pub struct FlatStrip {
 }
 
 impl FlatStrip {
-    /// The outline: along P, over the last bridge, back along Q.
+    /// Returns the outline: along P, over the last bridge, back along Q.
     #[must_use]
     pub fn outline(&self) -> Vec<DVec2> {
         self.p.iter().chain(self.q.iter().rev()).copied().collect()

@@ -1,7 +1,8 @@
 //! Whether two triangles of a flat strip overlap.
 //!
-//! They do not if both directrices run in one direction and one lies above the other. Otherwise a tree of bounding
-//! polygons over the chain of triangles finds the pairs that may overlap, and separating axes decide.
+//! No triangles overlap if both directrices run in one direction and one lies above the other. Otherwise a tree of
+//! bounding polygons over the chain of triangles finds the pairs that may overlap, and a test of separating axes
+//! decides each pair.
 
 use super::flat_strip::FlatStrip;
 use plateau_mesh::DVec2;
@@ -10,13 +11,13 @@ use plateau_mesh::execution::Execution;
 
 /// Depth of an overlap, as a fraction of the pattern's size, up to which it counts as rounding.
 pub(crate) const TOLERANCE: f64 = 1e-9;
-/// Triangles in a leaf of the tree.
+/// Number of triangles in a leaf of the tree.
 const LEAF: usize = 4;
 /// Number of directions of the bounding polygons. They are 22.5° apart, so that the polygon of a long thin triangle is
 /// narrow at any angle. More directions cost more for each node.
 const AXES: usize = 8;
 
-/// The extent along each axis.
+/// A bounding polygon: the extent of a set of points along each axis.
 #[derive(Clone, Copy)]
 struct Slabs {
     low: [f64; AXES],
@@ -123,8 +124,8 @@ pub(crate) fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &E
 /// O(points) and holds for most strips.
 pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     let ([p_first, .., p_last], [q_first, .., q_last]) = (flat.p.as_slice(), flat.q.as_slice()) else { return false };
-    // Where one directrix reaches further, the bridge at that end continues the other one, up to a point that both
-    // lines share.
+    // If one directrix extends further than the other at an end, the other is continued along the bridge at that end,
+    // up to the point that both lines then share.
     let continued = |own: &[DVec2], [first, last]: [DVec2; 2]| -> Vec<DVec2> {
         let before = (first.x < own[0].x).then_some(first);
         let after = (last.x > own[own.len() - 1].x).then_some(last);

@@ -7,8 +7,8 @@ use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 use plateau_mesh::{DVec2, DVec3};
 
-/// Flattens an open strip along its bridges and looks for overlaps. O(bridges log bridges) for patterns that are not
-/// folded over themselves many times.
+/// Flattens an open strip along its bridges and looks for overlaps. O(bridges log bridges) for patterns that do not
+/// fold over themselves many times.
 pub(crate) fn unroll(
     strip: &Rails,
     path: &[[u32; 2]],
@@ -35,8 +35,8 @@ pub(crate) fn unroll(
         if b != a {
             direction = (b - a).normalize();
         }
-        // The new point is placed from the end at which its bank edge begins. The length of this edge, which is mostly
-        // the shortest side, is then exact.
+        // The position of the new point is measured from the end of the bridge where its bank edge begins. The length
+        // of this edge, which usually is the shortest side, is then exact.
         let origin = if by_p { from } else { to };
         let (along, height) = split(new - origin, to - from);
         let place = (if by_p { a } else { b }) + direction * along - direction.perp() * height;
@@ -62,7 +62,7 @@ pub(crate) fn unroll(
     Ok(flat)
 }
 
-/// A vector's part along a bridge and its distance from the bridge's line.
+/// Returns the component of a vector along a bridge, and the distance of the vector's end from the bridge's line.
 fn split(v: DVec3, bridge: DVec3) -> (f64, f64) {
     let length = bridge.length();
     if length == 0.0 { (v.length(), 0.0) } else { (v.dot(bridge) / length, v.cross(bridge).length() / length) }

@@ -1,4 +1,4 @@
-//! From the paths of a stack's strips to one welded mesh.
+//! Makes one welded mesh from the paths of a stack's strips.
 
 use super::options::Options;
 use super::prepare::{Directrix, Prepared};

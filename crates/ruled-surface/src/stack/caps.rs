@@ -9,8 +9,8 @@ use plateau_mesh::polyline::merge_near_neighbours;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
 /// Projects the points of an end contour onto its plane. Returns the projected points and the largest distance by which
-/// one was moved, or `None` if all points lie in the plane already, up to rounding. `place` is the place of the
-/// contour.
+/// a point was moved, or `None` if all points already lie in the plane, up to rounding. `place` is the place of the
+/// contour in the input.
 ///
 /// # Errors
 /// [`InputError`] if the contour has no area, or at the farthest point if it is not planar.
@@ -35,8 +35,8 @@ pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec
 
 const WITHOUT_AREA: &str = "flat caps need an end contour with an area";
 
-/// Closes the two ends of a closed stack, whose end contours are planar. A directrix of one point closes its end
-/// already. Leaves the mesh oriented outwards.
+/// Closes the two ends of a closed stack with planar caps and orients the mesh outwards. The end contours must be
+/// planar. An end that is a directrix of one point gets no cap, because it is closed already.
 ///
 /// # Errors
 /// [`Error::Input`] at `directrices`, k if an end contour crosses itself.
@@ -44,7 +44,8 @@ pub(crate) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execu
     let last = directrices.len() - 1;
     for k in [0, last] {
         if directrices[k].len() > 1 {
-            // Strips run along their first directrix and against their second one; a cap's edges run the other way.
+            // The triangles of a strip run along its first directrix and against its second one. The edges of a cap run
+            // the other way.
             let cap = cap(&mesh.vertices, &directrices[k], k == last, execution)?
                 .map_err(|detail| Error::input(Place::field("directrices").at(k), detail))?;
             mesh.triangles.extend(cap);
@@ -68,8 +69,8 @@ fn six_volumes(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(volume).sum()
 }
 
-/// Returns triangles of the polygon's inside, or the reason why there are none. Their outer edges run along the contour
-/// if `along`, else against it.
+/// Returns triangles that fill the polygon, or the reason why there are none. Their outer edges run along the contour
+/// if `along` is true, otherwise against it.
 fn cap(
     vertices: &[DVec3],
     contour: &[u32],

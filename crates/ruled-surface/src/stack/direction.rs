@@ -1,11 +1,12 @@
 //! Chooses which directrices are reversed.
 //!
-//! Two ways to run through a pair of directrices are compared as a person would compare them:
+//! Either directrix of a pair can be reversed, which gives two different strips. They are compared by these criteria,
+//! as a person would compare them:
 //!
-//! 1. Closed contours have the direction in which their area vectors agree.
-//! 2. A way whose strip of least area folds back loses to a way whose strip does not. The strip of least area is used
-//!    whatever the objective, because other strips fold even where the direction is right: of 500 pairs of rails that
-//!    lie side by side, the strip of most convex bridges folds back on 161, and that of least area on none.
+//! 1. Two closed contours belong together in the direction in which their area vectors agree.
+//! 2. A direction whose strip of least area folds back loses to a direction whose strip does not. The strip of least
+//!    area is used whatever the objective, because other strips fold even where the direction is right: of 500 pairs of
+//!    rails that lie side by side, the strip of most convex bridges folds back on 161, and that of least area on none.
 //! 3. Of open directrices, the ends that are nearer to each other belong together.
 //! 4. If all of these are equal, the objective decides.
 
@@ -23,17 +24,17 @@ use plateau_mesh::error::Error;
 use plateau_mesh::plane::polygon::doubled_area_vector;
 use std::cmp::Ordering;
 
-/// Values are equal if they differ by no more than this fraction. It covers the rounding of two sums of the same terms
-/// in different orders, which stays below 1e-13 on reversed straight directrices and apexes.
+/// Relative difference up to which two values count as equal. It covers the rounding of two sums of the same terms in
+/// different orders, which stays below 1e-13 on reversed straight directrices and apexes.
 const ROUNDING: f64 = 1e-9;
-/// Fraction by which the distances of the ends must differ to decide; also the cosine of the angle between two area
-/// vectors below which they count as perpendicular. A person sees no smaller difference either.
+/// Relative difference above which the distances of the ends decide. Also the cosine of the angle between two area
+/// vectors up to which they count as perpendicular. A person sees no smaller difference either.
 const EQUAL: f64 = 0.01;
 /// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction. The lobes
 /// of a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.
 const NO_AREA: f64 = 1e-6;
 
-/// Reverses each directrix in turn where it runs against the one before it.
+/// Goes through the directrices in order and reverses each one that runs against the one before it.
 pub(crate) fn choose_directions(
     prepared: &mut Prepared,
     goal: Goal,
@@ -67,8 +68,8 @@ pub(crate) fn choose_directions(
     Ok(())
 }
 
-/// Whether the second of two ways to run through a pair of directrices is the right one, and the criterion that says
-/// so. `None` if only the objective can decide.
+/// Returns whether the second of two directions is the right one, and the criterion that decided. Returns `None` if
+/// only the objective can decide.
 pub(crate) fn evident_direction(
     ways: &[Rails; 2],
     lanes: Widest,
@@ -106,7 +107,7 @@ fn distance_of_ends(strip: &Rails) -> f64 {
     first.length_squared() + last.length_squared()
 }
 
-/// `None` if one of the contours has no area.
+/// Cosine of the angle between the area vectors of two contours. `None` if one of the contours has no area.
 fn cosine_of_area_vectors(strip: &Rails) -> Option<f64> {
     let direction = |points: &[DVec3]| {
         let next = points.iter().skip(1).chain(points.first());
@@ -118,7 +119,7 @@ fn cosine_of_area_vectors(strip: &Rails) -> Option<f64> {
     Some(direction(&strip.p.points)?.dot(direction(&strip.q.points)?))
 }
 
-/// Whether a strip is better than another by the objective, then by the secondary, then by its largest fold.
+/// Whether a strip is better than another by the objective, then by the secondary objective, then by its largest fold.
 fn is_better(one: &Statistics, other: &Statistics, goal: Goal) -> bool {
     let sign = if goal.objective == Objective::MaximalConvexity { -1.0 } else { 1.0 };
     let order = |one: f64, other: f64| {

@@ -5,11 +5,12 @@ use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use crate::strip::objective::{Goal, Objective};
 use plateau_mesh::Estimate;
 
-/// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file.
+/// Memory that each point takes in addition to the search, in bytes: its triangles, and their copy for a file.
 const BYTES_PER_POINT: u64 = 2_000;
 
-/// Estimates the cost of a stack of directrices with these numbers of points. The number of cells is exact for open
-/// strips; a closed strip may need fewer or somewhat more.
+/// Estimates the cost of a stack of directrices with these numbers of points. The number of cells assumes that every
+/// search on an open strip visits the whole grid; searches that leave out cells need fewer. A closed strip may need
+/// fewer or somewhat more.
 pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     let mut goals = vec![goal];
@@ -60,7 +61,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     }
     total.bytes += BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
     if options.all_objectives {
-        // The strips of all objectives are held at once beside the largest grid.
+        // The strips of all objectives are in memory at the same time, in addition to the largest grid.
         total.bytes += total.bytes / 4;
     }
     total

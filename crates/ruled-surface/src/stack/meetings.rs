@@ -1,4 +1,5 @@
-//! Directrices that a caller may not have meant: equal ones, ones that cross, and open ones that end where they begin.
+//! Warnings about directrices that may be a mistake: equal ones, ones that cross, and open ones that end where they
+//! begin.
 
 use super::prepare::Prepared;
 use plateau_mesh::DVec3;
@@ -10,10 +11,11 @@ use plateau_mesh::polyline::{SAME_POINT, radius};
 
 /// Smallest number of points of an open directrix that is taken for a loop.
 const LOOP_POINTS: usize = 4;
-/// Number of directrices that a warning lists.
+/// Largest number of directrices that a warning lists by index.
 const MOST_LISTED: usize = 5;
 
-/// Warnings about the directrices as they were given, before any is reversed. O(n log n) in the number of points.
+/// Returns the warnings about the directrices as they were given, before any is reversed. O(n log n) in the number of
+/// points.
 pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result<Vec<Warning>, Interruption> {
     let mut warnings = Vec::new();
     warnings.extend(unclosed(prepared));
@@ -42,7 +44,7 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
     Ok(warnings)
 }
 
-/// A warning of open directrices that end where they begin.
+/// Returns the warning about open directrices that end where they begin, if there are any.
 fn unclosed(prepared: &Prepared) -> Option<Warning> {
     let is_loop = |points: &[DVec3]| {
         let ends = points[0].distance(points[points.len() - 1]);
@@ -70,7 +72,8 @@ fn is_same(p: &[DVec3], q: &[DVec3], tolerance: f64) -> bool {
     p.len() == q.len() && (p.iter().zip(q).all(near) || p.iter().zip(q.iter().rev()).all(near))
 }
 
-/// A contact of two polylines that is not a common end of both, where an open strip comes to a point on purpose.
+/// Finds a point where two polylines cross or touch. A common end of two open polylines does not count, because there
+/// an open strip comes to a point on purpose.
 fn meeting(
     p: &[DVec3],
     q: &[DVec3],
@@ -106,7 +109,7 @@ mod tests {
     #[test]
     fn ordinary_directrices_have_no_such_warning() {
         assert_eq!(codes(&[&RAIL, &OTHER], false), []);
-        // Two arcs that meet at both ends, and an apex on the other directrix.
+        // Neither two arcs that meet at both ends nor an apex beside a rail gives a warning.
         let arc = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.2], [2.0, 0.0, 0.0]];
         assert_eq!(codes(&[&RAIL, &arc], false), []);
         assert_eq!(codes(&[&RAIL, &[[1.0, 3.0, 0.0]]], false), []);

@@ -7,17 +7,18 @@ use plateau_mesh::DVec3;
 /// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
 pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
 
-/// Options of [`solve`](crate::solve). By default the strips are open, of minimal area, between directrices as given.
+/// Options of [`solve`](crate::solve). By default the strips are open and have minimal area, and the directrices run as
+/// given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Directrices are closed polygons; the optimum is over every starting bridge too.
+    /// Whether the directrices are closed polygons. The optimum is then taken over every starting bridge too.
     pub closed: bool,
     /// The objective of each strip.
     pub objective: Objective,
     /// The secondary objective, with [`Objective::MaximalConvexity`] only.
     pub secondary: Option<Secondary>,
-    /// Angle, in radians, by which a direction may reach beyond the half-plane of a locally convex bridge. 0 asks for
-    /// the exact test.
+    /// Angle, in radians, by which the direction to a neighbour may lie outside the half-plane of a locally convex
+    /// bridge. 0 asks for the exact test.
     pub convexity_tolerance: f64,
     /// Whether directrices may be reversed.
     pub direction: Direction,
@@ -27,9 +28,10 @@ pub struct Options {
     pub normals: Option<Vec<Vec<DVec3>>>,
     /// Tangents, one for each point of each directrix. If absent, they are fitted (eq. 13 and 14).
     pub tangents: Option<Vec<Vec<DVec3>>>,
-    /// Solve for every objective and fill [`RuledSurface::comparison`](crate::RuledSurface::comparison).
+    /// Whether to solve for every objective as well and fill
+    /// [`RuledSurface::comparison`](crate::RuledSurface::comparison).
     pub all_objectives: bool,
-    /// How directrices are resampled before the solve; as given by default.
+    /// How directrices are resampled before the solve. `None` leaves them as given.
     pub sampling: Option<Sampling>,
 }
 
@@ -67,11 +69,11 @@ pub enum Direction {
 pub enum DirectionCriterion {
     /// The area vectors of two closed contours.
     AreaVectors,
-    /// Folds by more than 90°, which only one of the two ways has.
+    /// Folds by more than 90°, which occur in only one of the two directions.
     Folds,
     /// The sum of the squared distances between the ends.
     Ends,
-    /// The objective. It decides where none of the other criteria does.
+    /// The value of the objective, if none of the other criteria decides.
     Objective,
 }
 

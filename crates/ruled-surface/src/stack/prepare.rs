@@ -1,4 +1,4 @@
-//! Checks the input of a stack, cleans and samples its directrices.
+//! Checks the input of a stack, merges near neighbours of its directrices and resamples them.
 
 use super::caps;
 use super::options::{Caps, DirectionCriterion, Options};
@@ -20,9 +20,9 @@ pub(crate) struct Directrix {
     pub(crate) points: Vec<DVec3>,
     tangents: Option<Vec<DVec3>>,
     normals: Option<Vec<DVec3>>,
-    /// Index of the first vertex.
+    /// Index of the directrix's first point among the vertices of the mesh.
     pub(crate) offset: usize,
-    /// For each input point the index into `points` as they were before any reversal.
+    /// For each input point the index of its point in `points`, in the order before any reversal.
     pub(crate) vertex_of: Vec<usize>,
     pub(crate) reversed: bool,
     pub(crate) direction_decided_by: Option<DirectionCriterion>,
@@ -43,7 +43,8 @@ impl Directrix {
         }
         self.reversed = !self.reversed;
     }
-    /// Index of the first input point that lies at or after this point of a directrix, which must not be reversed.
+    /// Returns the index of the first input point that lies at or after the point `index`. The directrix must not be
+    /// reversed.
     pub(crate) fn input_point(&self, index: usize) -> usize {
         self.vertex_of.iter().position(|&vertex| vertex >= index).unwrap_or(0)
     }
@@ -72,8 +73,8 @@ impl Prepared {
     }
 }
 
-/// Checks the input, cleans the directrices and samples them. `sampling` is that of the options, or `None` if only the
-/// checks are needed.
+/// Checks the input, merges near neighbours of the directrices and resamples them. `sampling` is the sampling of the
+/// options, or `None` if only the checks are needed.
 pub(crate) fn prepare(
     directrices: &[Vec<DVec3>],
     options: &Options,
@@ -179,7 +180,8 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     errors
 }
 
-/// Merges near neighbours, samples, and merges again, because samples of a polyline that turns back can be equal.
+/// Merges near neighbours of one directrix, resamples it, and merges again, because samples of a polyline that turns
+/// back can be equal. Returns the directrix and the number of input points that the first merge dropped.
 fn clean(
     points: &[DVec3],
     tangents: Option<Vec<DVec3>>,

@@ -9,20 +9,20 @@ use std::collections::BinaryHeap;
 /// How the points of a directrix are chosen from the given polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
-    /// `samples` points uniform in t, where t counts the polyline's points.
+    /// `samples` points at equal steps of t. t increases by 1 from each given point to the next.
     Parameter {
         /// Number of points.
         samples: usize,
     },
-    /// `samples` points uniform in the length along the polyline.
+    /// `samples` points at equal distances along the polyline.
     ArcLength {
         /// Number of points.
         samples: usize,
     },
-    /// At most `samples` of the given points, or as many as are needed, so that the polyline stays within `tolerance`
-    /// (a length). The point with the largest chordal height is added first.
+    /// A subset of the given points, chosen so that the polyline stays within `tolerance`. The point with the largest
+    /// chordal height is added first, until the tolerance is met or there are `samples` points.
     ChordHeight {
-        /// Largest number of points. `None`: as many as are needed.
+        /// Largest number of points. `None` sets no limit.
         samples: Option<usize>,
         /// Largest distance of a left-out point from its chord, in the caller's unit.
         tolerance: f64,
@@ -32,14 +32,14 @@ pub enum Sampling {
 /// Resampled points: each lies on a segment of the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Samples {
-    /// Segment and the fraction along it.
+    /// For each sample the segment on which it lies and the fraction along the segment.
     pub(crate) places: Vec<(usize, f64)>,
-    /// For each input point the sample nearest to it along the polyline.
+    /// For each input point the index of the sample nearest to it along the polyline.
     pub(crate) nearest: Vec<usize>,
 }
 
 impl Samples {
-    /// Values given at the input's points, interpolated linearly.
+    /// Returns values at the samples, interpolated linearly from the values at the input's points.
     pub(crate) fn interpolate(&self, values: &[DVec3]) -> Vec<DVec3> {
         self.places
             .iter()
@@ -89,8 +89,8 @@ pub(crate) fn sample(
     }
 }
 
-/// Samples at equal steps of `stations`, which grow along the polyline. On closed directrices the last station is that
-/// of the first point again.
+/// Returns samples at equal steps of `stations`, which increase along the polyline. On closed directrices the last
+/// station belongs to the first point again.
 fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
     let total = stations[stations.len() - 1];
     let steps = (if closed { samples } else { samples - 1 }) as f64;
@@ -103,7 +103,7 @@ fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
         }
         let length = stations[segment + 1] - stations[segment];
         let fraction = if length > 0.0 { ((station - stations[segment]) / length).clamp(0.0, 1.0) } else { 0.0 };
-        // A sample at a given point is that point, to the bit.
+        // A sample at a given point has fraction 0, so that it equals that point to the bit.
         places.push(if !closed && k + 1 == samples {
             (stations.len() - 1, 0.0)
         } else if fraction == 1.0 {
@@ -123,8 +123,8 @@ fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
     Samples { places, nearest }
 }
 
-/// A stretch of the polyline: the height of the point furthest from its chord, its first point, its last point and the
-/// furthest one.
+/// A stretch of the polyline between two kept points: the height of the point furthest from its chord, the index of its
+/// first point, then the indices of its last point and of the furthest point.
 type Chord = (TotalOrder, Reverse<usize>, [usize; 2]);
 
 fn chord(points: &[DVec3], from: usize, to: usize) -> Chord {
@@ -156,8 +156,8 @@ fn by_chord_height(
     kept[0] = true;
     let mut heap = BinaryHeap::new();
     if closed {
-        // A polygon needs two more points: the point furthest from the first one, and the point furthest from the chord
-        // between these two.
+        // A closed polygon needs two points besides the first: the point furthest from the first one, and later the
+        // point furthest from the chord between these two.
         let furthest = (1..count)
             .fold(1, |best, k| if points[k].distance(points[0]) > points[best].distance(points[0]) { k } else { best });
         kept[furthest] = true;

@@ -18,19 +18,20 @@ pub struct RuledSurface {
     pub bridges: Vec<[u32; 2]>,
     /// The vertices of each directrix, in the direction in which its strips run through it.
     pub directrices: Vec<Vec<u32>>,
-    /// For each input point its vertex. Merged points share a vertex; a resampled point names the nearest vertex along
-    /// the directrix.
+    /// For each input point the index of its vertex. Merged points share a vertex; a resampled point names the nearest
+    /// vertex along the directrix.
     pub input_vertices: Vec<Vec<u32>>,
     /// Which directrices [`Direction::Auto`](crate::Direction::Auto) reversed.
     pub reversed: Vec<bool>,
-    /// For each directrix the criterion that decided its direction. `None` for the first one, for one beside an apex,
-    /// and if the directions are as given.
+    /// For each directrix the criterion that decided its direction. `None` for the first directrix, for a directrix
+    /// beside an apex, and if the directions are as given.
     pub direction_decided_by: Vec<Option<DirectionCriterion>>,
-    /// Figures of the whole stack. Caps count in its triangles and its area only.
+    /// Figures of the whole stack. Its numbers of triangles and its area include the caps; the other figures do not.
     pub statistics: Statistics,
     /// Figures of each strip.
     pub strips: Vec<Statistics>,
-    /// Table 1: the figures of every objective's own optimum, if asked for.
+    /// Table 1: the figures of the optimum of each objective, if
+    /// [`Options::all_objectives`](crate::Options::all_objectives) is set.
     pub comparison: Option<Vec<Comparison>>,
     /// The flat pattern of an open surface; `None` for a closed one.
     pub flat_pattern: Option<FlatPattern>,

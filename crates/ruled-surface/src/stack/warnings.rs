@@ -1,4 +1,4 @@
-//! Warnings about a result, which is optimal all the same.
+//! Warnings about a result. The result is the optimum even if there are warnings.
 
 use super::direction::evident_direction;
 use super::options::DirectionCriterion;
@@ -13,21 +13,23 @@ use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::measure::is_degenerate;
 
-/// Area, as a multiple of the least area, above which a strip is reported.
+/// Area above which a strip is reported, as a multiple of the least area.
 const LARGE: f64 = 1.25;
-/// Bending energy, as a multiple of the least one, above which a strip is reported. On Wang and Tang's examples the
-/// strip of least area already has 10 to 20 times the least bending energy.
+/// Bending energy above which a strip is reported, as a multiple of the least bending energy. On Wang and Tang's
+/// examples the strip of least area already has 10 to 20 times the least bending energy.
 const BENT: f64 = 50.0;
 /// Largest number of grid cells of an open strip whose least bending energy is computed for a comparison.
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
-/// The same for closed strips, each of which takes a few dozen searches.
+/// Largest number of grid cells of a closed strip whose least bending energy is computed for a comparison. It is
+/// smaller than for open strips, because a closed strip takes a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
-/// Largest number of triangles without area that is not reported. An open strip whose directrices share both ends has
-/// two.
+/// Number of triangles without area up to which a strip is not reported. An open strip whose directrices share both
+/// ends has two.
 const EMPTY_AT_ENDS: usize = 2;
-/// Number of points to which directrices are thinned to compare their directions. The time grows with its square.
+/// Largest number of points of a directrix when two directions are compared. Longer directrices are thinned to it,
+/// because the time of the comparison grows with its square.
 const THINNED: usize = 48;
-/// Returns the warnings about strip `k` of a stack, solved as `path` with these figures. `as_given` says that no
+/// Returns the warnings about strip `k` of a stack. `path` and `statistics` are its solution. `as_given` is true if no
 /// criterion has decided the directions of its directrices.
 pub(crate) fn of_strip(
     k: usize,
@@ -83,7 +85,7 @@ pub(crate) fn of_strip(
         }
     }
     let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
-    // The bending energy of a planar strip is rounding alone.
+    // Bending energy up to which a strip counts as planar: a planar strip has rounding errors only.
     let rounding = 1e-9 * statistics.bridges as f64;
     if goal.objective != Objective::MinimalBendingEnergy
         && strip.m() * strip.n() <= limit
@@ -107,7 +109,7 @@ pub(crate) fn of_strip(
     Ok(warnings)
 }
 
-/// The two ways to run through the directrices of a strip, thinned to at most [`THINNED`] points a side.
+/// Returns the strip as it is, and with Q reversed. Both are thinned to at most [`THINNED`] points on each side.
 fn thinned_ways(strip: &Rails) -> [Rails; 2] {
     let thin = |points: &[DVec3]| -> Vec<DVec3> {
         let count = points.len().min(THINNED);

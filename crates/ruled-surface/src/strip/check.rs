@@ -1,4 +1,4 @@
-//! Errors of the directrices of a strip, and of its options.
+//! Checks of the directrices of a strip and of its options.
 
 use super::objective::{Goal, Objective, Secondary};
 use crate::graph::rails::Given;
@@ -6,9 +6,9 @@ use plateau_mesh::DVec3;
 use plateau_mesh::error::{InputError, Place};
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 
-/// Number of errors that are listed; the rest is left out.
+/// Largest number of errors that are listed. Further errors are left out.
 pub(crate) const MOST_ERRORS: usize = 51;
-/// Largest convexity tolerance, in radians. With a larger one no bridge is concave.
+/// Largest convexity tolerance, in radians. With a larger tolerance no bridge would be concave.
 const LARGEST_TOLERANCE: f64 = std::f64::consts::FRAC_PI_4;
 
 pub(crate) const TOO_FEW_CLOSED: &str = "a closed directrix needs three distinct points, or one (an apex)";

@@ -7,21 +7,21 @@ pub enum Objective {
     #[default]
     /// The sum of the areas of the triangles.
     MinimalArea,
-    /// The normal twist of all bridges.
+    /// The sum of the normal twist over all bridges.
     MinimalTwist,
-    /// The number of locally convex bridges, which is made largest.
+    /// The number of locally convex bridges, which is maximised.
     MaximalConvexity,
-    /// The bending energy at the interior bridges.
+    /// The sum of the bending energy over the interior bridges.
     MinimalBendingEnergy,
-    /// The changes of the mean curvature vector from bridge to bridge.
+    /// The sum of the changes of the mean curvature vector from bridge to bridge.
     MinimalMeanCurvatureVariation,
-    /// The departure from given surface normals. Needs normals.
+    /// The sum over all bridges of the departure from given surface normals. Needs normals.
     MinimalNormalVariation,
     /// A weighted sum of the additive objectives, solved on the four-layer graph.
     Weighted(Weights),
 }
 
-/// Factors of a weighted sum, finite and not negative, at least one of them positive.
+/// Factors of a weighted sum. All are finite and not negative, and at least one is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
     /// Factor of the area.
@@ -34,7 +34,7 @@ pub struct Weights {
     pub mean_curvature_variation: f64,
     /// Factor of the normal variation. Needs normals if positive.
     pub normal_variation: f64,
-    /// Divides each term by its own optimum on the strip, since they have different units.
+    /// Whether each term is divided by its own optimum on the strip, because the terms have different units.
     pub normalise: bool,
 }
 
@@ -169,7 +169,7 @@ impl Objective {
     }
 }
 
-/// An objective, with its secondary.
+/// An objective with its secondary objective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Goal {
     pub(crate) objective: Objective,
@@ -189,7 +189,7 @@ impl Goal {
         named.map(Self::single).chain(coupled)
     }
 
-    /// Number of nodes of each bridge in the goal's graph.
+    /// Number of nodes for each bridge in the graph of the goal.
     pub(crate) fn layers(&self) -> u64 {
         match (self.objective, self.secondary) {
             (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)
@@ -216,7 +216,7 @@ impl Goal {
         }
     }
 
-    /// Whether the value depends on which way round the triangles are wound.
+    /// Whether the value changes if the triangles are wound in the opposite sense.
     pub(crate) fn winding_matters(&self) -> bool {
         match self.objective {
             Objective::MinimalNormalVariation => true,

@@ -18,7 +18,7 @@ use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::execution::Interruption;
 use std::marker::PhantomData;
 
-/// The task of a search on one strip.
+/// An objective with everything else that a search on one strip needs.
 #[derive(Clone, Copy)]
 pub(crate) struct SearchGoal<'a> {
     goal: Goal,
@@ -30,7 +30,7 @@ pub(crate) struct SearchGoal<'a> {
 }
 
 impl SearchGoal<'_> {
-    /// A goal without factors, for the winding of the strip's own triangles.
+    /// Makes a goal without factors, for the winding of the strip's own triangles.
     fn plainly(goal: Goal, test: ConvexityTest) -> Self {
         Self { goal, factors: None, sign: 1.0, test }
     }
@@ -45,8 +45,7 @@ pub(crate) struct SolvedStrips {
     pub(crate) flipped: bool,
 }
 
-/// Solves every strip. If the value depends on the winding, the whole stack gets one winding: that with the smaller
-/// total.
+/// Solves every strip. If the value depends on the winding, the whole stack gets the winding with the smaller total.
 pub(crate) fn solve_all(
     strips: &[Rails],
     goal: Goal,
@@ -135,12 +134,12 @@ fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipp
     s
 }
 
-/// Optimum for each bridge, in coordinates scaled to the strip, below which a term of a weighted sum is not divided by
-/// its optimum. Its quotient would give rounding errors a weight.
+/// Optimum per bridge, in coordinates scaled to the strip, up to which a term of a weighted sum is not divided by its
+/// optimum. Dividing by a smaller optimum would amplify rounding errors.
 const VANISHING: f64 = 1e-12;
 
-/// Returns the factors of a weighted sum on one strip: each weight, divided by the optimum of its term if that is asked
-/// for, in the strip's own unit.
+/// Returns the factors of a weighted sum on one strip, in the strip's own unit. If the weights are to be normalised,
+/// each is divided by the optimum of its term.
 fn normalised(
     strip: &Rails,
     weights: Weights,
@@ -208,7 +207,7 @@ pub(crate) fn optimal_path(
     Ok(path)
 }
 
-/// Multiple of the number of points of P above which Q has so many points that the two are exchanged.
+/// Ratio of the number of points of Q to that of P above which the two directrices are exchanged for the search.
 const FAR_MORE: usize = 8;
 
 /// Whether a closed strip is searched with its directrices exchanged. Divide and conquer takes a search for each point
@@ -237,7 +236,7 @@ pub(crate) fn least(
     Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
 }
 
-/// The least bending energy of a strip without an apex, if it is at most `bound`.
+/// Returns the least bending energy of a strip without an apex, if it is at most `bound`.
 pub(crate) fn least_bending_within(
     strip: &Rails,
     bound: f64,

@@ -8,25 +8,25 @@ use plateau_mesh::DVec3;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 
-/// Difference, in radians, from which on one fold angle counts as larger than another. It exceeds the rounding of a
-/// rotated strip, so that a corner of exactly 90° does not count as more than a right angle.
+/// Difference of two fold angles, in radians, above which one counts as larger than the other. It exceeds the rounding
+/// of a rotated strip, so that a corner of exactly 90° does not count as more than a right angle.
 pub(crate) const SMALLER_FOLD: f64 = 1e-6;
 
-/// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
+/// The figures of one strip or of a whole stack. Lengths are in the caller's unit, angles in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Number of triangles, caps not counted.
+    /// Number of triangles. The number of a whole stack includes its caps.
     pub triangles: usize,
-    /// Bridges, the first and last of an open strip included.
+    /// Number of bridges, including the first and the last one of an open strip.
     pub bridges: usize,
     /// Sum of the areas of the triangles.
     pub area: f64,
     /// Sum of 1 - n_p·n_q over all bridges (definition 5).
     pub total_normal_twist: f64,
-    /// Bridges that are locally convex (definition 6).
+    /// Number of bridges that are locally convex (definition 6).
     pub convex_bridges: usize,
-    /// Their share of all bridges.
+    /// Locally convex bridges as a fraction of all bridges.
     pub convex_bridge_ratio: f64,
     /// Bending energy (eq. 7).
     pub bending_energy: f64,
@@ -36,7 +36,8 @@ pub struct Statistics {
     pub normal_variation: Option<f64>,
     /// The largest angle between the normals of neighbouring triangles.
     pub largest_fold: f64,
-    /// The largest such angle at a bridge that is not locally convex; 0 if all are.
+    /// The largest angle between the normals of neighbouring triangles at a bridge that is not locally convex; 0 if all
+    /// bridges are locally convex.
     pub developability_deviation: f64,
     /// Length of the shortest bridge.
     pub shortest_bridge: f64,
@@ -54,7 +55,7 @@ impl Statistics {
     pub(crate) fn folds_back(&self) -> bool {
         self.largest_fold > std::f64::consts::FRAC_PI_2 + SMALLER_FOLD
     }
-    /// The figures of several strips together: sums, or the extremes of largest and smallest figures.
+    /// Returns the figures of several strips together: sums, or the smallest and the largest value of an extreme.
     #[must_use]
     pub fn total(strips: &[Self]) -> Self {
         let mut all = strips.first().copied().unwrap_or_default();
@@ -89,11 +90,11 @@ pub struct CoupledValues {
     pub mean_curvature_variation: f64,
 }
 
-/// The figures of a path, and those that only the couplings need.
+/// The figures of a path, and the figures that only the couplings need.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Evaluation {
     pub(crate) statistics: Statistics,
-    /// Normal variation with the triangles as the strip winds them, and with the opposite winding.
+    /// Normal variation with the strip's own winding of the triangles, and with the opposite winding.
     pub(crate) normal_variation: Option<[f64; 2]>,
     /// Bending energy and curvature variation over the bridges that are not convex.
     pub(crate) concave_bending: f64,
@@ -122,10 +123,11 @@ impl Angle {
     }
 }
 
-/// Number of bridges between two checks of the caller's signal, for which the evaluation takes less than a millisecond.
+/// Number of bridges between two checks of the caller's signal. Their evaluation takes less than a millisecond.
 const BRIDGES_BETWEEN_LOOKS: usize = 4096;
 
-/// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
+/// Evaluates a path, given as its bridges in order. On a closed strip the indices are cyclic and the first bridge is
+/// not repeated at the end. O(bridges).
 pub(crate) fn evaluate(
     strip: &Rails,
     path: &[[u32; 2]],
@@ -146,8 +148,8 @@ pub(crate) fn evaluate(
     Ok(sums.evaluation(strip))
 }
 
-/// Sums over the bridges so far, in the strip's own unit. Bridges are added one by one, whatever the width of the
-/// lanes.
+/// Sums over the bridges added so far, in the strip's own unit. Bridges are added one by one, whatever the width of the
+/// lanes, so that every width gives the same rounding.
 struct Sums {
     evaluation: Evaluation,
     variation: [f64; 2],
@@ -157,7 +159,7 @@ struct Sums {
     last_curvature: Vector<f64>,
 }
 
-/// A bridge of a path, as it is added to the sums.
+/// The figures of one bridge of a path, which are added to the sums.
 struct AtBridge {
     convex: bool,
     length: f64,
@@ -239,7 +241,7 @@ impl Sums {
     }
 }
 
-/// Some bridges of a path.
+/// Evaluates a range of a path's bridges and adds them to the sums.
 struct PathPart<'a, S> {
     simd: S,
     strip: &'a Rails,
@@ -272,7 +274,7 @@ fn triangle<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Brid
     BridgeTriangle::new(bank, bank.dot(bank), bridge, bridge_squared)
 }
 
-/// The normal variation with the given normals, and with those of the other side.
+/// Returns the normal variation with the given normals, and with the opposite normals.
 #[inline(always)]
 fn normal_variations<V: Lanes>(
     simd: V::Simd,

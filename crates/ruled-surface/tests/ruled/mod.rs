@@ -1,5 +1,5 @@
 //! Helpers of the tests of ruled strips: small random strips, and every functional evaluated as the papers print it
-//! (angles, arc tangents, normalised sums), without a formula in common with the solver.
+//! (angles, arc tangents, normalised sums). No formula is shared with the solver.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub mod pairs;
@@ -110,7 +110,7 @@ fn unit_cross(u: DVec3, v: DVec3) -> Option<DVec3> {
     (cross.length() > 1e-14 * u.length() * v.length()).then(|| cross / cross.length())
 }
 
-/// Eq. 13 and 14, literally.
+/// Tangents by eq. 13 and 14, exactly as the paper prints them.
 pub fn tangents(points: &[DVec3], closed: bool) -> Vec<DVec3> {
     let count = points.len();
     let tangent = |k: usize| {
@@ -152,7 +152,8 @@ impl Case {
         paths
     }
 
-    /// `path` from the first bridge to the last; on closed strips the last is the first again, one turn on.
+    /// Evaluates every functional of a triangulation. `path` runs from the first bridge to the last one. On closed
+    /// strips the last bridge is the first one again, with indices increased by m and n.
     pub fn evaluate(&self, path: &[[usize; 2]], convex: &dyn Fn(usize, usize) -> bool) -> Values {
         let (m, n) = (self.p.len(), self.q.len());
         let (tp, tq) = (tangents(&self.p, self.closed), tangents(&self.q, self.closed));
@@ -225,8 +226,9 @@ impl Case {
         values
     }
 
-    /// Definition 6 by its words: some plane through the bridge has all neighbours on one side. Whole numbers are
-    /// decided exactly, others by the widest gap between the directions around the bridge.
+    /// Local convexity exactly as definition 6 states it: some plane through the bridge has all neighbours on one side.
+    /// Whole numbers are decided exactly. Other coordinates are decided by the widest gap between the directions around
+    /// the bridge.
     pub fn is_convex(&self, i: usize, j: usize) -> bool {
         let around = |points: &[DVec3], k: usize| -> Vec<DVec3> {
             let count = points.len();
@@ -242,7 +244,8 @@ impl Case {
             // Products of small whole numbers are exact in f64.
             if p == q {
                 let near: Vec<DVec3> = near.into_iter().filter(|&a| a != p).collect();
-                // Some plane through the point: through two neighbours, or through one and anything.
+                // With fewer than four neighbours, some plane through the point has all of them on one side. With four
+                // neighbours there is no such plane only if they surround the point.
                 return near.len() < 4 || !surrounded(p, &near);
             }
             let near: Vec<DVec3> = near.into_iter().filter(|&a| e.cross(a - p) != DVec3::ZERO).collect();

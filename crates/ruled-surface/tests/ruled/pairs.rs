@@ -4,7 +4,7 @@ use plateau_mesh::DVec3;
 use plateau_mesh::random::SplitMix64;
 use std::f64::consts::{PI, TAU};
 
-/// Two rails that run the same way. Each is drawn with points of its own, along one guiding curve.
+/// Two rails that run in the same direction. Both follow one guiding curve, and each has its own points.
 pub struct Pair {
     pub name: String,
     pub closed: bool,
@@ -33,7 +33,7 @@ impl Guide {
         }
     }
 
-    /// Place and unit vector to the left, in the horizontal plane.
+    /// Returns the place on the curve, and the horizontal unit vector to its left.
     fn at(&self, t: f64) -> (DVec3, DVec3) {
         match self {
             Self::Line { length } => (DVec3::X * length * t, DVec3::Y),
@@ -59,7 +59,7 @@ fn bezier(controls: &[DVec3], t: f64) -> DVec3 {
     row[0]
 }
 
-/// A pair of open rails. The second one lies to the side and at heights of its own. Both distances may change along the
+/// Draws a pair of open rails. The second rail is offset to the side and vertically. Both offsets may change along the
 /// rails.
 pub fn open_pair(random: &mut SplitMix64) -> Pair {
     let (name, guide) = {
@@ -68,7 +68,7 @@ pub fn open_pair(random: &mut SplitMix64) -> Pair {
     };
     let width = [random.between(0.3, 2.5), random.between(0.3, 2.5)];
     let height = [random.between(-2.0, 2.0), random.between(-2.0, 2.0)];
-    // Where each rail begins and ends along the guide.
+    // Parameters of the guide at which each rail begins and ends.
     let reach = [(0.0, 1.0), (random.between(0.0, 0.15), random.between(0.85, 1.0))];
     let rails: [Vec<DVec3>; 2] = [0, 1].map(|side| {
         // A straight rail may consist of its two ends only.
@@ -91,7 +91,7 @@ pub fn open_pair(random: &mut SplitMix64) -> Pair {
     Pair { name: format!("{name}, {m} and {n} points"), closed: false, rails }
 }
 
-/// A pair of contours that run around the same way, as two sections of a hull or of a wing do.
+/// Draws a pair of contours that run in the same sense, like two sections of a hull or of a wing.
 pub fn closed_pair(random: &mut SplitMix64) -> Pair {
     let lobes = whole(random, 0, 4) as f64;
     let depth = if lobes == 0.0 { 0.0 } else { random.between(0.0, 0.4) };

@@ -1,21 +1,22 @@
-//! INCREMENT (Katoh, Ohsaki and Xu, section 2; for the rim section 3): farthest-point insertion.
+//! The algorithm INCREMENT: farthest-point insertion (Katoh, Ohsaki and Xu, section 2; for the rim, section 3).
 //!
 //! 1. The nodes on the boundary of the region are already placed (steps 1 and 2 of the paper).
-//! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle from
-//!    which that centre is visible. (Section 3's distance to a hidden node is infinite.)
+//! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle, among
+//!    the circumcentres that are visible from their triangle. (In section 3 the distance to a hidden node is infinite.)
 //! 3. Insert the farthest of these centres while its distance is ℓ or more.
 //! 4. The result is a constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is visible
 //!    has a circumradius below ℓ (lemma 1), and the edges of a triangle whose centre is hidden behind a boundary edge
 //!    are no longer than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
 //!
 //! Our departures:
-//! - A heap of the triangles' circumradii over a triangulation that changes only around the new node: O(n log n) in
-//!   practice where the paper rebuilds the Voronoi diagram. A triangle's centre stays visible or hidden for good,
-//!   because insertion adds no obstacles, so a hidden one is dropped the first time it comes up.
+//! - The paper rebuilds the Voronoi diagram. We keep a heap of the triangles' circumradii, and the triangulation
+//!   changes only around the new node: O(n log n) in practice. A triangle's centre stays visible or stays hidden,
+//!   because insertion adds no obstacles. A triangle with a hidden centre is therefore dropped when it is first taken
+//!   from the heap.
 //! - The threshold is ℓ(1 + 1e-9). A boundary edge of exactly 2ℓ makes flat triangles whose circumradius is ℓ up to
-//!   rounding, with the centre on the edge; inserting it would give a triangle without area.
-//! - Radii are compared to 2^-30 of themselves, then by the triangle's number, so that rounding does not decide between
-//!   the equal radii of symmetric input.
+//!   rounding, with the centre on the edge. Inserting this centre would make a triangle without area.
+//! - Radii are compared up to a relative difference of 2^-30, then by the triangle's number, so that rounding does not
+//!   decide between the equal radii of symmetric input.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -23,19 +24,21 @@ use plateau_mesh::plane::triangulation::{Sight, Triangulation};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// How far beyond ℓ a point must be from all nodes to be inserted, in ℓ. Edges may exceed 2ℓ by the same factor.
+/// A point is inserted only if its distance from all nodes exceeds ℓ by at least this, in ℓ. Edges may exceed 2ℓ by the
+/// same factor.
 pub(crate) const SLACK: f64 = 1e-9;
 
-/// Number of triangles made or visited between two checks of the caller's signal.
+/// Number of triangles made or visited between two calls of [`Execution::look`].
 const WORK_PER_LOOK: u64 = 4096;
 
 /// Fills the region with nodes until every visible point is nearer than 1 + [`SLACK`] to some node (lengths in units of
 /// ℓ).
 ///
-/// `expected` is the expected number of new nodes. The progress runs from `from` to `to` with it.
+/// `expected` is the expected number of new nodes. The reported progress runs from `from` to `to` while they are
+/// inserted.
 ///
 /// # Errors
-/// The interruption. The triangulation is valid then, but not yet full.
+/// The interruption. The triangulation is then valid, but not yet filled.
 pub(crate) fn fill(
     region: &mut Triangulation,
     expected: usize,
@@ -75,22 +78,22 @@ pub(crate) fn fill(
     execution.look(work)
 }
 
-/// The triangles whose centres may get a node, largest circumradius first, then by number.
+/// The queue of triangles whose circumcentres may be inserted: largest circumradius first, then by number.
 #[derive(Debug, Default)]
 pub(crate) struct Circumradii {
-    /// For each triangle the rank of its entry in the heap; 0 if it has none.
+    /// For each triangle, the rank of its entry in the heap, or 0 if it has none.
     ranks: Vec<u64>,
     heap: BinaryHeap<(u64, Reverse<u32>)>,
 }
 
 impl Circumradii {
-    /// Queues a triangle by its squared circumradius, if that is at least `least`, in place of its earlier entry.
+    /// Queues a triangle by its squared circumradius if that is at least `least`, and cancels its earlier entry.
     pub fn consider(&mut self, t: u32, squared: f64, least: f64) {
         if self.ranks.len() <= t as usize {
             self.ranks.resize(t as usize + 1, 0);
         }
-        // The bits of a positive float rank as the float does. The lowest 22 of the 52 bits are left out, because
-        // rounding decides them.
+        // The bits of positive floats have the order of the floats. The lowest 22 of the 52 bits of the fraction are
+        // dropped, because rounding decides them.
         let rank = if squared.is_finite() && squared >= least { squared.to_bits() >> 22 } else { 0 };
         self.ranks[t as usize] = rank;
         if rank > 0 {
@@ -98,7 +101,7 @@ impl Circumradii {
         }
     }
 
-    /// Takes the next triangle. Entries that a later entry has replaced are skipped.
+    /// Takes the next triangle from the queue. Entries that a later entry has replaced are skipped.
     pub fn pop(&mut self) -> Option<u32> {
         // Ends because each pass takes an entry from the heap and adds none.
         while let Some((rank, Reverse(t))) = self.heap.pop() {
@@ -111,7 +114,7 @@ impl Circumradii {
     }
 }
 
-/// Circumcentre and squared circumradius; not finite for a triangle without area.
+/// The circumcentre and the squared circumradius of a triangle. Not finite if the triangle has no area.
 fn circumcentre([a, b, c]: [DVec2; 3]) -> (DVec2, f64) {
     let (u, v) = (b - a, c - a);
     let (uu, vv) = (u.length_squared(), v.length_squared());

@@ -1,24 +1,27 @@
-//! The equilateral lattice inside a domain (Katoh, Ohsaki and Xu, section 3), and the search for its placement.
+//! Places the equilateral lattice inside a domain (Katoh, Ohsaki and Xu, section 3), and searches for the best
+//! placement.
 //!
-//! 1. Overlay a triangular lattice of edge ℓ; keep its nodes inside the domain.
+//! 1. Overlay a triangular lattice of edge ℓ and keep its nodes inside the domain.
 //! 2. Drop the nodes nearer than ℓ to a node on the boundary.
 //! 3. The remaining nodes, with every lattice edge between two of them, are the lattice group. Between the group and
 //!    the boundary lies the rim, which [`increment`](super::increment) fills.
 //!
 //! Our departures:
 //! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without this rule lemma 3 fails for
-//!   boundary edges near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses
-//!   a boundary edge, in concave domains and at holes too: if a lattice edge uv crossed a boundary edge ab, the
-//!   quadrilateral's angles at u and v would be below 90°, so its angle at a or at b would be above 90°, and with |ua|,
-//!   |va| >= ℓ the edge uv would be longer than √2 ℓ.
-//! - Nodes without any lattice edge are dropped: they only constrain the rim.
+//!   boundary edges near 2ℓ, because the middle of such an edge may come arbitrarily close to a lattice node. With the
+//!   rule no lattice edge crosses a boundary edge, even in concave domains and at holes. Proof: if a lattice edge uv
+//!   crossed a boundary edge ab, the quadrilateral's angles at u and v would be below 90°. Its angle at a or at b would
+//!   then be above 90°, and with |ua|, |va| >= ℓ the edge uv would be longer than √2 ℓ.
+//! - Nodes without any lattice edge are dropped, because they only constrain the rim.
 //! - The paper takes one placement. We search for the placement with the most lattice edges: first along every edge
 //!   direction of the boundary with the lattice running through a corner, then on a grid of angles and origins, then by
-//!   a pattern search from the best few. The division of the boundary matters too: with pieces of √2 ℓ the lattice may
-//!   come nearer to the boundary than with pieces of ℓ, unless the boundary runs along the lattice. Both divisions are
-//!   therefore searched ([`Division`](super::sides::Division)). One placement costs O(boundary), because a lattice row
-//!   is a set of free intervals of a line, and edges are counted from the intervals' ends without visiting the nodes.
-//!   The search is bounded by the number of rows built, not by time, so it is the same on every machine.
+//!   a pattern search from the best few.
+//! - The division of the boundary matters too. With pieces of √2 ℓ the lattice may come nearer to the boundary than
+//!   with pieces of ℓ, unless the boundary runs along the lattice. Both divisions are therefore searched
+//!   ([`Division`](super::sides::Division)).
+//! - A placement is evaluated in O(boundary), because a lattice row is a set of free intervals of a line, and edges are
+//!   counted from the ends of the intervals without visiting the nodes. The search is bounded by the number of rows
+//!   built, not by time, so that the result is the same on every machine.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -27,28 +30,29 @@ use plateau_mesh::plane::unit_vector;
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_3;
 
-/// Height of a lattice row, √3/2.
+/// Distance between lattice rows in ℓ, √3/2.
 const ROW: f64 = 0.866_025_403_784_438_6;
-/// Tolerance for rounding in the least distances, in ℓ. Lattices aligned with the boundary have exactly these
-/// distances.
+/// Tolerance for rounding in the least distances from the boundary, in ℓ. Lattices aligned with the boundary have
+/// exactly these distances.
 const TOUCH: f64 = 1e-10;
 
-/// Largest number of placements from which the pattern search starts, in all and at one angle.
+/// Largest number of placements from which the pattern search starts: in total, and at the same angle.
 const STARTS: usize = 24;
 const STARTS_PER_ANGLE: usize = 3;
-/// Number of best placements for which the edges along the boundary are counted too.
+/// Number of best placements for which the lattice edges along the boundary are counted too.
 const BEST: usize = 64;
 
-/// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
+/// The placement of a lattice of edge 1. Node (i, j) is at origin + i e₁ + j e₂, where e₁ points at `angle` and e₂ 60°
+/// further.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Placement {
     pub angle: f64,
-    /// In the frame turned by `-angle`.
+    /// The position of node (0, 0), in coordinates rotated by `-angle`.
     pub origin: DVec2,
 }
 
 impl Placement {
-    /// Whether the point is a lattice point to 1e-7 ℓ.
+    /// Whether the point is a lattice point, up to a tolerance of 1e-7 ℓ.
     pub fn carries(&self, point: DVec2) -> bool {
         let p = unit_vector(-self.angle).rotate(point) - self.origin;
         let j = p.y / ROW;
@@ -57,7 +61,7 @@ impl Placement {
     }
 }
 
-/// The domain's boundary: nodes, and the pieces between them.
+/// The boundary of the domain: its nodes, and its pieces, each from node to node.
 #[derive(Clone, Debug)]
 pub(crate) struct Boundary<'a> {
     pub nodes: &'a [DVec2],
@@ -69,11 +73,12 @@ pub(crate) struct Boundary<'a> {
 pub(crate) struct Lattice {
     pub nodes: Vec<DVec2>,
     pub triangles: Vec<[u32; 3]>,
-    /// Edges with fewer than two lattice triangles, between lattice nodes.
+    /// The lattice edges with fewer than two lattice triangles.
     pub borders: Vec<Constraint>,
 }
 
-/// Free intervals of the rows of one angle and height, row after row.
+/// The free intervals of the lattice rows, for one angle and height. A free interval is a part of a row that lies
+/// inside the domain and far enough from its boundary.
 #[derive(Default)]
 struct Rows {
     first: i64,
@@ -81,7 +86,7 @@ struct Rows {
     free: Vec<(f64, f64)>,
     crossings: Vec<(u32, f64)>,
     blocked: Vec<(u32, f64, f64)>,
-    // Scratch of `sort_rows`.
+    // Working memory of `sort_rows`.
     spare_crossings: Vec<(u32, f64)>,
     spare_blocked: Vec<(u32, f64, f64)>,
     ends: Vec<u32>,
@@ -89,7 +94,8 @@ struct Rows {
 }
 
 impl Rows {
-    /// Finds the parts of the lines y = `height` + j · [`ROW`] that lie inside the domain and clear of its boundary.
+    /// Finds the free intervals of the lines y = `height` + j · [`ROW`]. `turned` holds the boundary nodes in rotated
+    /// coordinates.
     fn build(&mut self, boundary: &Boundary<'_>, turned: &[DVec2], height: f64) {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for p in turned {
@@ -101,7 +107,7 @@ impl Rows {
         let count = (last - self.first + 1).max(0) as usize;
         let first = self.first;
         let y = |row: u32| height + (first + i64::from(row)) as f64 * ROW;
-        // Rows with low <= y < high, as indices from the first row.
+        // The rows with low <= y < high, as indices that count from the first row.
         let rows = |low: f64, high: f64| {
             let from = ((low - height) / ROW).ceil() as i64 - first;
             let to = ((high - height) / ROW).ceil() as i64 - first;
@@ -125,7 +131,7 @@ impl Rows {
             for row in rows(a.y.min(b.y), a.y.max(b.y)) {
                 self.crossings.push((row, a.x + (b.x - a.x) * ((y(row) - a.y) / (b.y - a.y))));
             }
-            // Up to √2 ℓ the diametral circle lies within the circles around the ends.
+            // The diametral circle of an edge of at most √2 ℓ lies within the circles around its ends.
             if a.distance_squared(b) > 2.0 - 1e-6 {
                 block(&mut self.blocked, (a + b) / 2.0, a.distance(b) / 2.0 + TOUCH);
             }
@@ -143,7 +149,7 @@ impl Rows {
         self.find_free(count as u32);
     }
 
-    /// Collects, row by row, the parts inside the boundary that are not blocked.
+    /// Collects the free intervals row by row: the parts inside the boundary that are not blocked.
     fn find_free(&mut self, count: u32) {
         self.start.clear();
         self.free.clear();
@@ -157,7 +163,8 @@ impl Rows {
             while c + 1 < self.crossings.len() && self.crossings[c].0 == row {
                 let (mut from, to) = (self.crossings[c].1, self.crossings[c + 1].1);
                 c += 2;
-                // Blocked intervals are sorted by their start; one may reach over several inside intervals.
+                // Blocked intervals are sorted by their start. A blocked interval may reach over several inside
+                // intervals.
                 for &(_, start, end) in &self.blocked[gap..k] {
                     if start >= to {
                         break;
@@ -178,8 +185,8 @@ impl Rows {
         self.start.push(self.free.len());
     }
 
-    /// Turns the free intervals into runs of axial indices for a lattice starting at `x`. Calls `row(j, runs)` in
-    /// order.
+    /// Finds the runs of lattice nodes in the free intervals, for a lattice whose node (0, 0) is at `x`. A run is the
+    /// first and the last index i of consecutive nodes. Calls `each(j, runs)` for every row in order.
     fn each_row(&mut self, x: f64, mut each: impl FnMut(i64, &[(i64, i64)])) {
         for row in 0..self.start.len().saturating_sub(1) {
             let j = self.first + row as i64;
@@ -189,7 +196,7 @@ impl Rows {
                 let (from, to) = ((from - shift).ceil() as i64, (to - shift).floor() as i64);
                 match self.runs.last_mut() {
                     _ if to < from => {}
-                    // Neighbouring nodes on the two sides of a blocked sliver are joined by an edge all the same.
+                    // Neighbouring nodes on the two sides of a thin blocked interval are joined by an edge too.
                     Some(last) if last.1 + 1 >= from => last.1 = last.1.max(to),
                     _ => self.runs.push((from, to)),
                 }
@@ -198,7 +205,7 @@ impl Rows {
         }
     }
 
-    /// Number of lattice edges for a lattice starting at `x`.
+    /// Number of lattice edges of a lattice whose node (0, 0) is at `x`.
     fn edges(&mut self, x: f64) -> usize {
         let (mut total, mut below, mut spare) = (0i64, Vec::new(), Vec::new());
         self.each_row(x, |_, runs| {
@@ -212,8 +219,8 @@ impl Rows {
     }
 }
 
-/// Sorts by row and then by `order`. The items first go into a bucket for each row, because a row holds few of them,
-/// and most of the search's time goes into this sort.
+/// Sorts by row and then by `order`. The items are first distributed to a bucket for each row, because a row holds few
+/// of them, and most of the search's time is spent in this sort.
 fn sort_rows<T: Copy>(
     items: &mut [T],
     spare: &mut Vec<T>,
@@ -244,7 +251,7 @@ fn sort_rows<T: Copy>(
     }
 }
 
-/// Number of indices that lie in both lists of runs, when the second list is moved up by `shift`.
+/// Number of indices that lie in both lists of runs after `shift` is added to the indices of the second list.
 fn common(a: &[(i64, i64)], b: &[(i64, i64)], shift: i64) -> i64 {
     let (mut i, mut j, mut total) = (0, 0, 0);
     // Ends because each pass raises i or j by one.
@@ -257,7 +264,8 @@ fn common(a: &[(i64, i64)], b: &[(i64, i64)], shift: i64) -> i64 {
     total
 }
 
-/// The search's state: the best placements so far and what is left of the budget.
+/// The state of the search: the best placements so far, and the number of row sets built (`built`) of the most that may
+/// be built (`budget`).
 struct Search<'a> {
     boundary: &'a Boundary<'a>,
     rows: Rows,
@@ -269,8 +277,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Counts the lattice edges at every `x` for one angle and height. Returns the placement with the most, and their
-    /// number.
+    /// Counts the lattice edges at every `x` for one angle and height. Returns the placement with the most edges, and
+    /// their number.
     fn try_heights(&mut self, angle: f64, height: f64, xs: impl Iterator<Item = f64>) -> Option<(usize, Placement)> {
         if angle != self.angle || self.turned.is_empty() {
             let turn = unit_vector(-angle);
@@ -294,7 +302,8 @@ impl Search<'_> {
         self.best.extend(candidate);
     }
 
-    /// Moves and turns a placement in ever smaller steps as long as that gives more edges.
+    /// Pattern search: moves and rotates a placement in ever smaller steps as long as that increases the number of
+    /// edges.
     ///
     /// # Errors
     /// The interruptions of `execution`.
@@ -327,7 +336,8 @@ impl Search<'_> {
         Ok((edges, here))
     }
 
-    /// Looks at the caller's signal once per height tried, with the boundary's size as the work.
+    /// Calls [`Execution::look`] with the boundary's size as the work, and reports progress. Called once per height
+    /// tried.
     fn look(&self, (from, to): (f64, f64), execution: &Execution<'_>) -> Result<(), Interruption> {
         execution.look(self.boundary.nodes.len() as u64)?;
         let share = (self.built as f64 / self.budget as f64).min(1.0);
@@ -343,7 +353,8 @@ impl Search<'_> {
     }
 }
 
-/// Directions of the boundary edges modulo 60°, the longest in total first, each with the nodes where such edges start.
+/// The directions of the boundary edges modulo 60°, each with the nodes where edges of that direction start. Sorted by
+/// the total length of the edges, longest first.
 fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
     let mut all: Vec<(f64, f64, u32)> = boundary
         .pieces
@@ -366,7 +377,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
             _ => groups.push((angle, length, vec![node])),
         }
     }
-    // Rounding must not order groups of equal length.
+    // Lengths are rounded, so that rounding errors do not order groups of equal length.
     groups.sort_by_key(|group| (std::cmp::Reverse((group.1 * 1e6).round() as i64), group.2.iter().min().copied()));
     groups
         .into_iter()
@@ -377,12 +388,11 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .collect()
 }
 
-/// The placement with the most lattice edges that the search finds, and the number of these edges, in which those along
+/// Searches for the placement with the most lattice edges. Also returns the number of these edges, of which those along
 /// the boundary are estimated. `None` if no lattice edge fits.
 ///
 /// # Errors
-/// The run was cancelled, or the deadline passed before the first placement. If it passes later, the best placement so
-/// far is returned.
+/// The interruptions of `execution`. The placements found so far are then lost.
 pub(crate) fn search(
     boundary: &Boundary<'_>,
     span: (f64, f64),
@@ -407,8 +417,8 @@ pub(crate) fn search(
     };
     let directions = directions(boundary);
     let fraction = move |k: u32| f64::from(k) / f64::from(steps);
-    // Placements that are aligned with the boundary and run through its nodes. An exact fit is among them if there is
-    // one.
+    // Placements that are aligned with the boundary and run through its nodes. If there is an exact fit, it is among
+    // them.
     for (angle, nodes) in directions.iter().take(8) {
         for &node in nodes.iter().step_by((nodes.len() / 4).max(1)).take(4) {
             let origin = unit_vector(-angle).rotate(boundary.nodes[node as usize]);
@@ -430,7 +440,7 @@ pub(crate) fn search(
         }
     }
     search.best.sort_by_key(|&(edges, _)| std::cmp::Reverse(edges));
-    // For the best placements the edges that continue the lattice along the boundary count too.
+    // For the best placements, the edges that continue the lattice along the boundary are counted too.
     let with_boundary = |&(edges, placement): &(usize, Placement)| (edges + edges_on(boundary, placement), placement);
     let mut winner: Option<(usize, Placement)> = None;
     for candidate in search.best.iter().take(BEST).map(with_boundary) {
@@ -438,7 +448,8 @@ pub(crate) fn search(
             winner = Some(candidate);
         }
     }
-    // The best few placements, but only a few of one angle, because neighbouring heights lead to the same placement.
+    // The best few placements, but only a few of the same angle, because neighbouring heights lead to the same
+    // placement.
     let mut starts: Vec<(usize, Placement)> = Vec::new();
     for &candidate in &search.best {
         let alike = starts.iter().filter(|(_, start)| start.angle == candidate.1.angle).count();
@@ -455,9 +466,9 @@ pub(crate) fn search(
     Ok(winner.filter(|&(edges, _)| edges > 0))
 }
 
-/// Estimates the number of edges of the finished mesh that are lattice edges because the boundary runs on the lattice:
-/// pieces of length 1 between two lattice points, and two edges to the next row for each boundary node on a lattice
-/// point.
+/// Estimates the number of lattice edges that the boundary adds to the finished mesh where it runs on the lattice.
+/// Counts the pieces of length 1 between two lattice points, and two edges to the next row for each boundary node on a
+/// lattice point.
 fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
     let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
     let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);
@@ -465,13 +476,13 @@ fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
     boundary.pieces.iter().filter(is_on).count() + 2 * on.iter().filter(|&&on| on).count()
 }
 
-/// Lays the lattice out. O(nodes + boundary log boundary).
+/// Makes the lattice group of a placement. O(nodes + boundary log boundary).
 pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
     let turn = unit_vector(-placement.angle);
     let turned: Vec<DVec2> = boundary.nodes.iter().map(|&p| turn.rotate(p)).collect();
     let mut rows = Rows::default();
     rows.build(boundary, &turned, placement.origin.y);
-    // Runs of all rows: (first index, last index, number of the first node).
+    // The runs of all rows: (first index, last index, number of the first node).
     let mut runs: Vec<(i64, i64, u32)> = Vec::new();
     let mut start: Vec<usize> = Vec::new();
     let mut count = 0u32;
@@ -508,7 +519,7 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
                 if let (Some(a), Some(b)) = (up, up_left) {
                     triangles.push([here, a, b]);
                 }
-                // Each edge once, with the two nodes that would make its triangles.
+                // Each edge is visited once, with the third corners of its two possible triangles.
                 let sides = [
                     (right, up, node_number(i + 1, j - 1)),
                     (up, right, up_left),
@@ -551,7 +562,7 @@ pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
 mod tests {
     use super::*;
 
-    /// An L-shaped domain with unit pieces and a hole: concave corners, several intervals a row, blocked slivers.
+    /// An L-shaped domain with a hole. It has concave corners, several intervals per row, and thin blocked intervals.
     fn domain() -> (Vec<DVec2>, Vec<(u32, u32)>) {
         let corners = [[0.0, 0.0], [17.0, 0.0], [17.0, 6.0], [7.5, 7.0], [6.0, 15.0], [0.0, 15.0]].map(DVec2::from);
         let hole = [[2.0, 2.0], [2.5, 5.5], [5.0, 2.5]].map(DVec2::from);
@@ -569,7 +580,8 @@ mod tests {
         (nodes, pieces)
     }
 
-    /// The nodes by definition: inside the boundary, 1 or more away from its nodes, outside all diametral circles.
+    /// The lattice nodes by definition: inside the boundary, at least 1 away from its nodes, and outside all diametral
+    /// circles.
     fn brute_force(boundary: &Boundary<'_>, placement: Placement) -> Vec<DVec2> {
         let mut kept = Vec::new();
         for j in -60..60i64 {
@@ -607,7 +619,8 @@ mod tests {
             for p in &lattice.nodes {
                 assert!(expected.iter().any(|q| p.distance(*q) < 1e-9) && placement.carries(*p));
             }
-            // Edges by three routes: pairs of nodes, the search's interval count, Euler's count from the triangles.
+            // The edges are counted in three ways: as pairs of nodes, from the intervals, and from the triangles and
+            // border edges.
             let turned: Vec<DVec2> = nodes.iter().map(|&p| unit_vector(-placement.angle).rotate(p)).collect();
             let mut rows = Rows::default();
             rows.build(&boundary, &turned, placement.origin.y);

@@ -1,4 +1,5 @@
-//! The two planar problems of Katoh, Ohsaki and Xu on a domain whose boundary nodes are placed; lengths in units of ℓ.
+//! Solves the two planar problems of Katoh, Ohsaki and Xu for a domain whose boundary nodes are placed. Lengths are in
+//! units of ℓ.
 
 use super::increment::fill;
 use super::lattice::{self, Boundary, Lattice, Placement};
@@ -8,7 +9,7 @@ use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::plane::polygon;
 use plateau_mesh::plane::triangulation::{Border, Constraint, Tangle, Triangulation};
 
-/// Boundary nodes and the loops through them, each with the domain on its left.
+/// The boundary nodes and the loops through them. Each loop has the domain on its left.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outline {
     pub nodes: Vec<DVec2>,
@@ -23,20 +24,20 @@ impl Outline {
         self.loops.iter().flat_map(closing).collect()
     }
 
-    /// Area inside the outer loop and outside the holes.
+    /// The area inside the outer loop and outside the holes.
     pub fn area(&self) -> f64 {
         let loops = self.loops.iter().map(|nodes| nodes.iter().map(|&v| self.nodes[v as usize]));
         loops.map(|points| polygon::doubled_area(points, self.nodes[0])).sum::<f64>() / 2.0
     }
 }
 
-/// A triangulated domain: the outline's nodes first, then the lattice's, then the inserted ones.
+/// A triangulated domain. The nodes of the outline come first, then those of the lattice, then the inserted nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneMesh {
     pub points: Vec<DVec2>,
     pub triangles: Vec<[u32; 3]>,
     pub lattice: Option<Placement>,
-    /// Set if the deadline passed: the mesh is valid, but edges may still be longer than 2ℓ.
+    /// True if the deadline passed. The mesh is then valid, but edges may still be longer than 2ℓ.
     pub interrupted: bool,
 }
 
@@ -57,19 +58,20 @@ impl From<Interruption> for Failure {
     }
 }
 
-/// Meshes the domain. The `outlines` differ in the division of its sides. The outline on which most lattice edges fit
-/// is taken, or the first one if no lattice edge fits on any. Also returns the outline's index. Progress runs over
-/// `span`.
+/// Meshes the domain. The `outlines` differ in how the sides are divided. The outline on which the most lattice edges
+/// fit is used, or the first one if no lattice edge fits on any. Also returns the index of the outline that was used.
+/// The reported progress runs over `span`.
 ///
 /// # Errors
-/// The crossings of the outline, or the interruption. A passed deadline returns the valid mesh reached so far.
+/// [`Failure::Tangle`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes during the
+/// first search for a placement or while nodes are being inserted, the valid mesh reached so far is returned instead.
 pub(crate) fn mesh(
     outlines: &[&Outline],
     objective: Objective,
     span: (f64, f64),
     execution: &Execution<'_>,
 ) -> Result<(usize, PlaneMesh), Failure> {
-    // The triangulation without inner nodes also finds outlines that cross, and holes on the wrong side.
+    // The triangulation without inner nodes also detects outlines that cross, and holes on the wrong side.
     let mut region = region(outlines[0], execution)?;
     let mut interrupted = false;
     let middle = span.0 + 0.4 * (span.1 - span.0);
@@ -107,8 +109,8 @@ pub(crate) fn mesh(
     let Lattice { nodes, triangles, borders, .. } = lattice;
     let mut constraints = outline_constraints(&pieces);
     execution.look(nodes.len() as u64)?;
-    // Of the lattice only its border nodes take part in the triangulation of the rim. For each node of the rim, `outer`
-    // has its number in the whole mesh.
+    // Only the border nodes of the lattice take part in the triangulation of the rim. For each node of the rim, `outer`
+    // holds its number in the whole mesh.
     let mut outer: Vec<u32> = (0..fixed).collect();
     let mut points = outline.nodes.clone();
     let mut rim_number = vec![u32::MAX; nodes.len()];
@@ -162,7 +164,8 @@ pub(crate) fn deadline(result: Result<(), Interruption>) -> Result<bool, Interru
     }
 }
 
-/// Number of nodes that farthest-point insertion places on an area in ℓ². Measured were 0.70 to 0.75 nodes on each ℓ².
+/// Number of nodes that farthest-point insertion is expected to place on an area in ℓ². Measured were 0.70 to 0.75
+/// nodes per ℓ².
 fn expected_nodes(area: f64) -> usize {
     (0.72 * area.max(0.0)) as usize
 }

@@ -1,5 +1,5 @@
-//! A planar polygon in space, with holes: checked, projected if its points are rounded, brought into its plane in units
-//! of ℓ, its long sides split.
+//! Prepares a planar polygon in space, with holes, for meshing: checks it, projects rounded points onto its plane,
+//! converts it to plane coordinates in units of ℓ, and splits its long sides.
 
 use super::mesh::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
@@ -15,11 +15,11 @@ use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, SAME_POINT, mean, merge
 use plateau_mesh::{DVec2, DVec3};
 use std::cell::Cell;
 
-/// Distance, as a fraction of the polygon's size, up to which points count as lying on one line and sides as meeting.
-/// It serves to find the cause of a vanishing area.
+/// Distance up to which points count as lying on one line and sides as meeting, as a fraction of the polygon's size. It
+/// is used only to find out why a polygon has no area.
 const TOUCHING: f64 = 1e-6;
 
-/// A polygon ready to be meshed.
+/// A polygon that is ready to be meshed.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygon {
     frame: Frame,
@@ -31,13 +31,13 @@ pub(crate) struct Polygon {
     pub input_vertices: Vec<Option<u32>>,
     pub warnings: Vec<Warning>,
     pub sides: Sides,
-    /// The corners of each loop with the domain on the left.
+    /// The corners of each loop, in the direction that has the domain on the left.
     corner_loops: Vec<Vec<u32>>,
-    /// For each corner the loop and the index of the input point.
+    /// For each corner, the number of its loop and the index of its input point in the loop.
     sources: Vec<(usize, usize)>,
 }
 
-/// The place of a point of loop `ring` (0: the outer one).
+/// The place in the input of a point of loop `ring`. Loop 0 is the outer loop.
 fn place(ring: usize, point: usize) -> Place {
     let domain = Place::field("domain");
     if ring == 0 { domain.then("polygon").at(point) } else { domain.then("holes").at(ring - 1).at(point) }
@@ -49,10 +49,12 @@ fn ring_place(ring: usize) -> Place {
 }
 
 impl Polygon {
-    /// Checks everything that needs no triangulation. Its boundary has only corners until it is [`split`](Self::split).
+    /// Makes the polygon, and checks everything that needs no triangulation. The boundary has only corners until it is
+    /// [`split`](Self::split).
     ///
     /// # Errors
-    /// Points that are not finite, fewer than three distinct points in a loop, no area, points off the plane.
+    /// [`Error::Input`] if a point is not finite, if a loop has fewer than three distinct points, if the polygon has no
+    /// area, or if a point lies off the plane.
     pub fn new(outer: &[DVec3], holes: &[Vec<DVec3>], edge_length: f64) -> Result<Self, Error> {
         let rings: Vec<&[DVec3]> = std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).collect();
         for (ring, points) in rings.iter().enumerate() {
@@ -106,7 +108,7 @@ impl Polygon {
             let nodes = &polygon.outline.nodes;
             let around = corners.iter().map(|&v| nodes[v as usize]);
             let turning = doubled_area(around, nodes[first as usize]);
-            // The outer loop is counter-clockwise by the choice of the frame; a hole must run the other way.
+            // The outer loop is counter-clockwise by the choice of the frame. A hole must run clockwise.
             if ring > 0 && turning > 0.0 {
                 corners.reverse();
             }
@@ -116,10 +118,10 @@ impl Polygon {
         Ok(polygon)
     }
 
-    /// Joins loops that touch at points, so that each loop bounds the domain on its left.
+    /// Joins loops that touch at points. Afterwards each loop has the domain on its left.
     ///
     /// # Errors
-    /// Sides that cross, or share more than a point. The interruptions of `execution`.
+    /// [`Error::Input`] if two sides cross or share more than a point, and the interruptions of `execution`.
     pub fn joined(mut self, execution: &Execution<'_>) -> Result<Self, Error> {
         let rings: Vec<Vec<u32>> = (0..self.corner_loops.len())
             .map(|ring| (0..self.sources.len() as u32).filter(|&v| self.sources[v as usize].0 == ring).collect())
@@ -166,7 +168,7 @@ impl Polygon {
         Ok(self)
     }
 
-    /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.
+    /// Splits the sides into pieces. The length of each piece is in [ℓ, 2ℓ] if its side is at least ℓ long.
     pub fn split(&mut self, division: Division) {
         self.sides = Sides::new(self.positions.len());
         for corners in &self.corner_loops {
@@ -196,12 +198,13 @@ impl Polygon {
         }
     }
 
-    /// The point of space at a point of the plane, which is in units of ℓ.
+    /// The point in space that has the plane coordinates `p`, which are in units of ℓ.
     pub fn point(&self, p: DVec2) -> DVec3 {
         self.frame.origin + self.frame.direction(p) * self.unit
     }
 
-    /// The place of the input point at a boundary node, or of the point at which the node's side starts.
+    /// The place in the input of the point at a boundary node. For a node inside a side, the place of the point at
+    /// which the side starts.
     pub fn place_of(&self, node: u32) -> Place {
         let corner =
             if (node as usize) < self.sources.len() { node as usize } else { self.sides.start_of(node) as usize };
@@ -209,14 +212,15 @@ impl Polygon {
         place(ring, point)
     }
 
-    /// The loop that a boundary node belongs to.
+    /// The place in the input of the loop to which a boundary node belongs.
     pub fn ring_of(&self, node: u32) -> Place {
         let ring = self.outline.loops.iter().position(|nodes| nodes.contains(&node)).unwrap_or(0);
         ring_place(ring)
     }
 
-    /// Lower bound of the number of nodes of any triangulation of the domain with every edge at most 2ℓ: a triangle
-    /// covers at most √3 ℓ², a side of length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
+    /// Lower bound of the number of nodes of any triangulation of the domain with every edge at most 2ℓ. A triangle
+    /// covers at most √3 ℓ², and a side of length L needs ⌈L/2ℓ⌉ pieces. Euler's formula turns both numbers into a
+    /// number of nodes.
     pub fn node_lower_bound(&self) -> usize {
         let boundary: f64 = self.sides.lengths().map(|length| (length / 2.0 - 1e-9).ceil().max(1.0)).sum();
         let holes = self.outline.loops.len() as f64 - 1.0;
@@ -225,7 +229,7 @@ impl Polygon {
     }
 }
 
-/// The loops without repeated points.
+/// Merges repeated neighbouring points in each loop.
 fn merge(rings: &[impl AsRef<[DVec3]>]) -> Result<Vec<Merged>, Error> {
     let merged: Vec<_> = rings.iter().map(|points| merge_near_neighbours(points.as_ref(), true)).collect();
     let short = merged.iter().enumerate().filter(|(_, merged)| merged.points.len() < 3);
@@ -234,13 +238,13 @@ fn merge(rings: &[impl AsRef<[DVec3]>]) -> Result<Vec<Merged>, Error> {
     if errors.is_empty() { Ok(merged) } else { Err(Error::Input(errors)) }
 }
 
-/// Number of checks of the signal after which the search for a crossing ends: a quarter of a million pairs of boxes, or
-/// about 0.1 s. Zigzags whose boxes all overlap would take time as the square of their number of points, and
-/// [`Polygon::new`] also checks requests before they are queued.
+/// Number of calls of [`Execution::look`] after which the search for a crossing ends: a quarter of a million pairs of
+/// boxes, or about 0.1 s. Without this limit, a zigzag whose boxes all overlap would take time proportional to the
+/// square of its number of points. [`Polygon::new`] also checks requests before they are queued, and must be fast.
 const MOST_LOOKS: u32 = 64;
 
-/// The error for an outer loop whose area vector vanishes: its points lie on one line, or it crosses itself, as a
-/// bow-tie does, and its parts cancel out.
+/// The error for an outer loop whose area vector is zero. Either all its points lie on one line, or its parts cancel
+/// out. In a bow-tie, which crosses itself, the parts cancel out.
 fn without_area(outer: &Merged) -> Error {
     let points = &outer.points;
     let count = points.len();
@@ -270,11 +274,11 @@ fn without_area(outer: &Merged) -> Error {
     }
 }
 
-/// Returns the area (that of the outer loop less those of the holes) and the length of all loops, in the caller's unit.
-/// The area of a loop is half the length of its area vector.
+/// Returns the area (of the outer loop minus the holes) and the total length of all loops, in the caller's unit. The
+/// area of a loop is half the length of its doubled area vector.
 ///
 /// # Errors
-/// Points that are not finite.
+/// [`Error::Input`] if a point is not finite.
 pub(crate) fn extent(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<(f64, f64), Error> {
     let (mut area, mut perimeter) = (0.0, 0.0);
     for (ring, points) in std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).enumerate() {

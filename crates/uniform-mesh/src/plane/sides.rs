@@ -1,22 +1,22 @@
-//! The sides of a domain: how many pieces each is split into, and why an edge between boundary nodes is too short.
+//! The sides of a domain: into how many pieces each side is split, and why an edge between boundary nodes is too short.
 
 use crate::options::Objective;
 use crate::report::Why;
 use plateau_mesh::DVec2;
 
-/// Rounding allowed in counting how often ℓ goes into a side.
+/// Relative tolerance for rounding when counting how many times ℓ fits into a side.
 const WHOLE: f64 = 1e-10;
-/// Distance along the boundary, in ℓ, above which two nodes are more than 3ℓ apart whatever the rounding.
+/// Distance along the boundary, in ℓ, above which two nodes are certainly more than 3ℓ apart in spite of rounding.
 const CLEARLY_APART: f64 = 3.0 + 1e-6;
 
-/// Length of the pieces into which a side of 2ℓ or more is split.
+/// How long the pieces are into which a side of 2ℓ or more is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Division {
-    /// Pieces as near to ℓ as possible. Where the domain's own directions fit the lattice's, the lattice goes on to the
-    /// boundary.
+    /// Pieces as near to ℓ as possible. If the directions of the boundary fit those of the lattice, the lattice
+    /// continues up to the boundary.
     Short,
     /// Pieces of at most √2 ℓ wherever possible, so that no inserted node falls into the diametral circle of a piece.
-    /// If the boundary runs across the lattice, the lattice's nodes may stand nearer to it than with short pieces.
+    /// If the boundary runs across the lattice, the lattice nodes may be nearer to the boundary than with short pieces.
     Long,
 }
 
@@ -32,7 +32,7 @@ impl Division {
 
 /// Number of pieces into which a side of the given length (in ℓ) is split.
 pub(crate) fn pieces(length: f64, division: Division) -> u32 {
-    // A side of up to 2ℓ stays whole, unless it is exactly two members long.
+    // A side shorter than 2ℓ is not split. A side of exactly 2ℓ is split into two members.
     let most = (length * (1.0 + WHOLE)).floor().max(1.0);
     match division {
         _ if length < 2.0 * (1.0 - WHOLE) => 1,
@@ -41,32 +41,32 @@ pub(crate) fn pieces(length: f64, division: Division) -> u32 {
     }
 }
 
-/// Whether a side in direction `edge`, followed by one in direction `after` with the domain on the left, meets it at an
-/// inner angle below 90°.
+/// Whether the inner angle between two consecutive sides is below 90°. The first side has the direction `edge` and the
+/// next has the direction `after`, with the domain on the left.
 pub(crate) fn is_sharp(edge: DVec2, after: DVec2) -> bool {
     edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0
 }
 
-/// A side, from corner to corner.
+/// A side of the domain, from corner to corner.
 #[derive(Clone, Copy, Debug)]
 struct Side {
-    /// The corner where it starts.
+    /// The corner where the side starts.
     start: u32,
-    /// In ℓ.
+    /// Length in ℓ.
     length: f64,
-    /// The side after it in its loop, with the domain on the left.
+    /// The next side in the loop, with the domain on the left.
     next: u32,
-    /// Whether the inner angle at its end is below 90°.
+    /// Whether the inner angle at the end of the side is below 90°.
     sharp_end: bool,
-    /// The first side of its loop, and one more than the last.
+    /// The sides of the loop are `begin..end`.
     begin: u32,
     end: u32,
-    /// Length of all sides before it, in ℓ.
+    /// Total length of all sides before this side, in ℓ.
     passed: f64,
 }
 
-/// All sides, and for each boundary node the two sides that it stands on. At a corner these are the side before and the
-/// side after it; elsewhere both are the same side.
+/// All sides, and for each boundary node the two sides on which it lies (`stands`). At a corner these are the side
+/// before and the side after the corner. At any other node both are the same side.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sides {
     sides: Vec<Side>,
@@ -74,12 +74,13 @@ pub(crate) struct Sides {
 }
 
 impl Sides {
-    /// No sides yet. The corners are the boundary's first nodes.
+    /// An empty list of sides. The corners are the first nodes of the boundary.
     pub fn new(corners: usize) -> Self {
         Self { sides: Vec::new(), stands: vec![[u32::MAX; 2]; corners] }
     }
 
-    /// Adds a loop through `nodes`, whose sides are (index of the first node in `nodes`, length in ℓ, sharp end).
+    /// Adds a loop through `nodes`. Each of its sides is given as (index in `nodes` of its first node, length in ℓ,
+    /// whether its end is sharp).
     pub fn add_loop(&mut self, nodes: &[u32], sides: &[(usize, f64, bool)]) {
         let first = self.sides.len() as u32;
         let after = |k: usize| first + ((k + 1) % sides.len()) as u32;
@@ -107,18 +108,18 @@ impl Sides {
         self.sides.iter().map(|side| side.length)
     }
 
-    /// The corner where a node's side starts.
+    /// The corner where the side of a node starts. For a corner this is the corner itself.
     pub fn start_of(&self, node: u32) -> u32 {
         self.sides[self.stands[node as usize][1] as usize].start
     }
 
-    /// Whether an edge between nodes of the boundary runs along one side.
+    /// Whether both ends of an edge, which are boundary nodes, lie on the same side.
     pub fn are_on_one(&self, [a, b]: [u32; 2]) -> bool {
         self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
     }
 
-    /// Length of the sides that lie after `from` and before `to`, with the domain on the left. `None` if the two are on
-    /// different loops.
+    /// Total length of the sides after `from` and before `to`, with the domain on the left. `None` if the two sides are
+    /// on different loops.
     fn between(&self, from: u32, to: u32) -> Option<f64> {
         let Side { begin, end, passed, length, .. } = self.sides[from as usize];
         if !(begin..end).contains(&to) {
@@ -129,8 +130,7 @@ impl Sides {
         Some(if to > from { ahead } else { ahead + last.passed + last.length - first.passed })
     }
 
-    /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary
-    /// nodes.
+    /// Why an edge in the plane is outside [ℓ, 2ℓ]. `length` is its length in ℓ, and `nodes` holds all boundary nodes.
     pub fn why(&self, edge: [u32; 2], length: f64, nodes: &[DVec2]) -> Why {
         let [Some(&a), Some(&b)] = edge.map(|v| self.stands.get(v as usize)) else { return Why::Unfinished };
         if length > 1.0 {
@@ -146,12 +146,12 @@ impl Sides {
                 return Why::SharpCorner;
             }
         }
-        // A short side is the reason if the nodes are less than 3ℓ apart along the boundary and a short side lies on
-        // the way.
+        // A short side is the reason if it lies on the way between the nodes along the boundary and this way is less
+        // than 3ℓ.
         let position = |v: u32| nodes[v as usize];
         for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
             let first = self.stands[from as usize][1];
-            // A node farther away is skipped at once, because the walk below would end before it, after many steps
+            // A node farther away is skipped at once. The walk below would not reach it, but could take many steps
             // where many sides are short.
             let is_near = |&s: &u32| self.between(first, s).is_some_and(|way| way <= CLEARLY_APART);
             if !self.stands[to as usize].iter().any(is_near) {
@@ -169,7 +169,7 @@ impl Sides {
                     }
                     break;
                 }
-                // The walk has gone once around a small loop.
+                // The walk has gone once around a loop that is shorter than 3ℓ.
                 if s == first {
                     break;
                 }

@@ -28,20 +28,20 @@ use plateau_mesh::polyline::mean;
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-/// Number of samples along an auxiliary edge at which the length of a side is measured.
+/// Number of intervals of an auxiliary edge over which the length of a side is summed.
 const SAMPLES: usize = 8;
-/// A boundary vertex of a film is a corner if the boundary turns by more than this there.
+/// Turn of a film's boundary, in radians, above which a boundary vertex is a corner.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
-/// Edge length of a film's own mesh, in ℓ: so short that its facets hardly change the lengths of members. Edges are
-/// longer if the mesh would have more than [`FILM_TRIANGLES`].
+/// Edge length of a film's own mesh, in ℓ. It is short enough that the facets hardly change the lengths of members. The
+/// edges are longer if the mesh would otherwise have more than [`FILM_TRIANGLES`] triangles.
 const FILM_EDGE: f64 = 1.0 / 3.0;
 /// Largest number of triangles of a film's own mesh.
 const FILM_TRIANGLES: f64 = 60_000.0;
 
-/// Number of pieces of a side that are measured between two looks at the signal.
+/// Number of pieces of a side that are measured between two looks at the caller's signal.
 const PIECES_PER_LOOK: u64 = 4096;
 
-/// The surface that nodes move on, as a map from a plane of parameters.
+/// The surface on which nodes move, as a map from a plane of parameters.
 #[derive(Clone, Debug)]
 pub(crate) enum Surface {
     /// The plane itself. Its parameters are coordinates.
@@ -70,7 +70,7 @@ impl Surface {
         }
     }
 
-    /// The nearest parameters that belong to the surface.
+    /// Returns the parameters of the surface that are nearest to `p`.
     pub fn restrict(&self, p: DVec2) -> DVec2 {
         match self {
             Self::Plane => p,
@@ -83,7 +83,7 @@ impl Surface {
     }
 }
 
-/// A patch around its centre, in units of ℓ.
+/// A patch relative to its centre, in units of ℓ.
 #[derive(Debug)]
 pub(crate) struct Centred {
     pub centre: DVec3,
@@ -107,25 +107,25 @@ pub(crate) struct Auxiliary {
     unit: f64,
     pub mesh: Mesh,
     pub topology: Topology,
-    /// `None` for a film.
+    /// A patch and the parameters of the auxiliary vertices. `None` for a film.
     patch: Option<(Nurbs, Vec<DVec2>)>,
     /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
     sides: Vec<Vec<Vec<u32>>>,
-    /// For each auxiliary vertex that is a corner, its given position where there is one.
+    /// Corners of a film: the auxiliary vertex, and its position in the caller's coordinates.
     pub exact: Vec<(u32, DVec3)>,
-    /// For each input point its auxiliary vertex.
+    /// For each input point the index of its auxiliary vertex.
     pub inputs: Vec<u32>,
     pub warnings: Vec<Warning>,
 }
 
 impl Auxiliary {
-    /// A point in the caller's coordinates.
+    /// Converts a point to the caller's coordinates.
     pub fn place(&self, p: DVec3) -> DVec3 {
         self.centre + p * self.unit
     }
 
-    /// The auxiliary triangulation of a patch over `options.auxiliary_grid` rectangles. `None` if the patch collapses
-    /// somewhere or closes on itself, because it cannot be laid into the plane then.
+    /// Makes the auxiliary triangulation of a patch, over `options.auxiliary_grid` rectangles. Returns `None` if the
+    /// patch collapses somewhere or closes on itself, because it cannot be laid into the plane then.
     pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
         let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
@@ -175,10 +175,11 @@ impl Auxiliary {
         })
     }
 
-    /// The minimal surface spanning the boundaries. Progress runs over `span`.
+    /// Solves for the minimal surface that spans the boundaries, and makes its auxiliary triangulation. Progress runs
+    /// over `span`.
     ///
     /// # Errors
-    /// Those of [`minimal_surface::solve`], with places below /domain.
+    /// The errors of [`minimal_surface::solve`], with places below /domain.
     pub fn of_film(
         boundaries: &[Vec<DVec3>],
         options: &Options,
@@ -235,10 +236,10 @@ impl Auxiliary {
         self.sides.iter().flatten().map(|side| side[0]).collect()
     }
 
-    /// The plane mesh from which flattening starts.
+    /// Returns the plane mesh from which flattening starts.
     ///
     /// # Errors
-    /// A film without a plane embedding.
+    /// [`Error::NoResult`] if a film has no plane embedding without flipped triangles.
     pub fn start(&self) -> Result<Vec<DVec2>, Error> {
         let Some((_, parameters)) = &self.patch else { return flatten::start(&self.mesh, &self.topology) };
         let [along_u, across] = [0, 1].map(|first| {
@@ -252,7 +253,7 @@ impl Auxiliary {
         Ok(parameters.iter().map(|p| DVec2::new(p.x * along_u, p.y * across)).collect())
     }
 
-    /// The surface to move on, once flattened.
+    /// Returns the surface on which the nodes move after the flattening.
     pub fn surface(&self, plane: &[DVec2], locator: &std::rc::Rc<Locator>) -> Surface {
         match &self.patch {
             Some((patch, _)) => Surface::Patch(patch.clone()),
@@ -260,14 +261,14 @@ impl Auxiliary {
         }
     }
 
-    /// The parameters of a point of the plane (eq. 3).
+    /// Returns the parameters of a point of the flattened mesh (eq. 3).
     pub fn carry_back(&self, p: DVec2, plane: &[DVec2], locator: &Locator) -> DVec2 {
         let (t, weights) = locator.find(p, plane, &self.mesh.triangles);
         let of: &[DVec2] = self.patch.as_ref().map_or(plane, |(_, parameters)| parameters);
         self.mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| of[v as usize] * w).sum()
     }
 
-    /// Divides the flattened boundary. Corners come first.
+    /// Divides the flattened boundary into nodes. The corners come first.
     ///
     /// # Errors
     /// The interruptions of `execution`.
@@ -351,7 +352,8 @@ fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
     a + (b - a) * part
 }
 
-/// A side, sampled: plane position, parameters and length along the surface.
+/// Samples of a side: the length along the surface from the side's start, the position in the plane, and the
+/// parameters.
 struct Line {
     samples: Vec<(f64, DVec2, DVec2)>,
 }
@@ -379,7 +381,7 @@ impl Line {
         self.samples.last().map_or(0.0, |sample| sample.0)
     }
 
-    /// Plane position and parameters at a length along the surface.
+    /// Returns the position in the plane and the parameters at a length along the surface.
     fn at(&self, way: f64) -> (DVec2, DVec2) {
         let k = self.samples.partition_point(|sample| sample.0 < way).clamp(1, self.samples.len() - 1);
         let ((w0, p0, q0), (w1, p1, q1)) = (self.samples[k - 1], self.samples[k]);
@@ -387,7 +389,8 @@ impl Line {
         (between(p0, p1, part), between(q0, q1, part))
     }
 
-    /// Number of pieces by the division, or fewer where a chord would get shorter than ℓ in the plane or in space.
+    /// Returns the number of pieces into which a side is divided. It is smaller than the division asks for if a chord
+    /// would otherwise be shorter than ℓ in the plane or in space.
     ///
     /// # Errors
     /// The interruptions of `execution`.
@@ -422,11 +425,11 @@ impl Line {
     }
 }
 
-/// The options of the film's solver.
+/// Returns the options for the solver of minimal surfaces.
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
     let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
-    // For flattening, even triangles matter more than the least area.
+    // Flattening needs even triangles more than the least area.
     minimal_surface::Options {
         slides: false,
         ..minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
@@ -446,7 +449,7 @@ fn below_domain(error: Error) -> Error {
     let below = |errors: Vec<InputError>| {
         let below = |e: InputError| {
             let steps = std::iter::once(Step::Field("domain")).chain(e.place.0.iter().copied()).collect();
-            // The caller gave no resolution: it follows from the edge length.
+            // The caller gave no resolution. It follows from the edge length, so that is the place of the error.
             let place = if e.place.0.first() == Some(&Step::Field("boundaries")) {
                 Place(steps)
             } else {

@@ -1,4 +1,4 @@
-//! Curves on the reference triangulation: the edges at which walks end, joined between corners.
+//! Curves on the reference triangulation. A curve is a chain of edges at which walks end, from one corner to the next.
 
 use plateau_mesh::topology::{NONE, Topology};
 use plateau_mesh::{Mesh, measure};
@@ -6,14 +6,14 @@ use plateau_mesh::{Mesh, measure};
 /// A vertex of a curve is a corner if the curve turns by more than this angle, radians.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 
-/// A chain of reference edges between two corners, or around from one corner to itself.
+/// A chain of edges of the reference triangulation between two corners, or around from one corner to itself.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    /// The edges in order: a half-edge, and whether the chain runs against it.
+    /// The edges in order. Each is a half-edge, and whether the chain runs in the opposite direction.
     pub edges: Vec<(u32, bool)>,
-    /// The length before each edge, and the whole length at the end.
+    /// The length along the curve at the start of each edge, followed by the length of the whole curve.
     pub at: Vec<f64>,
-    /// The reference's vertices at the ends.
+    /// The vertices of the reference triangulation at the two ends.
     pub ends: [u32; 2],
 }
 
@@ -23,8 +23,8 @@ impl Curve {
     }
 }
 
-/// Joins the edges at which walks end to curves, and marks the corners between them. The corners of a film are given;
-/// on a patch a crease or a boundary with a kink has a corner there (`kinks_are_corners`).
+/// Joins the edges at which walks end to curves, and marks the corners between them. On a film the corners are given.
+/// On a patch (`kinks_are_corners`), each kink of a crease or of the boundary becomes a corner.
 pub(super) fn join_curves(
     mesh: &Mesh,
     topology: &Topology,
@@ -93,7 +93,7 @@ pub(super) fn join_curves(
             }
         }
     }
-    // A loop without a corner gets one.
+    // A closed loop without a corner gets one at its first vertex.
     for &(v, h) in &at_vertex {
         if !used[h as usize] {
             corner[v as usize] = true;

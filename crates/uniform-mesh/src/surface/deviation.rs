@@ -1,4 +1,4 @@
-//! The deviation of a finished mesh from its surface, and whether it is small enough.
+//! Measures the deviation of a finished mesh from its surface, and checks that it is small enough.
 
 use super::move_nodes::{OnSurface, Sheet};
 use crate::options::{Optimise, Options, Transition};
@@ -9,22 +9,22 @@ use std::collections::BTreeSet;
 
 /// Limits that a mesh of a curved surface must keep to be called converged.
 struct Limits {
-    /// Difference between the mesh's area and the surface's, as a fraction of the surface's.
+    /// Largest difference between the mesh's area and the surface's area, as a fraction of the surface's area.
     area: f64,
     /// Largest angle between a triangle's normal and the surface's, radians. At a larger angle the triangle counts as
     /// turned away from the surface.
     normal: f64,
-    /// Range, in ℓ, of the members that curvature or the optimisation takes out of [ℓ, 2ℓ].
+    /// Range of the lengths, in ℓ, of members that curvature or the optimisation takes out of [ℓ, 2ℓ].
     lengths: (f64, f64),
-    /// Least inner angle, radians, of triangles without an edge that the boundary takes out of range.
+    /// Smallest inner angle, in radians, of triangles without an edge that the boundary takes out of range.
     angle: f64,
 }
 
 const LIMITS: Limits =
     Limits { area: 0.01, normal: 1.4, lengths: (0.6, 2.5), angle: 5.0 * std::f64::consts::PI / 180.0 };
 
-/// Compares the nodes' triangles with the surface, whose area is `area` in units of ℓ². Distances are returned in the
-/// caller's unit, of which ℓ is `unit`.
+/// Compares the triangles of the nodes with the surface. `area` is the area of the surface in units of ℓ². `unit` is ℓ
+/// in the caller's unit, and distances and areas are returned in the caller's unit.
 pub(crate) fn compare<S: Sheet>(nodes: &OnSurface<'_, S>, area: f64, unit: f64, method: Method) -> SurfaceFit {
     let (mut mesh_area, mut distance, mut turn) = (0.0, 0.0f64, 0.0f64);
     for &triangle in &nodes.triangles {
@@ -79,8 +79,9 @@ pub(crate) fn shortfall(result: &UniformMesh, options: &Options) -> Option<Strin
         .then(|| format!("{}: the surface is curved too strongly for this edge length", reasons.join(", ")))
 }
 
-/// Smallest inner angle, in radians, over the triangles without an edge that the boundary takes out of range. The other
-/// triangles lie in a sharp corner, at a short side or in a narrow part of the domain, whose angles they share.
+/// Smallest inner angle, in radians, over the triangles without an edge that the boundary takes out of range. Triangles
+/// with such an edge are left out, because they lie in a sharp corner, at a short side or in a narrow part of the
+/// domain and cannot have larger angles than the domain there.
 fn smallest_angle(result: &UniformMesh) -> f64 {
     let of_boundary = |why: Why| matches!(why, Why::SharpCorner | Why::Narrow | Why::ShortSide);
     let excused: BTreeSet<[u32; 2]> = result

@@ -1,10 +1,11 @@
-//! Flattening (Katoh, Ohsaki and Xu, section 4, step 2, eq. 1): an auxiliary triangulation of the surface is laid into
-//! the plane with the least ½ Σ ((Lᵖ - Lˢ)/Lˢ)² over its edges, Lˢ on the surface and Lᵖ in the plane.
+//! Flattening (Katoh, Ohsaki and Xu, section 4, step 2, eq. 1) of an auxiliary triangulation of the surface into the
+//! plane. It minimises ½ Σ ((Lᵖ - Lˢ)/Lˢ)² over the edges, where Lˢ is the length on the surface and Lᵖ that in the
+//! plane.
 //!
-//! 1. Start from a plane mesh without flipped triangles: the parameters of a patch stretched to its size; for a film
-//!    the projection to its mean plane, or, where that folds over, Tutte's embedding with the longest boundary on a
-//!    circle and the other boundaries filled by one vertex each.
-//! 2. Levenberg and Marquardt on the edge terms.
+//! 1. Start from a plane mesh without flipped triangles. For a patch this is its parameters, stretched to its size. For
+//!    a film it is the projection to its mean plane. If a triangle folds over or is steep there, it is Tutte's
+//!    embedding, with the longest boundary on a circle and every other boundary filled by one vertex.
+//! 2. Minimise the sum over the edges by the method of Levenberg and Marquardt.
 //! 3. Refuse a result that folds over, because the planar algorithm needs a plane region.
 //!
 //! The paper names no method. Our departure: steps that would flip a triangle are refused, because a fold alone does
@@ -77,9 +78,10 @@ fn doubled_area(x: &[DVec2], [a, b, c]: [u32; 3]) -> f64 {
     (x[b as usize] - a).perp_dot(x[c as usize] - a)
 }
 
-/// Lays the mesh into the plane, starting at `plane`, which has no flipped triangle.
+/// Lays the mesh into the plane. `plane` is the start, which must have no flipped triangle.
 ///
-/// The run ends when a step lowers the energy by less than 1e-10 of it. On an interruption `plane` is the best so far.
+/// The run ends when several steps in a row lower the energy by less than 1e-10 of its value. On an interruption
+/// `plane` is the best position found.
 pub(crate) fn flatten(
     mesh: &Mesh,
     edges: &[[u32; 2]],
@@ -95,7 +97,7 @@ pub(crate) fn flatten(
     minimise(&mut problem, plane, settings, execution)
 }
 
-/// A first flattening of a film without flipped triangles.
+/// Returns a first flattening of a film, without flipped triangles.
 ///
 /// # Errors
 /// [`Error::NoResult`] (`not_flattenable`) if the film has no boundary to lay down, or if Tutte's embedding folds over
@@ -118,7 +120,8 @@ pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Erro
     tutte(mesh, topology)
 }
 
-/// Tutte's embedding, uniform weights; every boundary loop but the longest is coned to a vertex of its own.
+/// Tutte's embedding with uniform weights. Every boundary loop but the longest is filled by a cone to a vertex of its
+/// own.
 fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let failed = || {
         Error::no_result(
@@ -174,7 +177,7 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     if mesh.triangles.iter().all(|&t| doubled_area(&plane, t) > 0.0) { Ok(plane) } else { Err(failed()) }
 }
 
-/// Positions for which every vertex without a given one lies at the mean of its neighbours.
+/// Returns positions at which every vertex without a given position lies at the mean of its neighbours.
 fn at_means(neighbours: &[Vec<u32>], fixed: &[Option<DVec2>]) -> Result<Vec<DVec2>, LinearError> {
     let free: Vec<u32> = (0..neighbours.len() as u32).filter(|&v| fixed[v as usize].is_none()).collect();
     let mut unknown = vec![u32::MAX; neighbours.len()];

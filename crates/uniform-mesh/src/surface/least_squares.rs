@@ -1,5 +1,5 @@
 //! Least-squares problems over points with two coordinates each: flattening, the moves of nodes and the sharing of
-//! lengths. [`minimise`](levenberg_marquardt::minimise) lowers their energy, and every step is reported.
+//! lengths. [`minimise`](levenberg_marquardt::minimise) lowers the energy and reports every step.
 
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption, Progress};
@@ -7,10 +7,12 @@ use plateau_mesh::sparse::levenberg_marquardt::{self, Criteria, LeastSquares, St
 
 /// Damping at the start, in units of the problem's metric. Any value from 1e-4 to 1e-2 gives the same results.
 const DAMPING: f64 = 1e-3;
-/// Number of steps in a row below the tolerance that ends a run: a single step may be short because of one triangle.
+/// Number of steps in a row below the tolerance that end a run. One step is not enough, because it may be short on
+/// account of a single triangle.
 const QUIET_STEPS: u32 = 3;
 
-/// The largest part of a step, at most 1, that takes no triangle more than nine tenths of the way to zero area.
+/// Returns the largest fraction of a step, at most 1, that takes no triangle more than nine tenths of the way to zero
+/// area.
 ///
 /// Without this limit a single triangle that is about to flip would raise the damping, and shorten the steps of the
 /// whole mesh.
@@ -41,7 +43,8 @@ pub(crate) struct Settings {
     pub span: (f64, f64),
     /// Largest number of steps that are tried.
     pub max_iterations: u64,
-    /// Steps that lower the energy by less than this fraction of it end the run.
+    /// Relative decrease of the energy below which a step counts as idle. `QUIET_STEPS` idle steps in a row end the
+    /// run.
     pub tolerance: f64,
 }
 
@@ -54,9 +57,10 @@ pub(crate) struct Outcome {
     pub interrupted: Option<Interruption>,
 }
 
-/// Lowers the problem's energy from `x`, which must be allowed, until steps gain less than the tolerance.
+/// Lowers the problem's energy, starting from `x`, until the steps gain less than the tolerance. The energy at `x` must
+/// be finite.
 ///
-/// On an interruption `x` is the best so far.
+/// On an interruption `x` is the best location found.
 pub(crate) fn minimise<P: LeastSquares<2>>(
     problem: &mut P,
     x: &mut Vec<P::Location>,

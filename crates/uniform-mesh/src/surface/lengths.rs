@@ -1,18 +1,19 @@
 //! Fewer distinct lengths, so that a workshop cuts fewer different members. The paper has no such step.
 //!
-//! 1. The k lengths that come nearest to all members: k intervals of equal width that cover the sorted lengths, as
-//!    narrow as possible (greedy cover and bisection, exact on a line).
-//! 2. Move the inner nodes on the surface to the least Σ (L - c)², c the middle of the member's interval.
+//! 1. Find the k lengths that come nearest to all members. They are the middles of k intervals of equal width that
+//!    cover the sorted lengths and are as narrow as possible (greedy cover and bisection, exact on a line).
+//! 2. Move the inner nodes on the surface to minimise Σ (L - c)², where c is the middle of the member's interval.
 //! 3. Repeat while the intervals get narrower. The narrowest intervals are kept.
 //!
-//! These steps are repeated for growing k up to the largest allowed, each from the same start. They end with the first
-//! k whose intervals are no wider than the tolerance. Members between two boundary nodes cannot change, but count too.
+//! These steps are repeated for increasing k up to the largest allowed, each time from the same start. The repetition
+//! ends with the first k whose intervals are no wider than the tolerance. Members between two boundary nodes cannot
+//! change, but they are covered too.
 
 use super::move_nodes::{OnSurface, Sheet, TargetLength, refine};
 use crate::report::LengthsRow;
 use plateau_mesh::execution::{Execution, Interruption};
 
-/// The numbers of lengths that are tried: 1, 2, 3, 4, 6, 8, 12, 16, 24, ... and the largest allowed.
+/// Returns the numbers of lengths that are tried: 1, 2, 3, 4, 6, 8, 12, 16, 24, ... and the largest allowed.
 fn ladder(most: usize) -> Vec<usize> {
     let mut ladder: Vec<usize> = std::iter::successors(Some(1usize), |k| k.checked_mul(2))
         .take_while(|&k| k <= most)
@@ -25,7 +26,8 @@ fn ladder(most: usize) -> Vec<usize> {
     ladder
 }
 
-/// Least half-width of `count` intervals that cover the sorted lengths, and the intervals' middles.
+/// Returns the least half-width of at most `count` intervals that cover the sorted lengths, and the middles of the
+/// intervals.
 fn cover(sorted: &[f64], count: usize) -> (f64, Vec<f64>) {
     let cut = |width: f64| {
         let mut starts: Vec<(f64, f64)> = Vec::new();
@@ -63,12 +65,12 @@ fn sorted<S: Sheet>(nodes: &OnSurface<'_, S>) -> Vec<f64> {
     lengths
 }
 
-/// Moves the inner nodes until the members have at most `most` lengths, each member within half of `tolerance` (in ℓ)
-/// of its length, or as near as was found. Returns a row for every number of lengths tried (in ℓ). `nodes` are those of
-/// the last row.
+/// Moves the inner nodes until the members have at most `most` lengths and each member is within half of `tolerance`
+/// (in ℓ) of its length. If that is not reached, the nearest result is kept. Returns a row for every number of lengths
+/// tried (in ℓ). `nodes` are those of the last row.
 ///
 /// # Errors
-/// The interruption. `nodes` and the rows are then the best so far.
+/// The interruption, beside the rows. `nodes` and the rows are then the best found until then.
 pub(crate) fn share_lengths<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     most: usize,
@@ -117,7 +119,7 @@ pub(crate) fn share_lengths<S: Sheet>(
     (rows, None)
 }
 
-/// Number of rounds of moving and covering for each number of lengths.
+/// Maximum number of rounds of moving nodes and covering lengths, for each number of lengths.
 const ROUNDS: usize = 12;
 
 #[cfg(test)]
@@ -127,7 +129,7 @@ mod tests {
     #[test]
     fn the_cover_is_the_narrowest_there_is() {
         let lengths = [1.0, 1.1, 1.15, 1.5, 1.8, 1.82];
-        // Brute force: every way to cut the sorted list into consecutive groups.
+        // Brute force over every way to cut the sorted list into consecutive groups.
         for count in 1..=6 {
             let best = (0..1u32 << (lengths.len() - 1))
                 .filter(|cuts| (cuts.count_ones() as usize) < count)

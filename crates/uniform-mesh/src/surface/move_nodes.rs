@@ -1,14 +1,17 @@
-//! Moving the inner nodes on the surface (Katoh, Ohsaki and Xu, section 4, last paragraph): the least Σ (L - ℓ)² over
-//! the lattice group, with the parameters of the inner nodes as variables.
+//! Moves the inner nodes on the surface (Katoh, Ohsaki and Xu, section 4, last paragraph). This minimises Σ (L - ℓ)²
+//! over the lattice group, with the parameters of the inner nodes as variables.
 //!
 //! 1. Levenberg and Marquardt on the members' lengths, measured on the surface itself.
 //! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of its weighted excess, and the
 //!    bound is shifted by the remaining excess (the multipliers of Powell and Hestenes), until no excess remains.
 //!
-//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2
-//! ([`Transition::Free`](crate::Transition::Free) leaves it out) and the rebuilding of the rim in
-//! [`transition`](super::transition); a step that would flip a triangle in the parameter plane is refused; the damping
-//! is the surface's metric, so that the result does not depend on how the patch is parametrised.
+//! Our departures:
+//!
+//! - Members of the rim are bounded (step 2) and the rim is rebuilt in [`transition`](super::transition), because the
+//!   paper's own optimum stretched a rim member to 13.4 for ℓ = 5. [`Transition::Free`](crate::Transition::Free) leaves
+//!   step 2 out.
+//! - A step that would flip a triangle in the parameter plane is refused.
+//! - The damping is the surface's metric, so that the result does not depend on how the patch is parametrised.
 
 use super::auxiliary::Surface;
 use super::least_squares::{Settings, minimise, step_before_flip};
@@ -21,18 +24,21 @@ use plateau_mesh::{DVec2, DVec3};
 const MARGIN: f64 = 1e-7;
 /// Weight of a rim member's excess, relative to a lattice member's deviation.
 const WEIGHT: f64 = 3.0;
+/// Weight of a rim member's excess from which on the weight is not raised any further.
 const LARGEST_WEIGHT: f64 = 30.0;
 /// Largest shift of a bound, in ℓ.
 const LARGEST_SHIFT: f64 = 0.5;
 /// Tolerance for the bounds on a length, in ℓ.
 const ENOUGH: f64 = 1e-9;
+/// Maximum number of multiplier updates per attempt on a patch or a film.
 const ROUNDS: usize = 16;
+/// Maximum number of attempts on a patch or a film.
 const ATTEMPTS: usize = 3;
-/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more,
-/// further steps lowered the energy by one or two hundredths and took four fifths of the time. Meshes of fewer than 600
-/// nodes never reach this number, because their rounds end first.
+/// Largest number of steps of one attempt, multiplied by the number of moving nodes. On patches of 5,000 nodes and
+/// more, further steps lowered the energy by one or two hundredths and took four fifths of the time. Meshes of fewer
+/// than 600 nodes never reach this number, because their rounds end first.
 const NODE_STEPS: usize = 600_000;
-/// Fewest steps that an attempt may take whatever the number of nodes.
+/// Number of steps that an attempt may take at least, however many nodes move.
 const FEWEST_STEPS: usize = 30;
 
 /// The required length of a member, in ℓ.
@@ -42,14 +48,15 @@ pub(crate) enum TargetLength {
     At(f64),
     /// A length between this one and 2.
     Within(f64),
+    /// Any length.
     Free,
 }
 
 /// Limits of the work of one optimisation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Maximum number of attempts. Each attempt widens the bounds of the members that the attempt before could not
-    /// bring into theirs.
+    /// Maximum number of attempts. Each attempt widens the bounds of the members that were out of their bounds after
+    /// the previous attempt.
     pub attempts: usize,
     /// Maximum number of multiplier updates per attempt.
     pub rounds: usize,
@@ -63,27 +70,28 @@ pub(crate) struct Effort {
 pub(crate) trait Sheet {
     /// The place of a node.
     type Location: Copy + std::fmt::Debug;
-    /// Bounds of the optimisation on this surface.
+    /// Limits of the work of an optimisation on this surface.
     fn effort(&self) -> Effort;
-    /// Point of the surface, and its derivatives by the two coordinates of a displacement.
+    /// Returns the point of the surface, and its derivatives by the two coordinates of a displacement.
     fn evaluate(&self, place: Self::Location) -> [DVec3; 3];
-    /// Whether none of the triangles is flipped. `at` returns places and positions.
+    /// Whether none of the triangles is flipped. `at` returns the place and the position of a node.
     fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Location, DVec3)) -> bool;
-    /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after the part of the step that
-    /// may be taken, and returns that part. `triangles` are those with a moving corner.
+    /// Moves the nodes by the largest fraction of `step` that is allowed, and returns that fraction. Writes the new
+    /// places of the moving nodes to `to`.
     fn advance(&self, mesh: &Moved<'_, Self::Location>, step: &[DVec2], to: &mut [Self::Location]) -> f64;
-    /// The point of the surface nearest to the middle of a triangle, and the surface's unit normal there.
+    /// Returns the point of the surface nearest to the middle of a triangle, and the surface's unit normal there.
     fn below(&self, corners: [Self::Location; 3], middle: DVec3) -> (DVec3, DVec3);
 }
 
 /// The moving part of a mesh.
 #[derive(Debug)]
 pub(crate) struct Moved<'a, P> {
-    /// Places of the nodes before `fixed`.
+    /// Places of the nodes that do not move: those with an index below `fixed`.
     pub standing: &'a [P],
-    /// Places of the others.
+    /// Places of the nodes that move: those with an index from `fixed` on.
     pub moving: &'a [P],
     pub fixed: usize,
+    /// The triangles with a moving corner.
     pub triangles: &'a [[u32; 3]],
 }
 
@@ -121,7 +129,7 @@ impl Sheet for Surface {
 
     fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
         let mut p = corners.into_iter().sum::<DVec2>() / 3.0;
-        // The method of Gauss and Newton finds the nearest point. Its start is close.
+        // Three steps of the Gauss-Newton method find the nearest point, because the start is close.
         for _ in 0..3 {
             let [x, du, dv] = Self::evaluate(self, p);
             let (off, uu, uv, vv) = (middle - x, du.dot(du), du.dot(dv), dv.dot(dv));
@@ -137,7 +145,7 @@ impl Sheet for Surface {
     }
 }
 
-/// The mesh on the surface: places and positions of its nodes, lengths in ℓ.
+/// A mesh on the surface: the places and positions of its nodes. Lengths are in ℓ.
 #[derive(Debug)]
 pub(crate) struct OnSurface<'a, S: Sheet> {
     pub surface: &'a S,
@@ -173,15 +181,15 @@ impl<S: Sheet> OnSurface<'_, S> {
 
 struct Moving<'a, 'b, S: Sheet> {
     nodes: &'a OnSurface<'b, S>,
-    /// Members with at least one moving end: their number in `members`.
+    /// Indices in `members` of the members with a target and at least one moving end.
     active: Vec<usize>,
     targets: &'a [TargetLength],
-    /// For each active member the bounds that it has if it is in the rim.
+    /// For each active member the bounds on its length, in ℓ. They are used only if the member is in the rim.
     bounds: Vec<[f64; 2]>,
     /// For each active member the shifts of its lower and upper bound, 0 or positive.
     shifts: Vec<[f64; 2]>,
     weight: f64,
-    /// Triangles with a moving corner that are upright at the start. They stay upright.
+    /// Triangles with a moving corner that are upright at the start. A step that would flip one of them is not taken.
     triangles: Vec<[u32; 3]>,
     /// Positions and derivatives of the moving nodes at the places of the last evaluation.
     here: Vec<[DVec3; 3]>,
@@ -214,7 +222,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         moving
     }
 
-    /// Sets the bounds to those of the targets.
+    /// Sets the bounds of all active members to those of their targets.
     fn reset_bounds(&mut self) {
         for (bounds, &member) in self.bounds.iter_mut().zip(&self.active) {
             let least = if let TargetLength::Within(least) = self.targets[member] { least } else { 1.0 };
@@ -357,11 +365,11 @@ impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
     }
 }
 
-/// Moves the inner nodes so that the members come near to their targets, within the bounds of [`Sheet::effort`].
+/// Moves the inner nodes so that the members come near to their targets. `effort` limits the work.
 ///
-/// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those members may
-/// keep the length they start with, because more weight on them would only spoil the lattice. Returns the reason if the
-/// work ended early; `nodes` is then the best so far.
+/// In places the surface may be curved so strongly that some rim members cannot reach a length within [ℓ, 2ℓ]. These
+/// members may keep the length they start with, because more weight on them would only spoil the lattice. If the work
+/// ended early, returns the reason, and `nodes` is the best found until then.
 pub(crate) fn refine<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     targets: &[TargetLength],
@@ -384,8 +392,8 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
         let mut widened = false;
-        // Only the bounds of rim members are widened, because those of lattice members are not used: the next attempt
-        // would repeat this one.
+        // Only the bounds of rim members are widened. Lattice members have no bounds, so widening theirs would repeat
+        // the attempt.
         let in_rim = |k: &usize| moving.is_bounded(*k);
         for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
             let given = given[k];
@@ -399,7 +407,7 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
     }
-    // Nodes that are worse in both respects than the given ones are not returned.
+    // If neither the deviation nor the excess is smaller than at the start, the nodes return to their start.
     moving.reset_bounds();
     if moving.deviation(&x) >= before.0 && moving.excess() >= before.1 {
         x = start;

@@ -1,4 +1,4 @@
-//! Tensor-product NURBS patches and, as the case of one span and equal weights, Bézier patches.
+//! Tensor-product NURBS patches. Bézier patches are the special case of one span and equal weights.
 //!
 //! Evaluation follows Piegl and Tiller, *The NURBS Book*: span by bisection (A2.1), basis functions and their first
 //! derivatives from one triangular table (A2.2, A2.3), the quotient rule on homogeneous coordinates (eq. 4.20).
@@ -7,7 +7,7 @@ use plateau_mesh::error::{Error, InputError, Place, Step};
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec2, DVec3};
 
-/// Largest degree that is accepted. Nobody draws with higher degrees, and their tables take O(degree²) to evaluate.
+/// Largest degree that is accepted. Nobody draws with higher degrees, and evaluating their tables takes O(degree²).
 const LARGEST_DEGREE: usize = 60;
 /// Degrees below this are evaluated in small tables. Nearly all patches have such degrees.
 const COMMON: usize = 8;
@@ -21,18 +21,18 @@ const AREA_CELLS: usize = 48;
 pub struct Nurbs {
     /// Degree along u and along v.
     pub degrees: [usize; 2],
-    /// Knots along u and along v: not falling, as many as control points plus degree plus one, inner ones repeated at
-    /// most degree times. The patch covers the parameters from knot `degree` to the knot that has `degree` knots after
-    /// it.
+    /// Knots along u and along v, in non-decreasing order. Their number is the number of control points plus the degree
+    /// plus one. An inner knot is repeated at most degree times. The patch covers the parameters from knot `degree` to
+    /// the knot that has `degree` knots after it.
     pub knots: [Vec<f64>; 2],
-    /// The points `control_points[i][j]`, where i counts along u and j along v.
+    /// The control points `control_points[i][j]`, where i counts along u and j along v.
     pub control_points: Vec<Vec<DVec3>>,
     /// A positive weight for each control point; `None` if all are equal.
     pub weights: Option<Vec<Vec<f64>>>,
 }
 
 impl Nurbs {
-    /// The Bézier patch with these control points; the degrees follow from their number.
+    /// Makes the Bézier patch with these control points. Their number determines the degrees.
     #[must_use]
     pub fn bezier(control_points: Vec<Vec<DVec3>>) -> Self {
         let (m, n) = (control_points.len(), control_points.first().map_or(0, Vec::len));
@@ -45,10 +45,10 @@ impl Nurbs {
         }
     }
 
-    /// Checks everything that evaluation relies on. `place` is where the patch stands in the input.
+    /// Checks everything that evaluation relies on. `place` is the place of the patch in the input.
     ///
     /// # Errors
-    /// Each value that is wrong, by its place.
+    /// [`Error::Input`] with the place of every wrong value.
     pub fn check(&self, place: &Place) -> Result<(), Error> {
         let mut errors = Vec::new();
         let columns = self.control_points.first().map_or(0, Vec::len);
@@ -124,7 +124,7 @@ impl Nurbs {
         Self { control_points, ..self.clone() }
     }
 
-    /// The patch's area, by Gauss's rule with three points a cell along each parameter.
+    /// Returns the area of the patch, by Gauss's rule with three points in each cell along each parameter.
     pub(crate) fn area(&self) -> f64 {
         let rule: [Vec<(f64, f64)>; 2] = [0, 1].map(|axis| {
             let (knots, degree) = (&self.knots[axis], self.degrees[axis]);
@@ -151,7 +151,8 @@ impl Nurbs {
         rule[0].iter().map(|&(u, w)| w * rule[1].iter().map(|&(v, w)| w * density(u, v)).sum::<f64>()).sum()
     }
 
-    /// Point and derivatives by u and v at parameters in \[0, 1\]². The patch must have passed [`check`](Self::check).
+    /// Returns the point and its derivatives by u and v at parameters in \[0, 1\]². The patch must have passed
+    /// [`check`](Self::check).
     #[must_use]
     pub fn evaluate(&self, parameters: DVec2) -> [DVec3; 3] {
         if self.degrees[0].max(self.degrees[1]) < COMMON {
@@ -166,7 +167,8 @@ impl Nurbs {
         let (mut bu, mut bv) = ([(0.0, 0.0); N], [(0.0, 0.0); N]);
         let i = basis(&self.knots[0], self.degrees[0], parameters.x, &mut bu);
         let j = basis(&self.knots[1], self.degrees[1], parameters.y, &mut bv);
-        // Sums over the basis of weight · point and weight: value, derivative by u, derivative by v.
+        // Sums over the basis functions of weight · point, and of the weights. Each has three entries: the value, the
+        // derivative by u and the derivative by v.
         let (mut points, mut weights) = ([DVec3::ZERO; 3], [0.0; 3]);
         for (k, &(nu, du)) in bu[..=self.degrees[0]].iter().enumerate() {
             for (l, &(nv, dv)) in bv[..=self.degrees[1]].iter().enumerate() {
@@ -183,11 +185,12 @@ impl Nurbs {
     }
 }
 
-/// Least sine of the angle between a patch's derivatives, and least length of a derivative relative to the largest one
-/// along its parameter, for which they define a normal. Near a pole rounding would decide the normal's direction.
+/// Least sine of the angle between the two derivatives of a patch, and least length of a derivative relative to the
+/// largest one along its parameter. Below either the point has no normal, because near a pole rounding would decide its
+/// direction.
 const SINGULAR: [f64; 2] = [1e-3, 1e-9];
 
-/// Returns the unit vector along du × dv, or `None` where the derivatives define no normal. `largest` are the lengths
+/// Returns the unit vector along du × dv, or `None` where the derivatives define no normal. `largest` has the lengths
 /// of the patch's largest derivatives by u and by v.
 pub(crate) fn unit_normal(du: DVec3, dv: DVec3, largest: [f64; 2]) -> Option<DVec3> {
     let (cross, lengths) = (du.cross(dv), [du.length(), dv.length()]);
@@ -196,8 +199,9 @@ pub(crate) fn unit_normal(du: DVec3, dv: DVec3, largest: [f64; 2]) -> Option<DVe
     if regular { cross.try_normalize() } else { None }
 }
 
-/// Writes to `functions` value and derivative by `t` of the degree + 1 basis functions that do not vanish at `t` in
-/// \[0, 1\]. Returns the number of the first one, which is that of its control point.
+/// Evaluates the degree + 1 basis functions that do not vanish at `t` in \[0, 1\]. Writes the value and the derivative
+/// by `t` of each to `functions`. Returns the index of the first of these functions, which is also that of its control
+/// point.
 fn basis<const N: usize>(knots: &[f64], degree: usize, t: f64, functions: &mut [(f64, f64); N]) -> usize {
     let count = knots.len() - degree - 1;
     let (low, high) = (knots[degree], knots[count]);

@@ -1,4 +1,4 @@
-//! Uniform meshes of surfaces that cannot be flattened: meshed on the surface itself.
+//! Uniform meshes of surfaces that cannot be flattened. They are meshed on the surface itself:
 //!
 //! 1. [`Net::remesh`]: triangles of about one edge length everywhere.
 //! 2. The lattice group. A node that moves on a surface has two degrees of freedom, and there are three edges for each
@@ -34,30 +34,30 @@ use plateau_mesh::{DVec2, DVec3};
 /// the edges outside the group are longer than those in it.
 const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
-/// Number of rounds that move the nodes and mend members out of range.
+/// Maximum number of rounds that move the nodes and then split or collapse members out of range.
 const ROUNDS: usize = 3;
-/// Largest number of rounds at the end that mend members far out of range.
+/// Maximum number of rounds at the end that split or collapse members far out of range.
 const REPAIRS: usize = 2;
 /// Members outside this range, in ℓ, count as far out of range. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not
 /// converged.
 const FAR: (f64, f64) = (0.7, 2.3);
-/// Number of multiplier updates in each move of these rounds.
+/// Maximum number of multiplier updates each time that the nodes move in the first [`ROUNDS`] rounds.
 const BRIEF: usize = 2;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
-/// Members within this range, in ℓ, may belong to the lattice group.
+/// Range of lengths, in ℓ, of the members that may belong to the lattice group.
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
 /// Members outside this range, in ℓ, are split or collapsed. The next move of the nodes brings the others into [ℓ, 2ℓ].
 const OUT: (f64, f64) = (0.98, 2.02);
-/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, after a move.
-/// Without this bound nodes are pressed flat against the boundary.
+/// Smallest altitude of a triangle after a move, as a fraction of its longest side, seen along the surface's normal.
+/// Without this bound the moves would press nodes flat against the boundary.
 const THINNEST: f64 = 0.12;
-/// Least length (in ℓ) and least angle (radians) of an edge that is split because it faces a node at a wide angle and
-/// cannot flip. The node may then join the new vertex.
+/// Length (in ℓ) and angle (radians) above which an edge along a curve is split, where the angle is the one opposite to
+/// the edge. The edge cannot flip, because it lies on a curve. The opposite node may then merge with the new vertex.
 const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
-/// Largest number of nodes that one search for a node with a free degree of freedom visits.
+/// Length of the queue from which on a search for a node with a free degree of freedom adds no more nodes to it.
 const SEARCH: usize = 300;
-/// Number of nodes that all these searches visit between two looks at the signal.
+/// Number of nodes that the searches visit between two looks at the caller's signal.
 const NODES_PER_LOOK: u64 = 1 << 16;
 
 impl Sheet for Reference {
@@ -145,7 +145,8 @@ impl Sheet for Reference {
 }
 
 impl Reference {
-    /// Whether a triangle's normal agrees with the surface's at its corners, and the triangle is no sliver.
+    /// Whether the normal of a triangle agrees with the surface's normals at its corners, and its altitude is not below
+    /// [`THINNEST`].
     fn is_upright(&self, corners: [(NodeLocation, DVec3); 3]) -> bool {
         let mean: DVec3 = corners.iter().map(|(place, _)| self.normal(place.spot)).sum();
         let corners = corners.map(|corner| corner.1);
@@ -153,10 +154,10 @@ impl Reference {
     }
 }
 
-/// Meshes the surface. The second value is the reason if the work ended early; the mesh is valid all the same.
+/// Meshes the surface. If the work ended early, the second value is the reason; the mesh is valid even then.
 ///
 /// # Errors
-/// The interruption, before there was a mesh of about the target length.
+/// The interruption, if it comes before there is a mesh of about the target length.
 pub(crate) fn mesh<'a>(
     reference: &'a Reference,
     objective: Objective,
@@ -174,7 +175,7 @@ pub(crate) fn mesh<'a>(
     if !optimise {
         return Ok((best, None));
     }
-    // Copy of the net from which the best nodes came, before its members were mended.
+    // Copy of the net from which the best nodes came, as it was before its members were split or collapsed.
     let mut of_best = net.clone();
     let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1 + REPAIRS) as f64;
     let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
@@ -231,8 +232,9 @@ pub(crate) fn mesh<'a>(
     Ok((best, interrupted))
 }
 
-/// The target lengths of all members, shorter for members across a sharp corner: targets that no location of the nodes
-/// can reach would push the nodes towards the corner, or away from it.
+/// Returns the target lengths of all members. A member across a sharp corner may be shorter than ℓ if the corner leaves
+/// no more room. A target that no location of the nodes can reach would push the nodes towards the corner or away from
+/// it.
 fn reachable_targets(nodes: &OnSurface<'_, Reference>) -> Vec<TargetLength> {
     let target = |(&lattice, &ends): (&bool, &[u32; 2])| {
         let across = nodes.surface.apart_across(ends.map(|v| nodes.parameters[v as usize]));
@@ -281,7 +283,8 @@ fn nodes<'a>(
     Ok(nodes)
 }
 
-/// The edges nearest to ℓ that can be assigned to nodes, to each node at most as many as it has degrees of freedom.
+/// Returns which members belong to the lattice group: the edges nearest to ℓ that can be assigned to nodes. A node gets
+/// at most as many edges as it has degrees of freedom.
 ///
 /// # Errors
 /// The interruptions of `execution`.
@@ -298,7 +301,7 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>, execution: &Execution<'_>) ->
             Bond::Fixed(_) => 0,
         })
         .collect();
-    // For each node the members that are assigned to it.
+    // For each node, the members that are assigned to it.
     let mut serves: Vec<Vec<usize>> = vec![Vec::new(); left.len()];
     let mut group = vec![false; lengths.len()];
     let mut seen = vec![0u32; left.len()];
@@ -348,8 +351,8 @@ fn lattice_group(nodes: &OnSurface<'_, Reference>, execution: &Execution<'_>) ->
     Ok(group)
 }
 
-/// Half the sum of the squared distances of lattice members from ℓ and of the others from [ℓ, 2ℓ], where the others
-/// count ten times.
+/// The misfit: half the sum of the squared distances of lattice members from ℓ and of the other members from [ℓ, 2ℓ],
+/// where the squares of the other members have the weight 10.
 fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     let term = |(&length, &lattice): (&f64, &bool)| {
         let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
@@ -358,8 +361,8 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     nodes.lengths().iter().zip(&nodes.lattice_group).map(term).sum()
 }
 
-/// Splits members that are longer than a range, collapses those that are shorter, and flips. Returns whether a member
-/// changed.
+/// Splits members that are longer than the given range, collapses shorter ones, and flips edges. Returns whether the
+/// triangles changed.
 fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;
     let before = net.topology.triangles().to_vec();

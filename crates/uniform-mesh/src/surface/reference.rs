@@ -1,13 +1,13 @@
-//! A fine triangulation of a curved surface on which nodes stand and walk.
+//! A fine triangulation of a curved surface, the reference, on which the nodes of the mesh stand and move.
 //!
-//! A node's place is a triangle and barycentric coordinates ([`Spot`]). Its position is on the true surface: for a
-//! patch the coordinates give the parameters, for a film the facet is the surface. A displacement is a straight walk
-//! over the triangles, unfolded at each edge. Places and walks need no plane of parameters. Closed patches, poles and
-//! surfaces that cannot be flattened are therefore no special cases: seams are sewn up and poles are single vertices of
-//! the triangulation.
+//! The place of a node is a triangle of the reference with barycentric coordinates ([`Spot`]). Its position lies on the
+//! true surface: on a patch the coordinates give the parameters, and a film consists of the triangles themselves. A
+//! displacement is a straight walk over the triangles, which are unfolded at each edge. Places and walks need no plane
+//! of parameters. Closed patches, poles and surfaces that cannot be flattened are therefore no special cases: seams are
+//! sewn up, and a pole is a single vertex of the triangulation.
 //!
-//! Edges on the boundary and on creases (lines where a patch has no common tangent plane) end a walk. They are joined
-//! to curves between corners. A node on a curve has one degree of freedom, the length along it.
+//! Walks end at edges on the boundary and on creases (lines along which a patch has no common tangent plane). These
+//! edges are joined to curves between corners. A node on a curve has one degree of freedom, the length along the curve.
 
 use super::curves::{Curve, join_curves};
 use super::nurbs::{Nurbs, unit_normal};
@@ -19,22 +19,23 @@ use plateau_mesh::measure::{self, double_area_vector, vertex_normals};
 use plateau_mesh::topology::{NONE, Topology, next};
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-/// A line of a patch with discontinuous derivatives is a crease if the normals on its two sides differ by more than
-/// this angle somewhere, radians.
+/// Angle in radians above which a line of a patch with discontinuous derivatives is a crease: the normals on its two
+/// sides differ by more than this somewhere on the line.
 const CREASE: f64 = 0.35;
 /// Largest distance from a corner, in ℓ, at which the angle between two curves bounds the edges between them.
 const NEAR_CORNER: f64 = 3.0;
-/// A sharp corner or a short closed side is the reason for a short edge only if the edge has at least this fraction of
+/// Least length of a short edge for which a sharp corner or a short closed side counts as the reason, as a fraction of
 /// the length that the corner or the side leaves to an edge.
 const FORCED: f64 = 0.9;
 /// Number of intervals into which each side is divided to find the distance between two sides near a corner.
 const STEPS_NEAR_CORNER: usize = 8;
-/// Distance between three nodes evenly spaced on a circle, as a fraction of the circle's length. A closed side has at
-/// least three nodes.
+/// Distance between neighbours of three nodes that are evenly spaced on a circle, as a fraction of the circle's length.
+/// A closed side has at least three nodes.
 const OF_THREE: f64 = 0.275;
+/// Largest number of triangles that a walk visits.
 const LONGEST_WALK: usize = 2000;
-/// Number of tangential steps to the foot of a point. A step is exact on one facet. On an arch of half a turn four
-/// steps leave less than a thousandth of the way.
+/// Number of tangential steps to the foot of a point. One step is exact on a flat facet. On an arch of half a turn,
+/// four steps leave less than a thousandth of the distance.
 const FOOT_STEPS: usize = 4;
 
 /// A point of the reference triangulation.
@@ -49,9 +50,9 @@ pub(crate) struct Spot {
 pub(crate) enum Bond {
     /// Motion on the surface.
     Free,
-    /// Motion along a curve; `at` is the length from the curve's start.
+    /// Motion along a curve. `at` is the length along the curve from its start to the node.
     Curve { curve: u32, at: f64 },
-    /// No motion: the node is a corner, this vertex of the reference.
+    /// No motion: the node is a corner, at this vertex of the reference.
     Fixed(u32),
 }
 
@@ -76,14 +77,14 @@ pub(crate) struct Reference {
     /// Marks the half-edges at which a walk ends.
     pub stops: Vec<bool>,
     pub curves: Vec<Curve>,
-    /// Marks the vertices that are corners.
+    /// For each vertex whether it is a corner.
     pub corner: Vec<bool>,
     /// The surface's area.
     pub area: f64,
 }
 
 impl Reference {
-    /// The reference of a patch whose lengths are in ℓ.
+    /// Makes the reference of a patch whose lengths are in ℓ.
     ///
     /// # Errors
     /// [`Error::Input`] at `place`: the patch collapses to a line, or touches itself along more than a seam.
@@ -133,7 +134,7 @@ impl Reference {
         Ok(Self::assemble(mesh, topology, Some((patch.clone(), parameters)), stops, flags, area))
     }
 
-    /// The reference of a film: its own mesh. The vertices `corners` must stay where they are.
+    /// Makes the reference of a film, which is the film's own mesh. The vertices `corners` must stay where they are.
     pub fn of_film(mesh: Mesh, topology: Topology, corners: &[u32]) -> Self {
         let stops = topology.twin.iter().map(|&twin| twin == NONE).collect();
         let mut flags = vec![false; mesh.vertices.len()];
@@ -152,8 +153,8 @@ impl Reference {
     ) -> Self {
         let mut normals = vertex_normals(&mesh);
         if let Some((patch, parameters)) = &patch {
-            // The normals of the patch are used, except at creases and poles, where the mean of the facets' normals is
-            // used.
+            // The normals are those of the patch, except at creases and poles, where they are the means of the facets'
+            // normals.
             let mut on_stop = vec![false; mesh.vertices.len()];
             for h in (0..topology.twin.len() as u32).filter(|&h| stops[h as usize] && topology.twin[h as usize] != NONE)
             {
@@ -177,7 +178,7 @@ impl Reference {
         let mut curvature = vec![0.0f64; mesh.vertices.len()];
         for h in 0..topology.twin.len() as u32 {
             let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
-            // The averaged normals on a crease give no curvature of the surface beside it.
+            // Along a crease the averaged normals say nothing about the curvature of the surface beside it.
             if stops[h as usize] {
                 continue;
             }
@@ -247,7 +248,7 @@ impl Reference {
         Spot { triangle: h / 3, weights }
     }
 
-    /// The vertices of a curve's edges, in its direction.
+    /// Returns the two vertices of each edge of a curve, in the direction of the curve.
     pub fn chain(&self, curve: u32) -> Vec<(u32, u32)> {
         let ends = |&(h, against): &(u32, bool)| {
             let (from, to) = (self.topology.from(h), self.topology.to(h));
@@ -256,8 +257,8 @@ impl Reference {
         self.curves[curve as usize].edges.iter().map(ends).collect()
     }
 
-    /// The smallest angle between two curves at a vertex, or the angle around the vertex if it has fewer than two
-    /// curves, radians.
+    /// The smallest angle, in radians, between two curves at a vertex. If the vertex has fewer than two curves, the
+    /// angle around the vertex.
     pub fn angle_at(&self, vertex: u32) -> f64 {
         let position = |v: u32| self.mesh.vertices[v as usize];
         let (mut sectors, mut begins_on_curve) = (vec![0.0], true);
@@ -270,7 +271,7 @@ impl Reference {
             let sides = [self.topology.to(h), self.topology.opposite(h)].map(|v| position(v) - position(vertex));
             *sectors.last_mut().expect("starts with one sector") += measure::angle(sides[0], sides[1]);
         }
-        // The first and the last sector are one if the turn did not begin on a curve.
+        // If the turn did not begin on a curve, the first and the last sector are parts of the same sector.
         if !begins_on_curve && let [first, .., last] = &mut sectors[..] {
             *last += *first;
             *first = f64::INFINITY;
@@ -289,8 +290,8 @@ impl Reference {
         }
     }
 
-    /// The reason why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the creases
-    /// are the reason only for edges that have the length that they allow. Shorter edges have the reason
+    /// Returns the reason why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the
+    /// creases count as the reason only if the edge is about as long as they allow. For shorter edges the reason is
     /// [`Why::Curvature`].
     pub fn why(&self, ends: [NodeLocation; 2], length: f64) -> Why {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
@@ -314,8 +315,8 @@ impl Reference {
         }
     }
 
-    /// The least length that a sharp corner allows for edges across it, if these nodes are on its two sides and that
-    /// length is below ℓ.
+    /// Returns the least length, in ℓ, of an edge across a sharp corner, if the nodes are on the two sides of the
+    /// corner and this length is below ℓ.
     pub fn apart_across(&self, ends: [NodeLocation; 2]) -> Option<f64> {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
         if first.is_empty() || second.is_empty() || first.iter().any(|c| second.contains(c)) {
@@ -324,8 +325,8 @@ impl Reference {
         self.apart_at_corner(ends, [&first, &second]).filter(|&apart| apart < 1.0)
     }
 
-    /// The distance between the curves of two nodes at the corner where they meet, infinite if the corner is not sharp.
-    /// `None` if the curves do not meet, or the nodes are not near the corner.
+    /// Returns the distance between the curves of two nodes near the corner at which the curves meet, or infinity if
+    /// the corner is not sharp. Returns `None` if the curves do not meet, or if the nodes are not near the corner.
     fn apart_at_corner(&self, ends: [NodeLocation; 2], [first, second]: [&[u32]; 2]) -> Option<f64> {
         let points = ends.map(|place| self.point(place.spot));
         let mut least = None;
@@ -343,9 +344,9 @@ impl Reference {
         least
     }
 
-    /// The least distance between two curves that meet at a corner, from ℓ to [`NEAR_CORNER`] away from it along each:
-    /// no node stands nearer to the corner if every edge along the curves is ℓ or longer. Straight curves that meet at
-    /// an angle α are 2 sin(α/2) ℓ apart.
+    /// Returns the least distance between two curves that meet at a corner, where each is considered from ℓ to
+    /// [`NEAR_CORNER`] away from the corner. No node is nearer to the corner if every edge along the curves is ℓ or
+    /// longer. For straight curves at an angle α the distance is 2 sin(α/2) ℓ.
     fn apart_near(&self, corner: u32, curves: [u32; 2]) -> f64 {
         let [one, other] = curves.map(|c| {
             let curve = &self.curves[c as usize];
@@ -375,8 +376,9 @@ impl Reference {
         (high - low).normalize_or_zero()
     }
 
-    /// The length along `curve` at which a node stands, seen from a neighbour on the curve at `near`. A corner that is
-    /// both ends of a closed curve counts as the end nearer to the neighbour.
+    /// Returns the length along `curve` at which a node lies, or `None` if the node is not on the curve. A closed curve
+    /// starts and ends at the same corner; this corner then counts as the end nearer to `near`, the length of a
+    /// neighbour on the curve.
     pub fn at(&self, curve: u32, bond: Bond, near: Option<f64>) -> Option<f64> {
         let (ends, length) = (self.curves[curve as usize].ends, self.curves[curve as usize].length());
         match bond {
@@ -389,7 +391,7 @@ impl Reference {
         }
     }
 
-    /// Walks straight from a spot over the unfolded triangles, and stops at curves.
+    /// Walks from a spot in a straight line over the unfolded triangles. The walk ends early where it meets a curve.
     pub fn walk(&self, spot: Spot, displacement: DVec3) -> Spot {
         let Spot { triangle: mut t, weights: mut w } = spot;
         let mut d = displacement;
@@ -443,8 +445,8 @@ impl Reference {
         Spot { triangle: t, weights: w }
     }
 
-    /// Returns a point as a spot of every triangle in which a walk can start. A walk that starts on a curve reaches
-    /// only the side on which its triangle lies.
+    /// Returns the spots that describe the same point in each triangle from which a walk can start there. A walk that
+    /// starts on a curve reaches only the side on which its triangle lies.
     pub fn sides(&self, spot: Spot) -> Vec<Spot> {
         let Spot { triangle: t, weights: w } = spot;
         let zeros: Vec<usize> = (0..3).filter(|&k| w[k] == 0.0).collect();
@@ -474,7 +476,8 @@ impl Reference {
         }
     }
 
-    /// The spot near `start` whose point of the surface is nearest to a point of space, by a few tangential steps.
+    /// Returns the spot near `start` whose point of the surface is nearest to a point in space. Takes a few tangential
+    /// steps.
     pub fn foot(&self, start: Spot, point: DVec3) -> Spot {
         let mut spot = start;
         for _ in 0..FOOT_STEPS {
@@ -483,7 +486,7 @@ impl Reference {
         spot
     }
 
-    /// The part along the facet of the way from a spot to a point of space: zero at the point's foot.
+    /// The component along the facet of the vector from a spot to a point in space. It is zero at the point's foot.
     fn off_foot(&self, spot: Spot, point: DVec3) -> DVec3 {
         (point - self.point(spot)).reject_from_normalized(self.facet_normal(spot))
     }
@@ -494,7 +497,8 @@ mod tests {
     use super::*;
     use plateau_mesh::plane::unit_vector;
 
-    /// A flat rhombus of side 10 with this angle at the origin, in degrees, and its two curves from there.
+    /// Returns a flat rhombus of side 10 whose angle at the origin is `degrees`, and its two curves that meet at the
+    /// origin.
     fn rhombus(degrees: f64) -> (Reference, [u32; 2]) {
         let (a, b) = (DVec3::X * 10.0, unit_vector(degrees.to_radians()).extend(0.0) * 10.0);
         let knots = vec![0.0, 0.0, 1.0, 1.0];
@@ -525,7 +529,7 @@ mod tests {
                 let [p, q] = ends.map(|place| reference.point(place.spot));
                 reference.why(ends, p.distance(q))
             };
-            // Both ends at ℓ from the corner: with straight sides 2 sin(α/2) ℓ apart.
+            // The ends are at distance ℓ from the corner, so straight sides are 2 sin(α/2) ℓ apart there.
             if degrees < 60.0 {
                 assert_eq!(why([node(0, 1.0), node(1, 1.0)]), expected, "{degrees}");
                 assert_eq!(why([node(0, 1.0), node(1, 1.1)]), expected, "{degrees}");

@@ -5,8 +5,8 @@
 //! [`Reference`]. Nodes on its curves stay on the curves, and corners do not move. An operation that would turn a
 //! triangle against the surface's normals is refused, so that no edge cuts through a thin sheet or a sharp crest.
 //!
-//! The edges that one pass splits share no triangle, and those that one pass collapses have no common neighbourhood,
-//! like in [`remesh`](plateau_film::minimal_surface). A pass therefore rebuilds the triangle list once.
+//! The edges that one pass splits share no triangle, and the edges that one pass collapses have no common neighbour, as
+//! in [`remesh`](plateau_film::minimal_surface). A pass therefore rebuilds the list of triangles only once.
 
 use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
@@ -17,13 +17,14 @@ use plateau_mesh::topology::{NONE, Topology, edge_key};
 
 /// Constants of the remeshing.
 struct Remeshing {
-    /// Edges longer than this times the size are split (Botsch and Kobbelt: 4/3).
+    /// Length above which an edge is split, as a multiple of the target length (Botsch and Kobbelt: 4/3).
     long: f64,
-    /// Edges shorter than this times the size are collapsed (Botsch and Kobbelt: 4/5).
+    /// Length below which an edge is collapsed, as a multiple of the target length (Botsch and Kobbelt: 4/5).
     short: f64,
-    /// Largest number of passes at the start that only collapse; each removes up to a seventh of the nodes.
+    /// Maximum number of passes at the start that collapse edges and split none. Each pass removes up to a seventh of
+    /// the nodes.
     coarsening_passes: usize,
-    /// Least fraction of the nodes that a pass removes; below it the coarsening ends.
+    /// Fraction of the nodes that a pass must remove for the coarsening to continue.
     coarsened: f64,
     /// Number of rounds of splits, collapses, flips and relaxation.
     rounds: usize,
@@ -36,7 +37,7 @@ struct Remeshing {
     thinnest: f64,
     /// An edge flips if its opposite angles add up to more than 180° plus this angle, radians.
     flat: f64,
-    /// Number of sweeps of flips over all edges.
+    /// Maximum number of sweeps of flips over all edges.
     flip_sweeps: usize,
 }
 
@@ -53,7 +54,7 @@ const REMESHING: Remeshing = Remeshing {
     flip_sweeps: 10,
 };
 
-/// The target edge length at a place: a constant, or less where the surface is strongly curved.
+/// The target edge length at each place: a constant, or a smaller length where the surface is strongly curved.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Size {
     /// The length where the surface is nearly flat, in ℓ.
@@ -73,9 +74,9 @@ impl Size {
 /// The place at which the ends of a collapsed edge meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Collapse {
-    /// At one end, which needs no walk on the surface.
+    /// At one of the ends, which needs no walk on the surface.
     End,
-    /// Half way between them.
+    /// Half way between the two ends.
     Middle,
 }
 
@@ -175,7 +176,8 @@ impl<'a> Net<'a> {
         0.5 * (self.sizes[self.topology.from(h) as usize] + self.sizes[self.topology.to(h) as usize])
     }
 
-    /// Whether the normal of a triangle with these corners agrees with the surface's.
+    /// Whether the normal of a triangle with these corners agrees with the surface's normals, and the triangle is not
+    /// too thin.
     fn is_upright(&self, corners: [DVec3; 3], normals: [DVec3; 3]) -> bool {
         let normal = double_area_vector(corners);
         let mean: DVec3 = normals.iter().sum();
@@ -187,7 +189,8 @@ impl<'a> Net<'a> {
         self.is_upright(triangle.map(|v| self.positions[v as usize]), triangle.map(|v| self.normals[v as usize]))
     }
 
-    /// The place half way between two nodes, along a curve if they are neighbours on it.
+    /// Returns the place half way between two nodes, measured along the curve if they are neighbours on a curve.
+    /// Returns `None` if no walk finds such a place.
     fn middle(&self, a: u32, b: u32) -> Option<NodeLocation> {
         let [p, q] = [a, b].map(|v| self.positions[v as usize]);
         let [from, to] = [a, b].map(|v| self.places[v as usize]);
@@ -317,7 +320,7 @@ impl<'a> Net<'a> {
                 ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, self.places[a as usize]),
                 _ => continue,
             };
-            // A collapse onto an end that stays where it is changes only the triangles around the other.
+            // If the end that stays does not move, only the triangles around the other end change.
             let moves = meeting != self.places[stays as usize];
             let mut near = self.ring(leaves);
             near.extend([a, b]);
@@ -377,8 +380,8 @@ impl<'a> Net<'a> {
     /// The neighbours of a vertex.
     pub fn ring(&self, v: u32) -> Vec<u32> {
         let mut ring: Vec<u32> = self.topology.outgoing_half_edges(v).map(|h| self.topology.to(h)).collect();
-        // The last neighbour of a boundary vertex is not the end of an outgoing half-edge. It is opposite to the last
-        // of them.
+        // At a boundary vertex, the last neighbour is not the end of an outgoing half-edge. It is the vertex opposite
+        // to the last outgoing half-edge.
         if let Some(last) = self.topology.outgoing_half_edges(v).last() {
             let other = self.topology.opposite(last);
             if !ring.contains(&other) {
@@ -388,7 +391,8 @@ impl<'a> Net<'a> {
         ring
     }
 
-    /// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves.
+    /// Whether the triangles at `v` that do not contain `other` stay upright and are not too flat, and their edges stay
+    /// short enough, when `v` moves to `point`.
     fn keeps_shape(&self, v: u32, other: u32, point: DVec3, normal: DVec3, long: f64) -> bool {
         let topology = &self.topology;
         topology.outgoing_half_edges(v).all(|h| {
@@ -406,7 +410,7 @@ impl<'a> Net<'a> {
         })
     }
 
-    /// Whether an edge may flip: not along a curve, and the two new triangles are upright.
+    /// Whether an edge may flip: the edge does not run along a curve, and the two new triangles are upright.
     pub fn can_flip(&self, h: u32) -> bool {
         let Some([a, b, c, d]) = self.topology.hinge(h) else { return false };
         self.curve_of(a, b).is_none()
@@ -437,8 +441,8 @@ impl<'a> Net<'a> {
         }
     }
 
-    /// Moves every free node towards the middle of its triangles, weighted by their areas, and every node on a curve
-    /// towards the middle between its neighbours there.
+    /// Moves every free node towards the area-weighted mean of the centres of its triangles, and every node on a curve
+    /// to the middle between its two neighbours on the curve.
     pub fn relax(&mut self, sweeps: usize) {
         for _ in 0..sweeps {
             for v in 0..self.places.len() as u32 {
@@ -534,7 +538,7 @@ impl<'a> Net<'a> {
     /// Remeshes until every edge is near the target length at its place.
     ///
     /// # Errors
-    /// The interruption. The net is valid then, but its edges are not near their targets.
+    /// The interruption. The net is valid then, but its edges may be far from their target lengths.
     pub fn remesh(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
         for pass in 0..REMESHING.coarsening_passes {
             execution.look(4 * self.places.len() as u64)?;

@@ -15,7 +15,8 @@ struct Grid {
     samples: usize,
     /// Largest number of samples along one parameter.
     most_samples: usize,
-    /// Range of the number of cells. Within this range there are `cells_per_area` cells for each ℓ² of surface.
+    /// Range of the largest number of cells. Within this range the largest number is `cells_per_area` for each ℓ² of
+    /// the surface. Fewer cells are made if they meet `side` and `turn`.
     cells: (f64, f64),
     cells_per_area: f64,
     /// Least number of cells along a parameter between two creases.
@@ -32,19 +33,20 @@ const GRID: Grid = Grid {
     fewest: 4,
 };
 
-/// Points nearer than this fraction of the surface's size coincide.
+/// Distance up to which points coincide, as a fraction of the surface's size.
 const COINCIDENT: f64 = 1e-9;
 
 /// The parts of a triangulated patch.
 pub(super) struct Tessellation {
     pub mesh: Mesh,
     pub parameters: Vec<[DVec2; 3]>,
-    /// Edges on lines that may be creases, by line: the smaller vertex first.
+    /// For each line that may be a crease, its edges. The smaller vertex of each edge comes first.
     pub lines: Vec<Vec<[u32; 2]>>,
     pub corners: Vec<u32>,
 }
 
-/// The distinct knots along an axis, mapped to \[0, 1\], and whether the patch may have a crease there.
+/// Returns the distinct knots along an axis, mapped to \[0, 1\], and for each whether the patch may have a crease
+/// there.
 fn distinct_knots(patch: &Nurbs, axis: usize) -> Vec<(f64, bool)> {
     let (knots, degree) = (&patch.knots[axis], patch.degrees[axis]);
     let (low, high) = (knots[degree], knots[knots.len() - degree - 1]);
@@ -58,7 +60,7 @@ fn distinct_knots(patch: &Nurbs, axis: usize) -> Vec<(f64, bool)> {
     distinct.iter().map(|&(knot, count)| ((knot - low) / (high - low), count >= degree)).collect()
 }
 
-/// The parameters of the lines of a tensor-product grid, and the numbers of the lines that may be creases.
+/// Returns the parameters of the lines of a tensor-product grid, and the indices of the lines that may be creases.
 fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
     let spans = [0, 1].map(|axis| distinct_knots(patch, axis));
     let samples: [Vec<f64>; 2] = [0, 1].map(|axis| {
@@ -71,7 +73,7 @@ fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
         all.push(1.0);
         all
     });
-    // Points and normals at the samples; at a pole there is no normal.
+    // Points and derivatives at the samples. Normals follow from them below; a pole has no normal.
     let evaluated: Vec<Vec<[DVec3; 3]>> =
         samples[0].iter().map(|&u| samples[1].iter().map(|&v| patch.evaluate(DVec2::new(u, v))).collect()).collect();
     let largest = [1, 2].map(|k| evaluated.iter().flatten().map(|sample| sample[k].length()).fold(0.0, f64::max));
@@ -110,7 +112,8 @@ fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
             let total = need.iter().sum::<f64>() * scale;
             let fewest = GRID.fewest.min(GRID.most_samples / spans[axis].len()).max(1);
             let count = (total.ceil() as usize).max(fewest);
-            // Each cell takes an equal share of the need. The need may be zero where the derivatives vanish.
+            // Each cell gets an equal share of the sum of the needs. The need may be zero where the derivatives vanish,
+            // hence the small constant.
             let least = 1e-6 * total.max(1e-6) / need.len() as f64;
             let weights: Vec<f64> = need.iter().map(|need| need * scale + least).collect();
             let sum: f64 = weights.iter().sum();
@@ -133,7 +136,8 @@ fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
     (grid, creases)
 }
 
-/// The triangulation of a patch over a grid: seams sewn up, poles merged. `None` if an edge elsewhere has no length.
+/// Triangulates a patch over a grid, sews up seams and merges poles. Returns `None` if an edge that is not at a pole
+/// has no length.
 pub(super) fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
     let ([us, vs], creases) = lines(patch);
     let (nu, nv) = (us.len() - 1, vs.len() - 1);
@@ -181,7 +185,8 @@ pub(super) fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
             let numbers = corners.map(|(i, j)| vertex(i, j));
             let places = corners.map(|(i, j)| DVec2::new(us[i], vs[j]));
             let middle = 0.5 * (places[0] + places[2]);
-            // A pole has every parameter of its side. A triangle there takes the middle of the cell.
+            // At a pole every parameter along its side gives the same point. A triangle there gets the parameter in the
+            // middle of the cell.
             let parameters_at = |(i, j): (usize, usize), place: DVec2| {
                 let x = if (j == 0 && pole[2]) || (j == nv && pole[3]) { middle.x } else { place.x };
                 let y = if (i == 0 && pole[0]) || (i == nu && pole[1]) { middle.y } else { place.y };

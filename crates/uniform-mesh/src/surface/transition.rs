@@ -1,8 +1,8 @@
 //! Rebuilds the rim of a curved mesh on the surface itself.
 //!
-//! The rim that was made in the plane keeps [ℓ, 2ℓ] in the plane. Where the surface is stretched relative to the plane,
-//! and after the lattice has moved, its edges and nodes do not fit: members leave the range, and triangles become
-//! needles that keep the lattice from moving.
+//! The edges of the rim that was made in the plane are within [ℓ, 2ℓ] in the plane. They do not fit where the surface
+//! is stretched relative to the plane, and after the lattice has moved. Members then leave the range, and triangles
+//! become needles that keep the lattice from moving.
 //!
 //! 1. Keep the boundary's nodes and the lattice group, and remove the nodes that INCREMENT put between them.
 //! 2. Triangulate the region between them in the parameter plane, with the lattice's border as constraints. Then flip
@@ -28,23 +28,24 @@ use plateau_mesh::{DVec2, DVec3};
 /// An edge flips if its opposite angles add up to more than 180° plus this angle, in radians.
 const FLAT: f64 = 1e-7;
 /// Least distance of a new node from all others, in ℓ. It is a little below 1, because the triangulation is only nearly
-/// Delaunay, and the later move of the nodes evens the lengths out.
+/// Delaunay, and because the nodes move afterwards, which evens out the lengths.
 const CLEAR: f64 = 0.95;
-/// Largest average number of flips for each edge. On a curved surface flips may otherwise not end.
+/// Largest number of flips, for each half-edge of the triangulation. On a curved surface flips may otherwise not end.
 const FLIPS_PER_EDGE: usize = 20;
+/// Number of visited triangles and edges between two looks at the caller's signal.
 const WORK_PER_LOOK: u64 = 4096;
 /// Maximum number of times that the rim is rebuilt.
 const REBUILDS: usize = 6;
-/// The rebuilding ends when a round lowers the misfit by less than this fraction of it.
+/// Relative decrease of the misfit in a round below which the rebuilding ends.
 const ENOUGH_GAIN: f64 = 1e-3;
-/// The rebuilding ends when the misfit per member is below this value. On a flat patch lengths are off only by rounding
-/// and by the tolerance of the flattening.
+/// Misfit per member at which the rebuilding ends. On a flat patch lengths are off only by rounding and by the
+/// tolerance of the flattening.
 const NO_MISFIT: f64 = 1e-12;
 /// Weight of a rim member that is out of range, relative to a lattice member.
 const RIM_WEIGHT: f64 = 10.0;
 
-/// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for their new places, as long as
-/// the misfit falls. Returns whether members have changed, and the reason if the work ended early.
+/// Moves the inner nodes ([`refine`]). Unless the rim is free, also rebuilds the rim for their new places, as long as
+/// the misfit decreases. Returns whether members have changed, and the reason if the work ended early.
 pub(crate) fn fit(
     nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
@@ -84,8 +85,8 @@ pub(crate) fn fit(
     (rebuilt, interrupted)
 }
 
-/// The misfit: half the sum of the squared distances of lattice members from ℓ and of rim members from [ℓ, 2ℓ], in ℓ,
-/// where rim members have [`RIM_WEIGHT`].
+/// The misfit: half the sum of the squared distances of lattice members from ℓ and of rim members from [ℓ, 2ℓ], in ℓ.
+/// The squares of rim members have the weight [`RIM_WEIGHT`].
 fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     let lengths = nodes.lengths();
     let term = |(&length, &lattice): (&f64, &bool)| {
@@ -107,7 +108,7 @@ pub(crate) fn rebuild<'a>(
     let core = Core::of(nodes);
     let parameters: Vec<DVec2> = core.nodes.iter().map(|&v| nodes.parameters[v as usize]).collect();
     let positions: Vec<DVec3> = core.nodes.iter().map(|&v| nodes.positions[v as usize]).collect();
-    // Only nodes on constraints are given to the triangulation, not those inside the lattice.
+    // The triangulation gets only the nodes on constraints, not the nodes inside the lattice.
     let mut part: Vec<u32> = (0..nodes.fixed as u32).collect();
     let mut number = vec![NONE; core.nodes.len()];
     for (k, n) in number.iter_mut().enumerate().take(nodes.fixed) {
@@ -134,7 +135,7 @@ pub(crate) fn rebuild<'a>(
         let [a, b, c] = rim.flat.triangle(t);
         side(a, b, c) > 0.0
     };
-    // A centre on an edge that may not flip leaves a triangle without area.
+    // If a centre was inserted on an edge that may not flip, a triangle has no area.
     if !(0..rim.flat.corners.len() as u32).all(upright) {
         return Ok(None);
     }
@@ -164,13 +165,13 @@ pub(crate) fn rebuild<'a>(
     Ok(Some(result))
 }
 
-/// The nodes that stay: boundary nodes and the lattice group, numbered anew.
+/// The part of the mesh that stays: boundary nodes and the lattice group. Its nodes are numbered anew.
 struct Core {
-    /// For each node its number in the old mesh, the boundary's first.
+    /// For each node its index in the old mesh. Boundary nodes come first.
     nodes: Vec<u32>,
     triangles: Vec<[u32; 3]>,
     constraints: Vec<Constraint>,
-    /// The lattice group, each with the smaller end first, sorted.
+    /// The edges of the lattice group, each with its smaller end first. Sorted.
     group: Vec<[u32; 2]>,
 }
 
@@ -191,7 +192,7 @@ impl Core {
         let mut group: Vec<[u32; 2]> =
             lattice().map(|&[a, b]| edge_key([number[a as usize], number[b as usize]])).collect();
         group.sort_unstable();
-        // The directed edges of the triangles, by which boundary edges are found.
+        // The directed edges of all triangles. An edge is on the boundary if its reverse is not among them.
         let mut directed: Vec<[u32; 2]> =
             nodes.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         directed.sort_unstable();
@@ -260,7 +261,7 @@ impl Rim<'_> {
         Ok(())
     }
 
-    /// INCREMENT with distances on the surface.
+    /// Fills the region by the algorithm INCREMENT, with distances measured on the surface.
     fn fill(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
         let mut queue = Circumradii::default();
         for t in 0..self.flat.corners.len() as u32 {
@@ -304,7 +305,7 @@ impl Rim<'_> {
         product / (4.0 * u.cross(v).length_squared())
     }
 
-    /// Parameters of the point of the surface that is equally far from a triangle's corners.
+    /// Returns the parameters of the point of the surface that is equally far from the three corners of a triangle.
     fn centre(&self, t: u32) -> Option<DVec2> {
         let corners = self.flat.corners[t as usize];
         let [a, b, c] = corners.map(|v| self.positions[v as usize]);
@@ -313,8 +314,8 @@ impl Rim<'_> {
         let total: f64 = weights.iter().sum();
         let points = self.flat.triangle(t);
         let mut p: DVec2 = points.iter().zip(weights).map(|(&q, w)| q * (w / total)).sum();
-        // Newton's method on two half differences of squared distances to corners, which are linear in the point of
-        // space.
+        // Newton's method on two equations: half the difference of the squared distances to two corners is zero. The
+        // equations are linear in the point's position in space.
         for _ in 0..4 {
             let q = self.surface.restrict(p);
             let [x, du, dv] = self.surface.evaluate(q);
@@ -327,11 +328,12 @@ impl Rim<'_> {
             }
             p = q - step;
         }
-        // A point outside the parameters is hidden behind the boundary.
+        // A point outside the range of the parameters lies behind the boundary, so it is refused.
         (p.is_finite() && self.surface.restrict(p).distance(p) <= 1e-9 * p.length().max(1.0)).then_some(p)
     }
 
-    /// Whether a point keeps its distance from all nodes that can be reached from a triangle within the neighbourhood.
+    /// Whether a point is far enough ([`CLEAR`]) from all nodes near it. Only triangles near the point that are
+    /// connected to `start` are searched.
     fn is_clear(&mut self, start: u32, position: DVec3) -> bool {
         let mut seen = vec![start];
         let mut next = 0;
@@ -358,7 +360,7 @@ impl Rim<'_> {
     }
 }
 
-/// Whether an edge's opposite angles on the surface add up to more than 180° and the other diagonal is possible in the
+/// Whether the angles opposite to an edge, on the surface, add up to more than 180° and the edge can be flipped in the
 /// plane.
 fn is_bent(flat: &Triangulation, positions: &[DVec3], half_edge: u32) -> bool {
     let corners = flat.around(half_edge);

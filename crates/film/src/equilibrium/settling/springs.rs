@@ -1,4 +1,4 @@
-//! The springs that replace the energies of a body at its present shape, as a linear system.
+//! The linear system of the springs that replace the energies of a body near its present shape.
 
 use crate::equilibrium::body::Body;
 use crate::equilibrium::freedom::Freedom;
@@ -6,10 +6,11 @@ use plateau_mesh::DVec3;
 use plateau_mesh::sparse::SymmetricMatrix;
 use plateau_mesh::sparse::pattern::BlockPattern;
 
-/// Added to the diagonal, as a fraction of its largest entry, for vertices that nothing holds.
+/// Stiffness that is added to every diagonal entry, as a fraction of the largest one, because vertices that no spring
+/// holds would make the matrix singular.
 const LEAST_STIFFNESS: f64 = 1e-12;
 
-/// The matrix H of the springs along the unknowns of a body.
+/// The stiffness matrix H of the springs, in the unknowns of a body.
 pub(super) struct Springs {
     basis: Basis,
     pattern: BlockPattern,
@@ -17,8 +18,9 @@ pub(super) struct Springs {
 }
 
 impl Springs {
-    /// The springs of all terms, those of constraints with their `multipliers`, and the positive part of the curvature
-    /// of supports under the forces `gradient`.
+    /// Assembles the springs of all terms and of the constraints. A spring of a constraint is multiplied by the
+    /// negative of the constraint's multiplier, and left out if its stiffness is then negative. The positive part of
+    /// the curvature of the supports is added; it is proportional to the forces `gradient`.
     pub fn new(body: &Body, at: &[DVec3], gradient: &[DVec3], multipliers: &[f64]) -> Self {
         let basis = Basis::new(body, at);
         let pattern = BlockPattern::new(&basis.counts, |couple| {
@@ -59,7 +61,8 @@ impl Springs {
         }
     }
 
-    /// Adds the positive part of the curvature of the supports.
+    /// Adds, at each vertex on a support, the positive semidefinite part of g · II, with the force g on the vertex and
+    /// the second fundamental form II of the support.
     fn add_supports(&mut self, body: &Body, at: &[DVec3], gradient: &[DVec3]) {
         let values = &mut self.matrix.values;
         for (v, freedom) in body.freedoms.iter().enumerate() {
@@ -82,17 +85,19 @@ impl Springs {
         }
     }
 
-    /// Number of right-hand sides that one vector per vertex makes.
+    /// Number of right-hand sides that represent one vector per vertex: 3 for x, y and z if the basis is scalar,
+    /// otherwise 1.
     fn columns(&self) -> usize {
         if self.basis.scalar { 3 } else { 1 }
     }
 
-    /// Length of the right-hand sides that one vector per vertex makes.
+    /// Total length of the right-hand sides that represent one vector per vertex.
     pub fn order(&self) -> usize {
         self.columns() * self.pattern.order()
     }
 
-    /// Appends the components of one vector per vertex along the unknowns.
+    /// Appends to `into` the right-hand sides that represent one vector per vertex: the vectors' components along the
+    /// unknowns.
     pub fn reduce(&self, vectors: &[DVec3], into: &mut Vec<f64>) {
         let Self { basis, pattern, .. } = self;
         let (start, order) = (into.len(), pattern.order());
@@ -109,7 +114,8 @@ impl Springs {
         }
     }
 
-    /// The displacement of each vertex in a solution.
+    /// Returns the displacement of each vertex, given the solution for the right-hand sides of
+    /// [`reduce`](Self::reduce).
     pub fn displacements(&self, solution: &[f64]) -> Vec<DVec3> {
         let Self { basis, pattern, .. } = self;
         let order = pattern.order();
@@ -125,10 +131,10 @@ impl Springs {
     }
 }
 
-/// The directions of the unknowns of a settling body.
+/// The unknowns of a body during the settling, and their directions.
 struct Basis {
-    /// Whether every vertex that moves does so in all directions. It then has one unknown, which is solved for x, y and
-    /// z with the same factor.
+    /// Whether every vertex that is not fixed moves in all directions. Each of these vertices then has one scalar
+    /// unknown, and the system is solved for x, y and z with the same factor.
     scalar: bool,
     counts: Vec<u8>,
     /// For each vertex the vertex whose unknowns it shares: itself, or the first vertex of its group.
@@ -176,7 +182,8 @@ impl Basis {
     }
 }
 
-/// The entries (0, 0), (0, 1) and (1, 1) of the positive part of the symmetric matrix with these entries a, b and c.
+/// Returns the entries (0, 0), (0, 1) and (1, 1) of the positive semidefinite part of the symmetric matrix whose
+/// entries at these places are a, b and c.
 fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
     let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
     let (low, high) = (mean - half, mean + half);
@@ -184,7 +191,7 @@ fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
         let whole = f64::from(u8::from(low >= 0.0));
         return [whole * a, whole * b, whole * c];
     }
-    // The positive part is high times the projector (M - low) / (high - low) on the eigenvector of high.
+    // The positive part is `high` times the projector onto the eigenvector of `high`, (M - low) / (high - low).
     let factor = high.max(0.0) / (high - low);
     [factor * (a - low), factor * b, factor * (c - low)]
 }

@@ -4,14 +4,14 @@ use super::{Support, outward};
 use plateau_mesh::DVec3;
 use std::sync::Arc;
 
-/// A circle in the plane across `axis`. II(u, v) = -(u·v) (x - centre) / r².
+/// A circle in the plane through its centre at right angles to `axis`. II(u, v) = -(u·v) (x - centre) / r².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
     /// The centre.
     pub centre: DVec3,
     /// The unit normal of the circle's plane.
     pub axis: DVec3,
-    /// r.
+    /// r, the radius.
     pub radius: f64,
 }
 

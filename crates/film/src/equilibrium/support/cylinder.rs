@@ -5,15 +5,15 @@ use crate::energy::outer;
 use plateau_mesh::DVec3;
 use std::sync::Arc;
 
-/// A round cylinder around the line through `point` along `axis`, whose normal points outward.
-/// II(u, v) = -(u⊥·v⊥) (x - point)⊥ / r² with the parts ⊥ across the axis.
+/// A round cylinder around the line through `point` along `axis`. Its normal points outward. II(u, v) = -(u⊥·v⊥) (x -
+/// point)⊥ / r², where ⊥ denotes the part of a vector at right angles to the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     /// A point of the axis.
     pub point: DVec3,
     /// The axis's unit direction.
     pub axis: DVec3,
-    /// r.
+    /// r, the radius.
     pub radius: f64,
 }
 
@@ -54,12 +54,13 @@ impl Support for Cylinder {
     }
 }
 
-/// The part of the unrolled cylinder between a helix and the height of `point`: -r (φ_b - φ_a) (z_a + z_b) / 2 with the
-/// angles φ around the axis and the heights z along it.
+/// The area on the unrolled cylinder between the segment, drawn as a helix, and the height of `point`: -r (φ_b - φ_a)
+/// (z_a + z_b) / 2 with the angles φ around the axis and the heights z along it.
 impl AreaBeside for Cylinder {
     fn part(&self, a: DVec3, b: DVec3) -> AreaPart {
         let Self { point, axis, radius } = *self;
-        // The angle and the height of a place with the derivatives of the angle.
+        // Returns the part of x - point across the axis, the height of x, and the first and second derivatives of its
+        // angle.
         let angle = |x: DVec3| {
             let across = (x - point).reject_from_normalized(axis);
             let (squared, around) = (across.length_squared(), axis.cross(across));

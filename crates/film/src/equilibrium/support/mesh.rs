@@ -1,17 +1,18 @@
-//! A smooth surface along a mesh of triangles, on which vertices slide.
+//! A smooth surface that follows a mesh of triangles and on which vertices slide.
 //!
-//! A mesh itself has no tangent plane on its edges: a film that slides on it would stop at the edges, and Newton's
-//! method with it. The surface is the zero of a mean of signed distances instead:
+//! The mesh itself has no tangent plane on its edges, so a film that slides on it, and Newton's method, would get stuck
+//! there. The surface is instead the zero set of a weighted mean of signed distances:
 //!
 //! ```text
 //! f(x) = Σ w_t(x) n_t · (x - c_t) / Σ w_t(x)          w_t(x) = min(A_t, ρ²) (1 - d_t(x)² / ρ²)³₊
 //! ```
 //!
-//! over the triangles t with unit normals n_t, centroids c_t, areas A_t and distances d_t(x) from the point, with the
-//! rounding ρ. f has continuous first derivatives and second derivatives that are continuous but for jumps. A plane
-//! mesh gives its plane exactly. A mesh of a curved surface gives a surface within O(ρ² + h²) of it, h the length of
-//! the mesh's edges. Edges and corners are rounded within ρ of them. Source of such means: Shen, O'Brien, Shewchuk,
-//! *Interpolating and approximating implicit surfaces from polygon soup* (2004), with another weight.
+//! over the triangles t with unit normals n_t, centroids c_t, areas A_t and distances d_t(x) from the point x. The
+//! length ρ is called the rounding. f has continuous first derivatives; its second derivatives are piecewise
+//! continuous. A plane mesh gives exactly its plane. A mesh of a curved surface gives a surface within O(ρ² + h²) of
+//! the curved one, where h is the length of the mesh's edges. Edges and corners are rounded within ρ of them. The
+//! method is that of Shen, O'Brien, Shewchuk, *Interpolating and approximating implicit surfaces from polygon soup*
+//! (2004), with another weight.
 
 use super::{Extent, Support};
 use crate::energy::outer;
@@ -22,31 +23,32 @@ use plateau_mesh::{DVec3, polyline};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Triangles in a leaf of the tree. Any value from 2 to 16 takes about the same time.
+/// Largest number of triangles in a leaf of the tree. Any value from 2 to 16 takes about the same time.
 const LEAF: usize = 4;
 /// A triangle counts as degenerate if twice its area is at most this fraction of the square of its longest side.
 const DEGENERATE: f64 = 1e-12;
-/// Largest number of steps to the surface. From within the rounding of a mesh it takes two to six.
+/// Largest number of Newton steps to the surface f = 0. From a point within the rounding of the mesh two to six are
+/// enough.
 const MOST_STEPS: u32 = 40;
 
-/// A smooth surface along a mesh of triangles, whose normal points to the side from which the triangles run
+/// A smooth surface that follows a mesh of triangles. Its normal points to the side from which the triangles are seen
 /// counter-clockwise. II(u, v) = -(u · ∇²f v) ∇f / |∇f|².
 #[derive(Clone, Debug)]
 pub struct Mesh {
-    /// The surface, which all copies of the support share.
+    /// The surface. All translated copies of the support share it.
     surface: Arc<Surface>,
-    /// The place to which the surface's own coordinates are relative.
+    /// The origin of the coordinates in which `surface` is given.
     origin: DVec3,
 }
 
 impl Mesh {
-    /// The surface along a mesh whose triangles are oriented alike. Edges and corners of the mesh are rounded within
-    /// the length `rounding` of them.
+    /// Makes the surface along a mesh whose triangles are oriented alike. Edges and corners of the mesh are rounded
+    /// within the length `rounding` of them.
     ///
     /// # Errors
     /// The first fault, at its place among `vertices`, `triangles` and `rounding`: no triangles, a coordinate that is
-    /// not finite or too large, the number of a vertex that does not exist, a triangle without area, an edge that two
-    /// triangles run along in the same direction, or a rounding that is not a finite number above 0.
+    /// not finite or too large, a vertex number that does not exist, a triangle without area, an edge along which two
+    /// triangles run in the same direction, or a rounding that is not a finite number above 0.
     pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<Self, InputError> {
         let (surface, origin) = Surface::new(vertices, triangles, rounding)?;
         Ok(Self { surface: Arc::new(surface), origin })
@@ -105,7 +107,7 @@ impl Extent for Mesh {
     }
 }
 
-/// The function f of a mesh. All its coordinates are relative to the mean of the mesh's vertices.
+/// The function f of a mesh. All coordinates are relative to the mean of the mesh's vertices.
 #[derive(Clone, Debug)]
 struct Surface {
     rounding: f64,
@@ -126,14 +128,14 @@ struct Triangle {
 #[derive(Clone, Copy, Debug)]
 struct Node {
     extent: AxisBox,
-    /// The triangles of a leaf.
+    /// The triangles of the node: `count` of them, from number `first` on.
     first: u32,
     count: u32,
-    /// The number of the second child; the first child follows its parent. 0 for a leaf.
+    /// The number of the second child, or 0 for a leaf. The first child directly follows its parent.
     second: u32,
 }
 
-/// f at a point, with its derivatives.
+/// The value of f at a point, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 struct Level {
     value: f64,
@@ -142,7 +144,7 @@ struct Level {
 }
 
 impl Triangle {
-    /// The nearest point of the triangle, and the derivative of that point by x.
+    /// The nearest point p of the triangle, and the derivative of p by x.
     fn nearest(&self, x: DVec3) -> (DVec3, DMat3) {
         let [a, b, c] = self.corners;
         let inside = |from: DVec3, to: DVec3| self.normal.cross(to - from).dot(x - from) >= 0.0;
@@ -169,7 +171,8 @@ impl Triangle {
 }
 
 impl Surface {
-    /// The surface, and the mean of the mesh's vertices. Errors are those of [`Mesh::new`].
+    /// Makes the surface. Also returns the mean of the mesh's vertices, which is the origin of its coordinates. The
+    /// errors are those of [`Mesh::new`].
     fn new(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<(Self, DVec3), InputError> {
         let error = |place: Place, detail: String| Err(InputError::new(place, detail));
         if !(rounding.is_finite() && rounding > 0.0) {
@@ -231,9 +234,9 @@ impl Surface {
         count
     }
 
-    /// The point of the surface that is reached from `x` along the gradient of f. It differs from the nearest point of
-    /// the surface by terms of third order in the distance. If `x` is farther from the mesh than the rounding, the
-    /// search starts at the nearest point of the mesh.
+    /// Returns the point of the surface that Newton's method reaches from `x` along the gradient of f. It differs from
+    /// the nearest point of the surface by terms of third order in the distance. If `x` is farther from the mesh than
+    /// the rounding, the search starts at the nearest point of the mesh.
     fn nearest(&self, x: DVec3) -> DVec3 {
         let mut p = x;
         for _ in 0..MOST_STEPS {
@@ -263,8 +266,8 @@ impl Surface {
         level.gradient * (-u.dot(level.hessian * v) / squared)
     }
 
-    /// Calls `visit` with each triangle that is nearer than the rounding, its nearest point and that point's
-    /// derivative.
+    /// Calls `visit` with each triangle that is nearer to `x` than the rounding, the point of the triangle nearest to
+    /// `x`, and the derivative of that point by `x`.
     fn visit_near(&self, x: DVec3, visit: &mut dyn FnMut(&Triangle, DVec3, DMat3)) {
         let squared = self.rounding * self.rounding;
         let mut stack = vec![0];
@@ -287,7 +290,7 @@ impl Surface {
         }
     }
 
-    /// f and its derivatives; `None` where no triangle is nearer than the rounding.
+    /// The value of f at `x` with its derivatives, or `None` if no triangle is nearer than the rounding.
     fn level(&self, x: DVec3) -> Option<Level> {
         let squared = self.rounding * self.rounding;
         let (mut weights, mut moments) = ((0.0, DVec3::ZERO, DMat3::ZERO), (0.0, DVec3::ZERO, DMat3::ZERO));
@@ -350,8 +353,8 @@ impl Surface {
     }
 }
 
-/// A triangle and an earlier one that run along an edge in the same direction, if there are any. Vertices at equal
-/// places count as the same vertex.
+/// Returns the numbers of a triangle and of an earlier triangle that run along an edge in the same direction, if there
+/// are any. Vertices at equal positions count as the same vertex.
 fn opposed(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Option<(usize, usize)> {
     let mut first_at = BTreeMap::new();
     let number: Vec<usize> =
@@ -368,7 +371,8 @@ fn opposed(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Option<(usize, usize)>
     None
 }
 
-/// Appends the tree over `triangles`, whose first one has the number `first`, and sorts them by its leaves.
+/// Appends the tree over `triangles` to `nodes`, and sorts `triangles` by the leaves of the tree. `first` is the number
+/// of the first triangle.
 fn build(nodes: &mut Vec<Node>, triangles: &mut [Triangle], first: usize) {
     let extent = AxisBox::around(triangles.iter().flat_map(|triangle| triangle.corners));
     let own = nodes.len();

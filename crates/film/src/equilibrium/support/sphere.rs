@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub struct Sphere {
     /// The centre.
     pub centre: DVec3,
-    /// r.
+    /// r, the radius.
     pub radius: f64,
 }
 
@@ -51,17 +51,18 @@ impl Support for Sphere {
     }
 }
 
-/// The spherical triangles over great circles of an edge with a common pole q:
+/// The area beside an edge, as a sum of spherical triangles. Each has a segment of the edge, drawn as a great circle,
+/// as one side and the pole q as the opposite corner:
 ///
 /// ```text
 /// r² Ω,  tan(Ω / 2) = q · (u × v) / (1 + q · u + u · v + v · q)         u, v = (a, b - centre) / |·|
 /// ```
 ///
-/// with the solid angle Ω (Van Oosterom, Strackee 1983).
+/// with the solid angle Ω of the triangle (Van Oosterom, Strackee 1983).
 #[derive(Clone, Copy, Debug)]
 struct Triangles {
     sphere: Sphere,
-    /// q.
+    /// q, the common corner of all triangles.
     pole: DVec3,
 }
 
@@ -70,7 +71,7 @@ impl AreaBeside for Triangles {
         let Self { sphere: Sphere { centre, radius }, pole: q } = *self;
         let (x, y) = (a - centre, b - centre);
         let (u, v) = (x.normalize(), y.normalize());
-        // Ω = 2 atan2(N, D).
+        // Ω = 2 atan2(N, D), with the numerator N and the denominator D of tan(Ω / 2).
         let (n, d) = (q.dot(u.cross(v)), 1.0 + q.dot(u) + u.dot(v) + v.dot(q));
         let (n_u, n_v) = (v.cross(q), q.cross(u));
         let (d_u, d_v) = (q + v, q + u);
@@ -119,7 +120,8 @@ fn by_places(x: DVec3, y: DVec3, area: f64, gradient: [DVec3; 2], second: [DMat3
 }
 
 /// Chooses the pole for the solid angles of a chain of unit vectors. The solid angle jumps where the chain passes the
-/// opposite of the pole. Of a few directions the pole is therefore the one whose opposite is furthest from the chain.
+/// antipode of the pole. Of a few candidates the function therefore takes the one whose antipode is farthest from the
+/// chain.
 fn pole(units: &[DVec3]) -> DVec3 {
     let mean: DVec3 = units.iter().sum();
     let around: DVec3 = (0..units.len()).map(|k| units[k].cross(units[(k + 1) % units.len()])).sum();

@@ -1,19 +1,19 @@
-//! A torus as a support, such as a ring beam of round tube.
+//! A torus as a support, such as a ring beam made of round tube.
 
 use super::{Support, outward};
 use plateau_mesh::DVec3;
 use std::sync::Arc;
 
-/// A torus: the points at the distance r (`tube_radius`) from a circle of the larger radius R (`radius`) in the plane
-/// across `axis`. Its normal n points out of the tube.
+/// A torus: the points at the distance r (`tube_radius`) from a circle of radius R (`radius`), which lies in the plane
+/// across `axis`. The normal n points out of the tube.
 ///
 /// ```text
 /// II(u, v) = -n ((u·e) (v·e) (n·o) / ϱ + (u·m) (v·m) / r)
 /// ```
 ///
-/// with the unit directions o away from the axis, e = axis × o around the axis and m = n × e around the tube, and the
-/// distance ϱ = R + r n·o of the point from the axis. Source: do Carmo, *Differential Geometry of Curves and Surfaces*
-/// (1976), section 3-3, example 1.
+/// At a point of the torus, o is the unit direction away from the axis, e = axis × o the direction around the axis, and
+/// m = n × e the direction around the tube. ϱ = R + r n·o is the distance of the point from the axis. Source: do Carmo,
+/// *Differential Geometry of Curves and Surfaces* (1976), section 3-3, example 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {
     /// The centre.
@@ -27,7 +27,8 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// The outward direction o at a point, and the nearest point of the circle inside the tube.
+    /// Returns the direction o away from the axis at `x`, and the point of the circle inside the tube that is nearest
+    /// to `x`.
     fn ring(&self, x: DVec3) -> (DVec3, DVec3) {
         let outward = outward(x, self.centre, self.axis);
         (outward, self.centre + self.radius * outward)

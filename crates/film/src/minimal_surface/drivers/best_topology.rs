@@ -1,21 +1,21 @@
 //! Finds the film of least area over several boundaries: solves every way to span them and compares the areas.
 //!
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
-//!    default solver solves it from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
-//!    leaves unstable surfaces. Where it converges to a surface that does not hold or passes through itself, it also
-//!    solves from each way to lay out the boundaries in the disc. A film *holds* if it converged, is stable, is
+//!    default solver starts from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
+//!    descends from unstable surfaces. If it converges to a surface that does not hold or passes through itself, it
+//!    also starts from each way to lay out the boundaries in the disc. A film *holds* if it converged, is stable, is
 //!    connected and has no flipped triangle. Of the films of a set that hold, the one of least area is taken. A film
-//!    that passes through itself is taken only if all of them do. Sets of boundaries that a
-//!    [cone](crate::minimal_surface::cone) separates are not tried, because no connected film spans them.
+//!    that passes through itself is taken only if all of them do. If a [cone](crate::minimal_surface::cone) separates
+//!    the boundaries of a set, the set is not tried, because no connected film spans it.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
 //! 3. The partition of least area is returned. The statistics list the others. If many triangles are asked for, all
 //!    partitions are compared on coarse meshes, and those near the least area again at the full size. Partitions
 //!    whose films pass through themselves or each other come after all others, whatever their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
-//!    their centroids until a connected film holds. They are then moved apart again in steps, each from the film of the
-//!    step before. A step at which no film holds is halved. The result is the largest fraction of the gap at which a
-//!    film holds, or the film itself if the full gap is reached.
+//!    their centroids until a connected film holds. They are then moved apart again in steps, each of which starts from
+//!    the film of the step before. If no film holds at a step, the step is halved. The result is the largest fraction
+//!    of the gap at which a film holds, or the film itself if the full gap is reached.
 //!
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
@@ -45,10 +45,10 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 /// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
 /// for six there are 203 partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// Accuracy of the largest fraction of a gap at which a connected film holds. Halving this value costs about one more
+/// Accuracy of the largest fraction of a gap at which a connected film holds. Half this value would cost about one more
 /// solve.
 const GAP_RESOLUTION: f64 = 1e-3;
-/// Largest number of times that the gap is halved to find a first film, down to 1/256 of the full gap.
+/// Largest number of times that the gap is halved in search of a first film that holds, down to 1/256 of the full gap.
 const HALVINGS: u32 = 8;
 
 /// Number of triangles of the coarse meshes on which topologies are compared if more than twice as many triangles are
@@ -66,8 +66,8 @@ const TRIANGLES_PER_POINT: usize = 3;
 /// is converted by the radius of the input points, while the film's residual is measured with the radius of its
 /// boundary vertices, which differs a little.
 const MARGIN: f64 = 0.5;
-/// Lower bound of the ratio by which the tolerance of such a film is multiplied: its radius over the radius of all
-/// boundaries. A smaller ratio would ask for a residual below rounding.
+/// Lower bound of the factor on the tolerance of a film over some of the boundaries. The factor is the radius of these
+/// boundaries over the radius of all. A smaller factor would ask for a residual below rounding.
 const SMALLEST_PART: f64 = 1e-4;
 
 impl SpanningComparison {
@@ -91,8 +91,9 @@ impl SpanningComparison {
     }
 }
 
-/// Steps 1 to 4 for centred boundaries. A disc that does not hold (over a knotted boundary, or after a deadline) is
-/// kept. A connected film that does not hold is dropped.
+/// Carries out steps 1 to 4 for centred boundaries. A disc over a single boundary is kept even if it does not hold
+/// (over a knotted boundary, or after a deadline). A connected film over several boundaries is dropped if it does not
+/// hold.
 ///
 /// # Errors
 /// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries,
@@ -103,7 +104,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
         return Err(Error::input(Place::field("topology"), detail));
     }
-    // The boundaries are sorted by their shapes, so that the client's order does not change the films.
+    // The boundaries are sorted by shape, so that the order of the client's list does not change the films.
     let order = order_of(given);
     let boundaries: &[Vec<DVec3>] = &order.iter().map(|&k| given[k].clone()).collect::<Vec<_>>();
     let full = SpanningProblem::new(boundaries, options.clone());
@@ -162,8 +163,8 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
 }
 
 /// Solves at the full size the topologies whose areas on the coarse meshes are within [`CONTENDS`] of the least one. If
-/// none of these topologies holds at the full size, the next ones are solved, and so on. Afterwards `parts` are the
-/// films at the full size, and the topologies made of them come first among `compared`.
+/// none of these topologies holds at the full size, the topologies of next larger area follow, and so on. Afterwards
+/// `parts` holds the films at the full size, and the topologies made of them come first in `compared`.
 fn solve_contenders(
     full: &SpanningProblem,
     share: f64,
@@ -202,7 +203,7 @@ fn solve_contenders(
     Ok(())
 }
 
-/// The sum of the extrapolated areas of films, if each has one. The area of a film without a free vertex counts as
+/// Sums the extrapolated areas of films. `None` if a film has none. The area of a film without a free vertex counts as
 /// exact.
 fn extrapolated(films: &[&SolvedFilm]) -> Option<ExtrapolatedArea> {
     films.iter().try_fold(ExtrapolatedArea { area: 0.0, error_estimate: 0.0 }, |sum, part| {
@@ -216,7 +217,7 @@ fn extrapolated(films: &[&SolvedFilm]) -> Option<ExtrapolatedArea> {
 
 /// The films over sets of boundaries.
 struct Parts {
-    /// For each set of boundaries (see [`set_of`]) its film, or `None` if none was found that holds. The disc over a
+    /// For each set of boundaries (see [`set_of`]) its film, or `None` if no film that holds was found. The disc over a
     /// single boundary is kept even if it does not hold.
     films: Vec<Option<SolvedFilm>>,
     interrupted: bool,
@@ -240,7 +241,7 @@ impl Parts {
             films.sort_by_key(|set| set.trailing_zeros());
             compared.push(compare(&films, &self.films, &crosses_itself, exec)?);
         }
-        // The areas are rounded, so that the last bits do not decide between mirror images.
+        // The areas are rounded, so that the last bits do not decide the order of mirror images.
         let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
         let order = |a: &SpanningTopology, b: &SpanningTopology| {
             let key = |topology: &SpanningTopology| {
@@ -258,13 +259,13 @@ impl Parts {
     }
 }
 
-/// Whether a film holds and is connected. A plane mesh over boundaries that lie beside each other is not connected: it
-/// consists of discs.
+/// Whether a film holds and is connected. A plane mesh over boundaries that lie side by side is not connected, because
+/// it consists of discs.
 fn spans(film: &SolvedFilm) -> bool {
     film.holds() && film.film.topology.components() == 1
 }
 
-/// Whether a film meets itself. `None` after the deadline, because the search is left out.
+/// Whether a film passes through itself. `None` if the deadline has cut the search short.
 fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<Option<bool>, Interruption> {
     unless_late(self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec))
         .map(|found| found.map(|found| found.pairs > 0))
@@ -278,12 +279,12 @@ fn unless_late<T>(found: Result<T, Interruption>) -> Result<Option<T>, Interrupt
     }
 }
 
-/// Whether one of two holds; `None` if neither is known to hold and one is unknown.
+/// Three-valued "or": true if either value is true, `None` if neither is known to be true and one is unknown.
 fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     if a == Some(true) || b == Some(true) { Some(true) } else { a.and(b) }
 }
 
-/// Areas, stability and crossings of one partition.
+/// Computes the area, the stability and the crossings of one partition.
 fn compare(
     films: &[u32],
     parts: &[Option<SolvedFilm>],
@@ -308,7 +309,7 @@ fn compare(
                 least_index: a.least_index + b.least_index,
                 lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
                 margin: a.margin.zip(b.margin).map(|(a, b)| a.min(b)),
-                // The combined method is the less certain one.
+                // The combined method is the less certain of the two.
                 method: if a.method == StabilityMethod::Inertia { b.method } else { a.method },
             })
         });
@@ -334,7 +335,7 @@ struct SpanningProblem<'a> {
     options: Options,
     /// Length of all boundaries together.
     total: f64,
-    /// Largest distance of their points from the mean.
+    /// Largest distance of a boundary point from the mean of all boundary points.
     radius: f64,
 }
 
@@ -344,8 +345,8 @@ impl<'a> SpanningProblem<'a> {
         Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
     }
 
-    /// Steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an initial mesh of
-    /// the kind that led to this film. Otherwise it is solved from all initial meshes.
+    /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an
+    /// initial mesh of the same kind as led to this film. Otherwise it is solved from all initial meshes.
     fn parts(&self, sets: &[u32], coarse: Option<&Parts>, exec: &Execution) -> Result<Parts, Error> {
         let count = self.boundaries.len();
         let mut parts =
@@ -366,8 +367,8 @@ impl<'a> SpanningProblem<'a> {
                 Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => {
                     parts.without_disc.get_or_insert(error);
                 }
-                // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no
-                // such film.
+                // No initial mesh connects these boundaries (they touch, or the resolution is too coarse), so the set
+                // has no film.
                 Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
                 Err(error) => return Err(error),
             }
@@ -387,10 +388,10 @@ impl<'a> SpanningProblem<'a> {
         Ok(parts)
     }
 
-    /// The options for a set of boundaries. The number of triangles is divided in proportion to the lengths of the
-    /// boundaries, with at least [`TRIANGLES_PER_POINT`] for each point, because a film has no mesh without enough
-    /// triangles for its own points. The tolerance falls with the radius of the set, because the residual of the whole
-    /// result is measured with the radius of all boundaries.
+    /// The options for a set of boundaries. The set gets a share of the triangles in proportion to the length of its
+    /// boundaries, but at least [`TRIANGLES_PER_POINT`] for each point, because a film has no mesh without enough
+    /// triangles for its own points. The tolerance is scaled by the radius of the set, because the residual of the
+    /// whole result is measured with the radius of all boundaries.
     fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
         let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
         let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -415,7 +416,7 @@ impl<'a> SpanningProblem<'a> {
         newton::Task { limits, on_unstable, given: false, may_widen: true, may_refine, boundary_edges, slides }
     }
 
-    /// Step 1 for one set, from one start or from all of them.
+    /// Step 1 for one set, from the given start or from all of them.
     fn part(
         &self,
         set: u32,
@@ -432,8 +433,8 @@ impl<'a> SpanningProblem<'a> {
         }
     }
 
-    /// The film of least area among those from all initial meshes. Films that hold come first, and among them those
-    /// that do not pass through themselves.
+    /// Returns the film of least area among those from all initial meshes. Films that hold come first, and among these
+    /// the films that do not pass through themselves.
     fn least(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
         let first = self.connected(boundaries, &InitialMesh::Auto, None, true, exec)?;
         if boundaries.len() == 1 {
@@ -446,9 +447,9 @@ impl<'a> SpanningProblem<'a> {
         let mut least = (rank(&first)?, first);
         let mut tried = vec![least.1.kind];
         let otherwise = [InitialMesh::Disk, InitialMesh::Planar, InitialMesh::Rings].map(|start| (start, None));
-        // Several boundaries can be laid out in the plane in several ways. Where the most likely of them gives a
-        // surface that does not hold or passes through itself, another one may give a film. Where the first solve does
-        // not converge, none of them is tried, because nearly always there is no film and each would take as long.
+        // Several boundaries can be laid out in the plane in several ways. If the most likely layout gives a surface
+        // that does not hold or passes through itself, another layout may give a film. If the first solve does not
+        // converge, no other layout is tried: nearly always there is no film, and each solve would take as long.
         let has_converged = least.1.run.stop_reason == StopReason::Residual;
         let layouts = if has_converged { initial_mesh::arrangements(boundaries) } else { 0 };
         let layouts = (0..layouts).map(|k| (InitialMesh::Disk, Some(k)));
@@ -498,8 +499,8 @@ impl<'a> SpanningProblem<'a> {
         Ok(SolvedFilm { film, kind, arrangement, initial_area, run })
     }
 
-    /// Step 4. The films on the way are not refined at their necks, which would take many times as long; the film over
-    /// the full gap is.
+    /// Step 4. Only the film over the full gap is refined at its neck. Refining the films on the way too would take
+    /// many times as long.
     fn widest_gap(&self, exec: &Execution) -> Result<Widest, Error> {
         let [first, second] = self.boundaries else { return Ok(Widest::NotFound) };
         let gap = polyline::mean(second) - polyline::mean(first);
@@ -553,7 +554,7 @@ impl<'a> SpanningProblem<'a> {
     }
 }
 
-/// Whether `start` asks for an initial mesh of this kind.
+/// Whether the choice `start` leads to an initial mesh of this kind.
 fn is_of_kind(start: &InitialMesh, kind: InitialMeshKind) -> bool {
     match start {
         InitialMesh::Planar => kind == InitialMeshKind::Planar,
@@ -562,7 +563,7 @@ fn is_of_kind(start: &InitialMesh, kind: InitialMeshKind) -> bool {
     }
 }
 
-/// The initial mesh that gives this kind.
+/// The choice of initial mesh that leads to this kind.
 fn start_of(kind: InitialMeshKind) -> InitialMesh {
     match kind {
         InitialMeshKind::Planar => InitialMesh::Planar,
@@ -572,8 +573,8 @@ fn start_of(kind: InitialMeshKind) -> InitialMesh {
     }
 }
 
-/// The film over two boundaries with the second one moved by `shift`. An interior vertex at the distances d and e from
-/// the first and the second boundary moves by `shift` times d / (d + e).
+/// Moves the second of a film's two boundaries by `shift`. An interior vertex at the distances d and e from the first
+/// and the second boundary moves by `shift` times d / (d + e).
 fn moved_apart(film: &Film, shift: DVec3) -> Film {
     let mut moved = film.clone();
     let mut part = vec![None; film.vertices.len()];

@@ -1,11 +1,11 @@
-//! A film whose topology may change: Bento and Cavalcanti's rules while it shrinks, and the default solver once it
-//! settles.
+//! Finds a film whose topology may change: Bento and Cavalcanti's rules are applied while the film shrinks, and the
+//! default solver runs when it settles.
 //!
-//! 1. Iterate by Pinkall and Polthier with the rules until a neck closes (then start this step again) or the area
-//!    changes little.
-//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have removed triangles, along a long neck
-//!    two thirds of them. If too few are left, the copy is first remeshed to the number of triangles of the initial
-//!    mesh. If the solver reaches a stable film with a small residual, that is the result.
+//! 1. Iterate by Pinkall and Polthier with the rules. If a neck closes, start this step again. The step ends when the
+//!    area changes little.
+//! 2. Run the default solver on a copy of the film, descending from unstable surfaces. The rules may have removed two
+//!    thirds of the triangles along a long neck. If too few are left, the copy is first remeshed to the number of
+//!    triangles of the initial mesh. If the solver reaches a stable film with a small residual, this is the result.
 //! 3. Otherwise the film shrinks slowly because a minimal surface almost exists. Continue step 1 to a much smaller
 //!    change of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start
 //!    step 1 again. If no neck closes after that either, return the film of the default solver as not converged.
@@ -22,24 +22,25 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of solves of step 1 if the caller gives none. A film beyond its last stable shape shrinks slowly.
+/// Largest number of solves of step 1 if the caller gives none. It is high, because a film beyond its last stable shape
+/// shrinks slowly.
 const DEFAULT_SOLVES: u32 = 2000;
-/// Relative change of area per solve that ends step 1 at first.
+/// Relative change of area per solve below which step 1 ends at first.
 const SETTLED_AREA: f64 = 1e-4;
-/// Relative change of area per solve that ends step 1 after step 2 has failed.
+/// Relative change of area per solve below which step 1 ends after step 2 has failed.
 const AT_REST: f64 = 1e-9;
 /// Largest number of rounds that remove flipped triangles after a neck has closed.
 const MOST_UNFOLDINGS: u32 = 3;
-/// Triangles with an angle below this (radians) are removed in a round that removes flipped triangles.
+/// Triangles with an angle below this (in radians) are removed in a round that removes flipped triangles.
 const NEEDLE: f64 = 0.15;
 /// Step 2 remeshes the film first if fewer than this fraction of the triangles of the initial mesh are left.
 const FEW: f64 = 0.8;
-/// Largest number of passes of this remeshing.
+/// Largest number of passes of the remeshing in step 2.
 const REFILL_PASSES: u32 = 12;
 /// Number of times that every free vertex is averaged in a round that removes flipped triangles.
 const UNFOLDING_SWEEPS: u32 = 50;
 
-/// Steps 1 to 3 on a film. The returned [`Run`] counts the solves of steps 1 and 2.
+/// Carries out steps 1 to 3 on a film. The returned [`Run`] counts the solves of steps 1 and 2.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
@@ -54,10 +55,10 @@ pub(crate) fn run(
     let FreeTopology { degenerate_angle, linear_solver } = *options;
     let mut run = Run::new(Solver::Newton);
     let mut change = SETTLED_AREA;
-    // Each neck that closes changes the number of components or handles by one, so there are few rounds.
     let mut done = 0.0;
     let mut unfolded = 0;
     let initial = film.triangles().len() as f64;
+    // There are few rounds, because each neck that closes changes the number of components or handles by one.
     loop {
         let part = 0.5 * (1.0 - done);
         let rules = PinkallPolthier { area_tolerance: change, linear_solver, degenerate_angle, cut_necks: true };
@@ -108,9 +109,7 @@ pub(crate) fn run(
 }
 
 /// Removes needles and moves every free vertex to the mean of its neighbours many times, which removes flipped
-/// triangles.
-///
-/// A neck that has closed leaves a spike of needles, and the spike may fall over as it flattens.
+/// triangles. These arise when a neck closes, because it leaves a spike of needles, which may fall over as it flattens.
 fn unfold(film: &mut Film, exec: &Execution) -> Result<(), Interruption> {
     remove_degenerate_triangles(film, NEEDLE, Necks::Keep, exec)?;
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
@@ -128,7 +127,8 @@ fn unfold(film: &mut Film, exec: &Execution) -> Result<(), Interruption> {
     Ok(())
 }
 
-/// Step 1. Adds its solves and pinches to `run`. Returns [`StopReason::TopologyChange`] after a neck has closed.
+/// Carries out step 1. Adds its solves and pinches to `run`. Returns [`StopReason::TopologyChange`] if a neck has
+/// closed.
 fn shrink(
     film: &mut Film,
     options: &PinkallPolthier,

@@ -1,21 +1,21 @@
-//! Coarse to fine: solves a coarse mesh, halves every edge, corrects the result, and repeats until the mesh is as fine
-//! as wanted.
+//! Coarse to fine: solves a coarse mesh, halves every edge, corrects the result, and repeats the last two steps until
+//! the mesh is as fine as wanted.
 //!
 //! 1. Every 2^k-th point of each boundary, and every corner, bounds a coarse mesh of a few thousand triangles. The
 //!    [default solver](crate::minimal_surface::solvers::newton) solves it.
-//! 2. Every edge is halved. A new boundary vertex is the middle one of the input points that its edge skips. Where the
-//!    edge skips none, and points may be added, it is the middle of the edge. In the end every input point is a vertex.
+//! 2. Every edge is halved. If a boundary edge skips input points, the new vertex is the middle one of these. Otherwise
+//!    it is the middle of the edge, if points may be added. In the end every input point is a vertex.
 //! 3. Newton's method in normal heights corrects the finer mesh. Its linear systems are solved by conjugate gradients
-//!    over the nested levels ([`multigrid`](plateau_mesh::sparse::multigrid)). The start deviates by the sagitta of a
-//!    coarse edge, so one or two steps suffice.
+//!    over the nested levels ([`multigrid`](plateau_mesh::sparse::multigrid)). The start deviates only by the sagitta
+//!    of a coarse edge, so one or two steps suffice.
 //!    Before the last correction the vertices slide along the film to where its triangles have less area
 //!    ([`sliding`](plateau_mesh::remesh::sliding)).
-//! 4. Small angles of the corrected mesh are widened where they are, and the mesh is corrected again. Halving keeps
+//! 4. Small angles of the corrected mesh are widened locally, and the mesh is corrected again. Halving keeps the
 //!    angles, but where the film bends strongly (at re-entrant corners) each correction makes them smaller.
 //!
 //! After step 4 the meshes are no longer exactly nested around the widened angles. The matrices of the levels remain a
-//! good preconditioner, because a vertex that is left keeps its parents. The extrapolated area is computed from the
-//! areas before step 4, whose meshes are nested.
+//! good preconditioner, because the vertices that remain keep their parents. The extrapolated area is computed from the
+//! areas before step 4, because those meshes are nested.
 //!
 //! Work and memory are proportional to the size of the mesh. If the method does not apply (the corners are too dense to
 //! skip points, a triangle is flipped, multigrid does not converge), the caller solves the full mesh directly.
@@ -55,15 +55,15 @@ const MIDDLE_TOLERANCE: f64 = 1e-3;
 /// Largest number of triangles for which the Morse index is computed by a factorisation. Above it the sign of the
 /// lowest eigenvalue decides, which costs far less on a large mesh.
 const INERTIA_TRIANGLES: usize = 250_000;
-/// Number of sweeps in which all vertices of the finest mesh slide. It is smaller than for a mesh that is solved
-/// directly, because the triangles of the finest mesh are quarters of good ones.
+/// Number of sweeps in which all vertices of the finest mesh slide. A mesh that is solved directly needs more sweeps.
+/// Here one is enough, because the triangles of the finest mesh are quarters of good triangles.
 const FULL_SWEEPS: u32 = 1;
-/// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
-/// converge.
+/// Largest number of Newton steps on one level. One or two are usual, so a level that needs more steps than this does
+/// not converge.
 const STEPS_PER_LEVEL: u32 = 12;
 
-/// Solves coarse to fine, with three and more boundaries laid out in the plane as `arrangement` says (see
-/// [`initial_mesh::build`]). `None` if the request is too small for the method, or the method does not apply.
+/// Solves coarse to fine. `arrangement` selects the plane layout of three or more boundaries (see
+/// [`initial_mesh::build`]). `None` if the wanted mesh is too small for the method, or the method does not apply.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
@@ -74,7 +74,7 @@ pub(crate) fn solve(
     on_unstable: OnUnstable,
     exec: &Execution,
 ) -> Result<Option<SolvedFilm>, Error> {
-    // A coarse polygon may bound no film although the polygon of all points does. The next plan keeps more points.
+    // A coarse polygon may bound no film although the full polygon does. In this case the next plan keeps more points.
     for plan in Plan::from_coarse(boundaries, options) {
         if let Some(solved) = follow(&plan, boundaries, options, arrangement, on_unstable, exec)? {
             return Ok(Some(solved));
@@ -96,14 +96,14 @@ fn follow(
     let (mut film, kind) = match initial_mesh::build(&coarse, &coarse_options, arrangement, exec) {
         Ok((start, kind)) => (start.refined(exec)?, kind),
         Err(Error::Interrupted(interruption)) => return Err(interruption.into()),
-        // The error is reported for the whole request, by the direct solve.
+        // The direct solve, which follows, reports the error for the whole request.
         Err(_) => return Ok(None),
     };
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
     let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
     let boundary_edges = BoundaryEdges::Kept;
-    // Only the finest mesh slides: the angles of a coarser one would be widened again on the next level.
+    // Only the finest mesh slides, because the angles of a coarser mesh would be widened again on the next level.
     let limits = options.limits();
     let (given, may_widen, may_refine, slides) = (false, true, true, false);
     let task = Task { limits, on_unstable, given, may_widen, may_refine, boundary_edges, slides };
@@ -116,15 +116,15 @@ fn follow(
     };
     // Ends because each refinement raises the level by one.
     while places.level < plan.levels {
-        // A deadline passed at a coarse level: the mesh is still refined until it has all boundary points.
+        // After a deadline at a coarse level, the mesh is still refined until it has all boundary points.
         (film, _) = places.refine(&film);
     }
     let run = solve.into_run(stop_reason, stability);
     Ok(places.input_points_first(film).map(|film| SolvedFilm { film, kind, arrangement, initial_area, run }))
 }
 
-/// Solves the coarse film and corrects it level by level. On the last level the vertices slide if `slides`. `None` if
-/// the method does not apply; the film is then of no use.
+/// Solves the coarse film and corrects it level by level. On the last level the vertices slide if `slides` is set.
+/// `None` if the method does not apply. The film must not be used in that case.
 fn climb(
     film: &mut Film,
     places: &mut BoundaryPlaces,
@@ -132,8 +132,8 @@ fn climb(
     slides: bool,
     solve: &mut Solve,
 ) -> Result<Option<Stability>, Error> {
-    // Each level costs four times as much as the last. The coarsest, with its many solves, costs about as much as the
-    // next.
+    // Each level costs four times as much as the level before. The coarsest level, with its many solves, costs about as
+    // much as the next.
     let share = |level: u32| {
         let part = |level: u32| 4f64.powi(level as i32 - levels as i32);
         [if level == 0 { 0.0 } else { part(level - 1) }, part(level)]
@@ -156,24 +156,24 @@ fn climb(
     finish(film, below, last.corrected, levels, same_polygon, solve)
 }
 
-/// The levels that are solved, and what is handed to the next finer one.
+/// The levels solved up to now, and the data that the next finer level needs.
 struct Levels {
     /// The pattern of the finest level.
     pattern: Pattern,
     hierarchy: Hierarchy,
-    /// The area of the finest level before its angles were widened.
+    /// The area of the finest level before its small angles were widened.
     area: f64,
     /// The lowest mode on the finest level.
     mode: Vec<f64>,
-    /// The margin on the coarsest level.
+    /// The stability margin on the coarsest level.
     margin: f64,
-    /// The motion of the margin on the finest level; empty if the film is calm.
+    /// The motion that belongs to the margin, on the finest level. Empty if the film is calm.
     margin_motion: Vec<f64>,
-    /// Whether the film is so far from the edge of stability that its margin needs no check on the finest level.
+    /// Whether the film is so far from instability that its margin needs no check on the finest level.
     calm: bool,
 }
 
-/// Solves the coarsest level. `None` if it holds no stable film.
+/// Solves the coarsest level. `None` if it has no stable film.
 fn coarsest(film: &mut Film, solve: &mut Solve) -> Result<Option<Levels>, Error> {
     let (_, Some((pattern, mut direct))) = solve.converge(film)? else { return Ok(None) };
     let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: solve.radius };
@@ -201,15 +201,15 @@ fn coarsest(film: &mut Film, solve: &mut Solve) -> Result<Option<Levels>, Error>
     }))
 }
 
-/// A level that is refined and corrected.
+/// A level that was refined and corrected.
 struct Level {
     corrected: Corrected,
-    /// The area before its angles were widened.
+    /// The area before its small angles were widened.
     area: f64,
 }
 
-/// Steps 2 to 4 on one level: halves the edges of the film, corrects it and widens its small angles. The vertices slide
-/// if `slides`.
+/// Carries out steps 2 to 4 on one level: halves the edges of the film, corrects it and widens its small angles. The
+/// vertices slide if `slides` is set.
 fn refine(
     film: &mut Film,
     places: &mut BoundaryPlaces,
@@ -228,7 +228,7 @@ fn refine(
     let parents = parents_of(&coarse_unknown, &pattern.free.vertex, &midpoints);
     solve.exec.look(work)?;
     if slides {
-        // Sliding also changes the heights of the vertices a little. The correction that follows makes up for that.
+        // Sliding also changes the heights of the vertices a little. The next correction restores them.
         slide(film, solve.radius, FULL_SWEEPS, solve.exec)?;
     }
     let Some(mut corrected) = correct(film, &pattern, parents, &below.hierarchy, tolerance, solve)? else {
@@ -262,8 +262,9 @@ fn refine(
     Ok(Some(Level { corrected, area }))
 }
 
-/// The stability of the finest level, and the extrapolated area: `extrapolated` if the last level has the polygon of
-/// the one before, else from a finer mesh. `None` if the levels do not hold a stable film that they resolve.
+/// Computes the stability of the finest level, and the extrapolated area. The latter is `extrapolated` if the last two
+/// levels have the same polygon; otherwise it comes from a finer mesh. `None` if the finest level has no stable film,
+/// or if the levels do not resolve it.
 fn finish(
     film: &Film,
     levels: Levels,
@@ -309,7 +310,7 @@ fn finish(
         let fine = extrapolation::margin(&matrix, &stretching, &hierarchy, &parents, margin_motion, solve.exec)?;
         compare(margin, fine, halvings)
     };
-    // If the levels do not resolve the film, the next plan begins with a finer mesh.
+    // If the levels do not resolve the film, the next plan starts from a finer coarse mesh.
     let Look::Exists(margin) = look else { return Ok(None) };
     if !has_fine_ends(film) {
         return Ok(None);
@@ -331,7 +332,7 @@ fn finish(
     }))
 }
 
-/// Data of a level whose film [`correct`] has made stationary to the level's tolerance.
+/// Data of a level after [`correct`] has made its film stationary to the level's tolerance.
 struct Corrected {
     state: FilmState,
     parents: Parents,
@@ -339,7 +340,7 @@ struct Corrected {
     matrix: SymmetricMatrix,
 }
 
-/// Step 3 on one level. `None` if Newton's method or its linear solver does not converge.
+/// Carries out step 3 on one level. `None` if Newton's method or its linear solver does not converge.
 fn correct(
     film: &mut Film,
     pattern: &Pattern,
@@ -359,7 +360,7 @@ fn correct(
     }
     let VCycleSteps { parents, mut matrix, .. } = steps;
     if solve.record.iterations == before {
-        // No step was needed (the film is plane), so nothing has assembled the matrix that the next level needs.
+        // No step was needed (the film is plane), so the matrix that the next level needs was not assembled yet.
         motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
     }
     Ok(Some(Corrected { state, parents, matrix }))

@@ -1,4 +1,4 @@
-//! Sets of boundaries, the films over them, and the order in which they are taken.
+//! Sets of boundaries, the films over them, and the order in which the boundaries are considered.
 
 use crate::minimal_surface::solved_film::SolvedFilm;
 use plateau_mesh::edit::orient_along;
@@ -6,12 +6,13 @@ use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, polyline};
 use std::cmp::Ordering;
 
-/// Lengths that differ by less than this fraction of the radius of all boundaries are equal. It is above rounding.
+/// Lengths count as equal if they differ by less than this fraction of the radius of all boundaries. It is above
+/// rounding.
 const EQUAL_LENGTH: f64 = 1e-9;
 
-/// Returns the indices of the boundaries, sorted by length, then by radius, then by the sum of the distances from all
-/// others. This order is the same after a motion, a scaling and another order of the list. Boundaries that are equal in
-/// all three keep the client's order.
+/// Returns the indices of the boundaries, sorted by length, then by radius, then by the sum of the distances of their
+/// mean from the means of all others. Motions, scaling and the order of the list do not change this order, except that
+/// boundaries that are equal in all three keep the order of the list.
 pub(super) fn order_of(boundaries: &[Vec<DVec3>]) -> Vec<usize> {
     let means: Vec<DVec3> = boundaries.iter().map(|points| polyline::mean(points)).collect();
     let size = polyline::radius(&boundaries.concat());
@@ -39,7 +40,7 @@ pub(super) fn members(set: u32) -> Vec<usize> {
     (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
 }
 
-/// Every partition of `count` boundaries into sets (see [`set_of`]).
+/// Every partition of `count` boundaries into sets (see [`set_of`] for the numbers).
 pub(super) fn partitions(count: usize) -> Vec<Vec<u32>> {
     let mut result = vec![Vec::new()];
     for boundary in 0..count {
@@ -63,8 +64,8 @@ pub(super) fn partitions(count: usize) -> Vec<Vec<u32>> {
     result
 }
 
-/// Joins several films into one, each oriented along the first of its boundaries. The input points of the boundaries
-/// come first, in input order, then the other vertices film by film.
+/// Joins several films into one, and orients each along the first of its boundaries. The input points of the boundaries
+/// come first, in input order, then the other vertices film by film. `None` if the films do not fit together.
 pub(super) fn together(boundaries: &[Vec<DVec3>], films: &[(Vec<usize>, &SolvedFilm)]) -> Option<Film> {
     let mut first = Vec::with_capacity(boundaries.len());
     let mut count = 0u32;

@@ -1,5 +1,5 @@
-//! Liu and Wang's initial mesh: candidate points at barycentres from the centroid, n of them chosen by a seed, and
-//! their Delaunay triangulation.
+//! Liu and Wang's initial mesh: candidate points are barycentres of nested triangles around the loop's centroid, a
+//! seeded choice picks n of them, and these and the loop are triangulated by Delaunay's criterion.
 
 use super::polygon_domain::{PlaneLoop, domain_of, snapped};
 use plateau_mesh::codes::Reason;
@@ -23,15 +23,15 @@ impl Candidate {
     }
 }
 
-/// A film with the given loop as boundary (vertices 0, 1, … in order) and `interior_vertices` more. These are chosen by
-/// `seed` among Liu and Wang's candidates: the centroid of the loop; the barycentre of each triangle between the
-/// centroid and a side of the loop; the barycentres of the three parts into which a barycentre divides its triangle;
-/// and so on, until there are at least as many as are wanted.
+/// Builds a film whose boundary is the given loop (vertices 0, 1, … in order) and which has `interior_vertices` further
+/// vertices. The `seed` chooses these among Liu and Wang's candidates: the centroid of the loop; the barycentre of each
+/// triangle between the centroid and a side of the loop; the barycentres of the three parts into which a barycentre
+/// divides its triangle; and so on level by level, until there are at least `interior_vertices` candidates.
 ///
 /// The triangulation is constrained Delaunay in the plane in which the loop encloses the largest area, if the image of
-/// the loop is simple there. Otherwise it is made in the disc with the loop on its circle by arc length. Candidates
-/// outside the image of the loop (for concave loops) are left out. Departure from the paper: the last side of the loop,
-/// which the indices of the paper leave out, gets candidates too.
+/// the loop is simple there. Otherwise it is made in a unit disc, on whose circle the loop is laid by arc length.
+/// Candidates outside the image of a concave loop are left out. Departure from the paper: its indices leave out the
+/// last side of the loop, but here this side gets candidates too.
 ///
 /// # Errors
 /// [`Error::NoResult`] with `no_room_for_interior_vertices` if ten levels of candidates do not hold enough, with
@@ -88,7 +88,7 @@ fn is_only_boundary(film: &Film, m: u32) -> bool {
     }) && count == m
 }
 
-/// The candidates level by level, until at least `wanted` lie inside the domain.
+/// Generates the candidates level by level, until at least `wanted` of them lie inside the domain.
 fn candidates(
     boundary: &[DVec3],
     domain: &PlaneLoop,
@@ -129,9 +129,9 @@ fn candidates(
     Ok(found)
 }
 
-/// Removes candidates at the position of an earlier one in the plane, because two triangles of a symmetric loop may
-/// share a barycentre. Lengths are those of a unit disc. The order remains that of generation, which does not depend on
-/// the position of the loop in space.
+/// Removes each candidate whose position in the plane repeats that of an earlier candidate, because two triangles of a
+/// symmetric loop may share a barycentre. The tolerance is absolute, because the domain lies in the unit disc.
+/// The order of generation is kept, because it does not depend on the position of the loop in space.
 fn drop_repeated(found: &mut Vec<Candidate>) {
     const SAME: f64 = 1e-9;
     let mut order: Vec<usize> = (0..found.len()).collect();
@@ -149,7 +149,7 @@ fn drop_repeated(found: &mut Vec<Candidate>) {
     found.retain(|_| !repeated.next().unwrap_or(false));
 }
 
-/// A choice of `count` candidates in their order. Over the seeds each subset is equally likely.
+/// Chooses `count` candidates and keeps them in their order. Each subset of this size is equally likely over the seeds.
 fn choose(candidates: Vec<Candidate>, count: usize, seed: u64) -> Vec<Candidate> {
     let mut seeded = SplitMix64::new(seed);
     let mut order: Vec<usize> = (0..candidates.len()).collect();

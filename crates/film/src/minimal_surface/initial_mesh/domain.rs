@@ -9,8 +9,8 @@ use plateau_mesh::plane::unit_vector;
 use plateau_mesh::{DVec3, polyline};
 use std::f64::consts::TAU;
 
-/// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the
-/// plane in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in
+/// The plane through the mean of all points that is perpendicular to the longest area vector of the boundaries. In this
+/// plane that boundary encloses the largest area. If all area vectors vanish, the plane contains the two directions in
 /// which the points spread most. `None` if all points lie on one line.
 pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
     let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
@@ -23,7 +23,7 @@ pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
         }
     }
     if normal.length() <= 1e-6 * spread {
-        // The plane contains the farthest point, and the one farthest from the line to it.
+        // The plane contains `origin`, the point farthest from it, and the point farthest from the line through both.
         let far = all
             .iter()
             .map(|p| *p - origin)
@@ -37,8 +37,8 @@ pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
         }
     }
     let normal = normal.normalize();
-    // The first segment of the first boundary that is not along the normal determines the direction of x, so that
-    // the frame turns with the input.
+    // The first segment of the first boundary that is not along the normal determines the direction of x, so that the
+    // frame turns with the input.
     let first = &boundaries[0];
     let x = (0..first.len())
         .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
@@ -58,22 +58,23 @@ pub(super) fn largest_height(frame: &Frame, boundaries: &[Vec<DVec3>]) -> f64 {
 pub(super) enum Shape {
     /// Projected onto a plane.
     Plane(Frame),
-    /// The outer boundary becomes the unit circle and every other one a smaller circle inside. Arc length is preserved
-    /// on each loop up to a factor.
+    /// The outer boundary becomes the unit circle, and every other boundary becomes a smaller circle inside. Arc length
+    /// on each loop is preserved up to a factor.
     Disc { outer: usize, holes: Vec<Hole> },
-    /// Projected onto a sphere around a common centre, and from there stereographically.
+    /// Projected onto a sphere around a common centre, and from the sphere stereographically onto the plane.
     Sphere(Directions),
 }
 
-/// A stereographic projection of the directions from a centre: the direction `pole` goes to infinity, and the widest
-/// boundary, which lies round the pole, encloses the others.
+/// Projects points onto a sphere around a centre, and from there stereographically onto the plane. The direction `pole`
+/// goes to infinity. The widest boundary runs round the pole, so that its image encloses the images of the others.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Directions {
     centre: DVec3,
     x: DVec3,
     y: DVec3,
     pole: DVec3,
-    /// Length in the plane per length in the stereographic projection of the unit sphere: the boundaries reach 1.
+    /// Scale factor after the stereographic projection of the unit sphere. It makes the farthest boundary point lie at
+    /// distance 1.
     stretch: f64,
     /// Mean distance of the boundaries' points from the centre.
     distance: f64,
@@ -81,15 +82,15 @@ pub(super) struct Directions {
     outer: usize,
 }
 
-/// The boundaries reach at most this far in the stereographic projection: a point nearer to the pole (by a quarter of a
-/// degree) would crowd all others.
+/// Largest distance from the origin that a boundary may reach in the stereographic projection of the unit sphere. A
+/// point farther out is within a quarter of a degree of the pole, and would crowd all others after scaling.
 const FARTHEST: f64 = 500.0;
 
-/// Smallest length of the mean of the unit vectors to a boundary's points. A shorter mean is rounding.
+/// Smallest length of the mean of the unit vectors to a boundary's points. A shorter mean is only rounding.
 const LEAST_MEAN: f64 = 1e-6;
 
 impl Directions {
-    /// `None` if a boundary passes through the centre or the pole, or runs evenly around the centre.
+    /// `None` if a boundary passes through the centre or near the pole, or runs evenly around the centre.
     fn new(boundaries: &[Vec<DVec3>], centre: DVec3) -> Option<Self> {
         let unit = |p: &DVec3| (*p - centre).try_normalize();
         let mut outer = 0;
@@ -97,8 +98,8 @@ impl Directions {
         for (k, points) in boundaries.iter().enumerate() {
             let directions: Vec<DVec3> = points.iter().map(unit).collect::<Option<_>>()?;
             let resultant = polyline::mean(&directions);
-            // The wider a loop, the shorter the mean of its directions.
-            // The directions of a loop around the centre have no mean.
+            // The wider a loop is as seen from the centre, the shorter is the mean of its directions. The mean vanishes
+            // if the loop runs evenly around the centre.
             if resultant.length() < LEAST_MEAN {
                 return None;
             }
@@ -114,7 +115,7 @@ impl Directions {
         let mut projection = Self { centre, x, y: pole.cross(x), pole, stretch: 1.0, distance, outer };
         let distances = || boundaries.iter().flatten().map(|&p| projection.project(p).length());
         let farthest = distances().fold(0.0, f64::max);
-        // In the direction of the pole the projection is 0 / 0, which is no number.
+        // In the direction of the pole the projection is 0 / 0, which gives NaN and fails the second comparison.
         if !(farthest > 0.0 && distances().all(|distance| distance <= FARTHEST)) {
             return None;
         }
@@ -127,9 +128,9 @@ impl Directions {
         self.stretch * DVec2::new(direction.dot(self.x), direction.dot(self.y)) / (1.0 - direction.dot(self.pole))
     }
 
-    /// The circles that stand for the boundaries, each at the place of its projected boundary and running in the same
-    /// direction. The start of a circle is chosen so that the directions of its points from its centre agree with those
-    /// of the projected points as well as possible.
+    /// Lays the boundaries out on circles, each at the place of its projected boundary and running in the same
+    /// direction. The start angle of a circle is chosen so that the directions of its points from its centre agree with
+    /// those of the projected points as well as possible.
     fn circles(&self, boundaries: &[Vec<DVec3>]) -> Shape {
         let seen: Vec<Vec<DVec2>> =
             boundaries.iter().map(|points| points.iter().map(|&p| self.project(p)).collect()).collect();
@@ -157,15 +158,18 @@ impl Directions {
         Shape::Disc { outer: self.outer, holes: others.iter().map(hole).collect() }
     }
 
-    /// Length in the plane per length in space, at the mean distance from the centre.
+    /// Length in the plane per length in space, for a surface at the mean distance of the boundary points from the
+    /// centre.
     fn scale(&self, p: DVec2) -> f64 {
         let p = p / self.stretch;
         0.5 * (1.0 + p.length_squared()) * self.stretch / self.distance
     }
 }
 
-/// The point nearest to the axes of all boundaries (through the mean, along the area vector), if there is one not
-/// farther out than the boundaries: rings that face outwards on a sphere give its centre.
+/// The point with the least sum of squared distances to the axes of all boundaries. The axis of a boundary passes
+/// through the mean of its points along its area vector. For rings that face outwards on a sphere, the point is the
+/// sphere's centre. `None` if the axes are nearly parallel, or if the point is farther from the origin than all
+/// boundary points.
 fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
     let mut matrix = DMat3::ZERO;
     let mut right = DVec3::ZERO;
@@ -181,14 +185,14 @@ fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
     (!parallel).then(|| matrix.inverse() * right).filter(|point| point.length() < farthest)
 }
 
-/// The circle inside the unit disc that a boundary becomes.
+/// A circle inside the unit disc onto which a boundary is laid.
 #[derive(Clone, Debug)]
 pub(super) struct Hole {
     /// The boundary's index.
     boundary: usize,
     centre: DVec2,
     radius: f64,
-    /// The angle of the first point of the boundary on the circle, and the direction in which the boundary runs.
+    /// The angle of the boundary's first point on the circle, and the direction of the boundary (1 or -1).
     start: f64,
     turn: f64,
 }
@@ -199,11 +203,12 @@ impl Shape {
         !matches!(self, Self::Plane(_))
     }
 
-    /// The ways to lay out boundaries in space, the most trusted first.
+    /// Returns the ways to lay out boundaries in space, the most trusted first.
     ///
-    /// Three and more boundaries are places on a sphere: as they are seen from a common centre; as circles at those
-    /// places, if seen from there they cross; as circles on one ring in the order of their directions, and in the
-    /// opposite order, because boundaries that surround each other have no order.
+    /// Three or more boundaries are first projected from a common centre onto a sphere and from there onto the plane.
+    /// In case these images cross, circles at the same places follow. The last two layouts put the boundaries on one
+    /// ring of circles, in the order of their directions and in the opposite order, because boundaries that surround
+    /// each other have no order.
     pub fn arrangements(boundaries: &[Vec<DVec3>]) -> Vec<Self> {
         let mut arrangements = Vec::new();
         if boundaries.len() > 2 {
@@ -220,8 +225,9 @@ impl Shape {
         arrangements
     }
 
-    /// A disc for one boundary. Of several boundaries the longest is outside, and the others are inside, each facing it
-    /// as in space. Three and more are spread evenly in the order of their directions, or in the opposite one.
+    /// Lays the boundaries out on circles. The longest boundary becomes the unit circle, and the others become circles
+    /// inside, each turned to face the outer boundary as in space. A single inner circle is concentric. Two or more are
+    /// spread evenly around the centre, in the order of their directions or in the opposite order.
     pub fn disc(boundaries: &[Vec<DVec3>], is_opposite: bool) -> Self {
         let lengths: Vec<f64> = boundaries.iter().map(|points| polyline::length(points, true)).collect();
         let mut outer = 0;
@@ -239,7 +245,7 @@ impl Shape {
                 let mut placed: Vec<(f64, usize)> = angles.into_iter().zip(others.iter().copied()).collect();
                 placed.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let step = TAU / placed.len() as f64;
-                // The turn of the even places that brings them nearest to the directions.
+                // Rotation of the evenly spread places that fits them best to the directions.
                 let turns = || placed.iter().enumerate().map(|(k, &(angle, _))| unit_vector(angle - step * k as f64));
                 let sum: DVec2 = turns().sum();
                 let turn = if sum.length() > CONCENTRIC { libm::atan2(sum.y, sum.x) } else { placed[0].0 };
@@ -255,7 +261,8 @@ impl Shape {
                 let (p, q) = (&boundaries[outer], &boundaries[boundary]);
                 let matching = Matching::between(p, q);
                 let (centre, radius) = if others.len() == 1 {
-                    // The ratio of the gap to the mean length of the two circles is that of the boundaries in space.
+                    // ln(1 / radius) / 2π, the conformal ratio of the annulus's width to its length, equals the gap
+                    // over the mean length of the boundaries in space.
                     let gap = mean_gap(p, q, &matching);
                     let radius = libm::exp(-TAU * gap / (0.5 * (lengths[outer] + lengths[boundary])));
                     (DVec2::ZERO, radius.clamp(0.02, 0.9))
@@ -265,7 +272,7 @@ impl Shape {
                     (0.5 * unit_vector(angle), radius.max(0.05))
                 };
                 let turn = if reversed(&matching) { -1.0 } else { 1.0 };
-                // The point of Q that is opposite to P's first point stands at the angle 0 of its circle.
+                // The point of Q that is opposite to P's first point gets the angle 0 on its circle.
                 let opposite = polyline::length(&q[..=matching.order[0]], false) / lengths[boundary];
                 Hole { boundary, centre, radius, start: -turn * TAU * opposite, turn }
             })
@@ -273,7 +280,7 @@ impl Shape {
         Self::Disc { outer, holes }
     }
 
-    /// The boundaries' points in the plane.
+    /// Maps the points of the boundaries into the plane.
     pub fn embed(&self, boundaries: &[Sampled]) -> Vec<Vec<DVec2>> {
         boundaries
             .iter()
@@ -289,7 +296,7 @@ impl Shape {
             .collect()
     }
 
-    /// The length in the plane of a unit of length in space, at a position of the plane.
+    /// Returns the function from a position in the plane to the length in the plane per length in space there.
     pub fn scale<'a>(&'a self, boundaries: &[Vec<DVec3>]) -> Box<dyn Fn(DVec2) -> f64 + 'a> {
         match self {
             Self::Plane(_) => Box::new(|_| 1.0),
@@ -298,7 +305,8 @@ impl Shape {
                 let on = |k: usize, radius: f64| TAU * radius / polyline::length(&boundaries[k], true);
                 let outside = on(*outer, 1.0);
                 let scales: Vec<f64> = holes.iter().map(|hole| on(hole.boundary, hole.radius)).collect();
-                // Between the circles it is the mean of the logarithms, weighted by the inverse of the distances.
+                // Between the circles, the logarithm of the scale is the mean of the circles' logarithms, weighted by
+                // the inverse distances to the circles.
                 Box::new(move |p| {
                     let weight = |distance: f64| 1.0 / distance.max(1e-3);
                     let rim = weight(1.0 - p.length());
@@ -329,9 +337,9 @@ impl Hole {
     }
 }
 
-/// The angle at which a circle around `centre` starts, and the direction in which it runs (1 or -1). Both are chosen so
-/// that the circle's points, at the boundary's fractions of arc length, lie as nearly as possible in the directions of
-/// `places` from the centre.
+/// Returns the angle at which a circle around `centre` starts, and the direction in which it runs (1 or -1). The points
+/// of the boundary stand on the circle at their fractions of arc length. Start and direction are chosen so that their
+/// directions from the centre agree with those of `places` as well as possible.
 fn circle_through(boundary: &[DVec3], places: &[DVec2], centre: DVec2) -> (f64, f64) {
     let next = |k: usize| (k + 1) % places.len();
     let area: f64 = (0..places.len()).map(|k| (places[k] - centre).perp_dot(places[next(k)] - centre)).sum();
@@ -356,15 +364,16 @@ fn mean_gap(p: &[DVec3], q: &[DVec3], matching: &Matching) -> f64 {
     sum / matching.bridges.len() as f64
 }
 
-/// A loop is concentric with the outer boundary if the distance of their means is below this fraction of the outer
-/// boundary's radius, and no direction is nearer than others if the distances differ by less.
+/// Relative tolerance below which a direction counts as undetermined. A loop is concentric with the outer boundary if
+/// the distance of their means is below this fraction of the outer boundary's radius. A concentric loop has no nearest
+/// direction if its distances from the outer boundary differ by less.
 const CONCENTRIC: f64 = 1e-9;
-/// About the number of points of a concentric loop that are compared.
+/// Maximum number of points of a concentric loop whose distances are compared.
 const COMPARED_POINTS: usize = 256;
 
-/// For each other boundary the angle on the outer circle at which it lies: the phase of the first Fourier coefficient
-/// of its nearness along the outer boundary. Unlike the nearest point, no two boundaries have this angle in common
-/// because the outer boundary has few points.
+/// Returns for each boundary of `others` the angle on the outer circle towards which it lies: the phase of the first
+/// Fourier coefficient of its nearness along the outer boundary. The nearest point of the outer boundary would be a
+/// worse choice, because several boundaries can share it if the outer boundary has few points.
 fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<f64> {
     let rim = &boundaries[outer];
     let centre = polyline::mean(rim);
@@ -374,7 +383,7 @@ fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<
         .iter()
         .map(|&k| {
             let towards = polyline::mean(&boundaries[k]) - centre;
-            // The mean of a concentric loop has no certain direction, so the nearest points decide.
+            // The mean of a concentric loop has no certain direction, so its nearest points decide.
             let is_concentric = towards.length() <= CONCENTRIC * radius;
             let stride = boundaries[k].len() / COMPARED_POINTS + 1;
             let nearness = |point: DVec3| {

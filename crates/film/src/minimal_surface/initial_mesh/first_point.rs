@@ -1,23 +1,24 @@
-//! The point at which a closed boundary begins while its initial mesh is made.
+//! Chooses the point at which a closed boundary begins while its initial mesh is made.
 //!
-//! The axes of a plane, the start of a circle and the matching of two loops are laid at the first point of a boundary.
-//! The list that a client sends may begin anywhere, so the boundary itself chooses the point, and the vertices get the
-//! numbers of the client's list afterwards.
+//! The axes of the best plane, the start of a circle and the matching of two loops depend on the first point of a
+//! boundary. The list that a client sends may begin anywhere. Therefore the shape of the boundary determines the first
+//! point, and afterwards the vertices are renumbered in the order of the client's list.
 
 use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, polyline};
 
 /// Largest difference of two distances that count as equal, as a fraction of the boundary's radius. It is far above
-/// rounding and as small as the distance at which neighbours are one point.
+/// rounding, and equals the distance up to which neighbouring points count as one.
 const EQUAL: f64 = polyline::SAME_POINT;
 
-/// The index of a point that the shape of a closed polygon singles out: the point farthest from the mean of the points.
+/// Returns the index of a point that the shape of a closed polygon singles out: the point farthest from the mean of the
+/// points.
 ///
-/// Among equally far points the distances to the points 1, 2, 4, … places away decide: first the larger and then the
-/// smaller of the two distances in both directions, and in the end the distances ahead. Rotation, translation, scale
-/// and another first point do not change the choice. The other direction changes it only where the distances ahead
-/// decide. If several points are equal in all of this, as the corners of a square are, the first of them is returned.
-/// O(n log n).
+/// Ties between equally far points are broken by the distances to the points 1, 2, 4, … places away. The larger of the
+/// distances ahead and behind is compared first, then the smaller, and in the end the distances ahead. The choice does
+/// not depend on rotation, translation, scale or the first point of the list. Reversing the list changes it only if the
+/// distances ahead decide. If several points are equal in all of this, like the corners of a square, the first of them
+/// is returned. O(n log n).
 pub(crate) fn first_point(points: &[DVec3]) -> usize {
     let n = points.len();
     let centre = polyline::mean(points);
@@ -43,7 +44,7 @@ pub(crate) fn first_point(points: &[DVec3]) -> usize {
     candidates.first().copied().unwrap_or(0)
 }
 
-/// The boundaries, each beginning at the point of its own choice, and the index of that point.
+/// Rotates each boundary so that it begins at its [`first_point`]. Also returns the indices of these points.
 pub(crate) fn turned(boundaries: &[Vec<DVec3>]) -> (Vec<Vec<DVec3>>, Vec<usize>) {
     let firsts: Vec<usize> = boundaries.iter().map(|points| first_point(points)).collect();
     let mut turned = boundaries.to_vec();
@@ -51,8 +52,8 @@ pub(crate) fn turned(boundaries: &[Vec<DVec3>]) -> (Vec<Vec<DVec3>>, Vec<usize>)
     (turned, firsts)
 }
 
-/// A film over [`turned`] boundaries as a film over the boundaries themselves: its first vertices are their points in
-/// their order, and its loops begin at them.
+/// Converts a film over [`turned`] boundaries into a film over the boundaries themselves. Its first vertices are the
+/// boundaries' points in the given order, and each boundary loop begins at the first of its points.
 pub(super) fn turned_back(film: Film, boundaries: &[Vec<DVec3>], firsts: &[usize]) -> Film {
     let mut place: Vec<u32> = (0..film.vertices.len() as u32).collect();
     let mut starts = Vec::with_capacity(boundaries.len());
@@ -89,7 +90,7 @@ mod tests {
             let on_circle = case % 2 == 0;
             let mut any = |low: f64, high: f64| random.between(low, high);
             let mut angle = 0.0;
-            // Every second boundary has all points equally far from the origin, though not from their mean.
+            // In every second case all points are equally far from the origin, though not from their mean.
             let point = |_| {
                 angle += any(0.2, 1.0) * std::f64::consts::TAU / n as f64;
                 let (radius, height) = if on_circle { (1.0, 0.0) } else { (any(0.5, 1.0), any(-1.0, 1.0)) };
@@ -113,7 +114,7 @@ mod tests {
 
     #[test]
     fn equally_far_points_are_told_apart_by_their_neighbours() {
-        // A rectangle of 3 by 5 pieces: of its four equally far corners the choice is one with the longer side ahead.
+        // A rectangle of 3 by 5 pieces has four equally far corners. The choice is one with the longer side ahead.
         let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 5.0), (0.0, 5.0)];
         let mut points = Vec::new();
         for (k, pieces) in [3, 5, 3, 5].into_iter().enumerate() {

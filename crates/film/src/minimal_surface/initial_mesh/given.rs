@@ -1,4 +1,4 @@
-//! The client's own initial mesh: checked, and numbered as all others are.
+//! The client's own initial mesh: checks it, and numbers its vertices in the same way as all other initial meshes.
 
 use super::pins::{Pin, Pins};
 use plateau_mesh::edit::orient_along;
@@ -12,9 +12,10 @@ use plateau_mesh::{DVec3, Error, Mesh, Place};
 /// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment.
 pub(crate) const ON_SEGMENT: f64 = 1e-9;
 
-/// A film from the client's mesh. The mesh must be an oriented manifold whose boundary loops are the boundaries: each
-/// point exactly, in either direction, with or without further vertices on the segments. Every component must have a
-/// boundary. The constraints must be vertices and edges of the mesh.
+/// Builds a film from the client's mesh. The mesh must be an oriented manifold whose boundary loops are the boundaries.
+/// Each loop must pass exactly through the points of its boundary in order, in either direction, and may have further
+/// vertices on the segments. Every component must have a boundary. The points and segments of the constraints must be
+/// vertices and edges of the mesh.
 ///
 /// # Errors
 /// [`Error::Input`] under `initial_mesh`, naming the vertices or triangles.
@@ -63,7 +64,7 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     if topology.components() > 1 && has_closed_part(&topology, mesh) {
         return Err(refuse("has a part without a boundary"));
     }
-    // The points of the polygons come first, then the other vertices in their order.
+    // The points of the boundary polygons come first, then the other vertices in the order of the client's mesh.
     let mut number = vec![NONE; mesh.vertices.len()];
     let mut next = 0;
     let own = matched.iter().flat_map(|boundary| boundary.own.iter().map(|&at| boundary.vertices[at]));
@@ -85,8 +86,8 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     Ok(film)
 }
 
-/// Whether no edge has more than two triangles, and yet the triangles cannot be turned so that neighbours run along
-/// their edge in opposite directions.
+/// Whether the triangles form a surface that cannot be oriented: no edge has more than two triangles, and yet the
+/// triangles cannot be turned so that neighbours run along their common edge in opposite directions.
 fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
     let mut sides: Vec<([u32; 2], usize, bool)> = Vec::with_capacity(3 * triangles.len());
     for (t, &[a, b, c]) in triangles.iter().enumerate() {
@@ -105,7 +106,8 @@ fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     for start in 0..triangles.len() {
         let mut stack = vec![(start, turned[start].unwrap_or(false))];
-        // Ends because a triangle adds its neighbours only when its turn is decided, which happens once.
+        // At most three new entries per triangle, because a triangle adds its neighbours only once, when its turn is
+        // decided.
         while let Some((triangle, turn)) = stack.pop() {
             match turned[triangle] {
                 Some(known) if known != turn => return true,
@@ -120,14 +122,14 @@ fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
     false
 }
 
-/// A boundary loop in the direction of the polygon, and the positions of the polygon's points in it.
+/// A boundary loop in the direction of the polygon. `own` holds the positions in `vertices` of the polygon's points.
 struct Matched {
     vertices: Vec<u32>,
     own: Vec<usize>,
 }
 
-/// The vertices of the loop from the first point of the polygon on, if the loop passes through all points in order and
-/// otherwise stays on the segments.
+/// Returns the vertices of the loop, starting at the first point of the polygon. `None` unless the loop passes through
+/// all points of the polygon in order and its other vertices lie on the segments.
 fn follow(mesh: &Mesh, vertices: &[u32], polygon: &[DVec3]) -> Option<Matched> {
     let n = vertices.len();
     let position = |k: usize| mesh.vertices[vertices[k] as usize];
@@ -157,7 +159,7 @@ fn has_closed_part(topology: &Topology, mesh: &Mesh) -> bool {
     let mut reached = vec![false; mesh.triangles.len()];
     let mut stack: Vec<u32> =
         (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] == NONE).map(|h| h / 3).collect();
-    // Ends because a triangle adds its neighbours only when it is reached for the first time.
+    // At most three new entries per triangle, because a triangle adds its neighbours only when it is first reached.
     while let Some(triangle) = stack.pop() {
         if std::mem::replace(&mut reached[triangle as usize], true) {
             continue;
@@ -171,7 +173,7 @@ fn has_closed_part(topology: &Topology, mesh: &Mesh) -> bool {
     reached.contains(&false)
 }
 
-/// Fixes the vertices of the constraints and locks their edges. The mesh must have these edges.
+/// Marks the vertices of the constraints as fixed and their edges as locked. Fails if the mesh lacks any of them.
 fn fix(film: &mut Film, pins: &Pins) -> Result<(), Error> {
     let mut known: Vec<([u64; 3], u32)> =
         film.vertices.iter().enumerate().map(|(v, &point)| (position_key(point), v as u32)).collect();

@@ -1,15 +1,15 @@
 //! Interior points of a graded mesh: an equilateral lattice whose spacing follows a size field.
 //!
-//! The lattice is refined by halving triangles until they have the wanted size. The lattices of all sizes are therefore
-//! nested, and one changes into the next without a seam. Where the size is constant, the Delaunay triangles of these
-//! points are equilateral.
+//! The lattice is made by quartering triangles at the midpoints of their sides until they have the wanted size. The
+//! lattices of all sizes are therefore nested, and the spacing can change without a seam. Where the size is constant,
+//! the Delaunay triangles of these points are equilateral.
 
 use glam::DVec2;
 use plateau_mesh::execution::{Execution, Interruption};
 use std::rc::Rc;
 
-/// A piece of the boundary or of a fixed curve, with the wanted edge length along it. If both ends are equal, it is a
-/// point.
+/// A segment of the boundary or of a fixed curve, with the wanted edge length along it. If both ends are equal, the
+/// source is a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source {
     a: DVec2,
@@ -34,16 +34,16 @@ impl Source {
     }
 }
 
-/// Sources in a leaf of the tree.
+/// Number of sources in a leaf of the tree.
 const LEAF: usize = 4;
-/// Largest number of sources in the list of a cell. If more sources can matter to a cell, it has no list and the tree
-/// is searched, because beside a boundary of many points thousands may matter to one cell.
+/// Largest number of sources in the list of a cell. A cell to which more sources can matter has no list, and the tree
+/// is searched instead, because thousands of sources may matter to a cell beside a boundary of many points.
 const FEW: usize = 32;
-/// Relative rounding error of a bound. A part of the tree is left out only if its bound is worse than the best source
-/// so far by more than this.
+/// Relative rounding error of a bound. A subtree is skipped only if its bound exceeds the best value found by more than
+/// this.
 const ROUNDING: f64 = 1e-12;
 
-/// A box around sources that follow each other, and the least of their sizes.
+/// Bounding box of consecutive sources, and the smallest of their sizes.
 #[derive(Clone, Copy)]
 struct Group {
     low: DVec2,
@@ -64,12 +64,12 @@ impl Group {
     }
 }
 
-/// A balanced binary tree over the sources in their order, which is that along the boundaries. Node 1 is the root, the
-/// children of k are 2k and 2k + 1. The work for a position grows with the logarithm of the number of sources.
+/// A balanced binary tree over the sources in their order along the boundaries. Node 1 is the root, and the children of
+/// node k are 2k and 2k + 1. The work for a position grows with the logarithm of the number of sources.
 struct Tree<'a> {
     sources: &'a [Source],
     groups: Vec<Group>,
-    /// The first leaf's node.
+    /// Node of the first leaf.
     base: usize,
 }
 
@@ -88,14 +88,14 @@ impl<'a> Tree<'a> {
         Self { sources, groups, base }
     }
 
-    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. A group that
-    /// `state` does not enter is left out with all groups below it.
+    /// Visits the groups from the root on, those nearer to the point first, and offers the sources of the leaves to
+    /// `state`. A group that `state` refuses to enter is skipped with its whole subtree.
     fn walk(&self, point: DVec2, state: &mut impl Walk) {
         // The stack holds an entry for each level and one more, which is enough for 2^30 leaves.
         let mut stack = [(1usize, 0.0); 32];
         let mut height = 1;
         stack[0].1 = self.groups[1].distance(point);
-        // At most one pass per group, because each group is the half of one other group.
+        // At most one pass per group, because each group is the child of one other group.
         while height > 0 {
             height -= 1;
             let (node, distance) = stack[height];
@@ -120,27 +120,27 @@ impl<'a> Tree<'a> {
     }
 }
 
-/// The search that a walk through the tree makes.
+/// A search through the tree: decides which groups are entered, and takes the sources.
 trait Walk {
-    /// Whether a group of this least size, at this distance, may hold a source that the search needs.
+    /// Whether a group at this distance, whose smallest size is `size`, may hold a source that the search needs.
     fn enters(&self, size: f64, distance: f64) -> bool;
     /// Takes a source and its number. False ends the walk.
     fn offer(&mut self, number: u32, source: &Source) -> bool;
 }
 
-/// Finds the least of a bound and, over all sources, size + grading × distance from a point.
+/// Finds the minimum of the initial `size` and of (source size + grading × distance from the point) over all sources.
 struct Smallest {
     point: DVec2,
     grading: f64,
     size: f64,
-    /// Distance of the nearest source among those visited. If any source is too near for a lattice point, the nearest
-    /// of all sources is among them.
+    /// Distance of the nearest source among those visited. If any source is too near for a lattice point, this is the
+    /// distance of the nearest of all sources.
     clearance: f64,
 }
 
 impl Walk for Smallest {
     fn enters(&self, size: f64, distance: f64) -> bool {
-        // The nearest source counts too, whatever its size, if it can be too near for a lattice point.
+        // A source of any size counts too, if it is the nearest and can be too near for a lattice point.
         size + self.grading * distance <= self.size * (1.0 + ROUNDING)
             || distance < self.clearance && distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
     }
@@ -153,7 +153,8 @@ impl Walk for Smallest {
     }
 }
 
-/// Collects the sources that can determine the size, or be too near, anywhere within `reach` of a point.
+/// Collects the sources that can determine the size, or be too near for a lattice point, anywhere within `reach` of a
+/// point.
 struct Near {
     point: DVec2,
     grading: f64,
@@ -167,7 +168,7 @@ struct Near {
 impl Near {
     fn matters(&self, size: f64, distance: f64) -> bool {
         let largest = self.size + 2.0 * self.grading * self.reach;
-        // The source that is nearest to another point within reach is at most twice the reach farther from this point.
+        // For another point within reach, the nearest source is at most twice the reach farther from this point.
         let can_be_nearest = distance <= (self.clearance + 2.0 * self.reach) * (1.0 + ROUNDING);
         size + self.grading * distance <= largest
             || can_be_nearest && distance - self.reach <= CLEARANCE * largest * (1.0 + ROUNDING)
@@ -187,12 +188,12 @@ impl Walk for Near {
     }
 }
 
-/// The wanted edge length as a function of the position: the least of the cap and, over all sources, size + grading ×
-/// distance.
+/// The wanted edge length as a function of the position: the minimum of the cap and of (source size + grading ×
+/// distance) over all sources.
 pub(super) struct SizeField<'a> {
     pub sources: Vec<Source>,
     pub grading: f64,
-    /// Upper bound of the size at a position. It changes by less than the grading per distance.
+    /// Upper bound of the size at a position. Its slope must be less than the grading.
     pub cap: &'a dyn Fn(DVec2) -> f64,
 }
 
@@ -200,14 +201,14 @@ pub(super) struct SizeField<'a> {
 /// triangles.
 const CLEARANCE: f64 = 0.6;
 
-/// Largest number of halvings from the root, so that sizes may vary by 2^24 within one domain.
+/// Largest number of quarterings of the root triangle, so that sizes may vary by 2^24 within one domain.
 const DEPTH: u32 = 24;
 
 struct Cell {
     corners: [[i64; 2]; 3],
     depth: u32,
-    /// Whether the triangle points the other way than the root. Its corners add no lattice points then, because each of
-    /// them is a corner of an upright triangle too.
+    /// Whether the triangle points the other way than the root. The corners of an inverted triangle add no lattice
+    /// points, because each is a corner of an upright triangle too.
     inverted: bool,
     near: Sources,
 }
@@ -220,7 +221,7 @@ enum Sources {
 }
 
 impl Sources {
-    /// Whether both are the same list, or all sources.
+    /// Whether both are the same list, or both are all sources.
     fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Few(one), Self::Few(other)) => Rc::ptr_eq(one, other),
@@ -230,24 +231,24 @@ impl Sources {
     }
 }
 
-/// Cuts a triangle into four at the midpoints of its sides. Returns each part, and whether it points the other way than
-/// the whole.
+/// Cuts a triangle into four at the midpoints of its sides. Returns each part, and whether the part points the other
+/// way than the whole triangle.
 fn quarters([a, b, c]: [[i64; 2]; 3]) -> [([[i64; 2]; 3], bool); 4] {
     let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
     let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
     [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
 }
 
-/// Number of cells visited between two looks, which takes a few milliseconds.
+/// Number of cells visited between two calls of [`Execution::look`]. These cells take a few milliseconds.
 const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 
-/// A lattice point (row, then column) that may stand too near to a source, and the number of the list of sources near
-/// it.
+/// A lattice point (row, then column), which may still be too near to a source, and the index of its list of near
+/// sources.
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
-    /// Returns the size at a position and the distance of the nearest source. Where no source is too near for a lattice
-    /// point, the distance may be that of another source.
+    /// Returns the size at a position and the distance of the nearest source. If no source is too near for a lattice
+    /// point, the distance may belong to another source than the nearest.
     #[inline]
     fn size_and_clearance(&self, point: DVec2, tree: &Tree, near: &Sources) -> (f64, f64) {
         let size = (self.cap)(point);
@@ -261,8 +262,8 @@ impl SizeField<'_> {
         (found.size, found.clearance)
     }
 
-    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point, at which the size
-    /// and the clearance are known.
+    /// Returns the sources that can determine the size, or be too near for a lattice point, anywhere within `reach` of
+    /// a point. The size and the clearance at the point are given.
     fn narrowed(
         &self,
         point: DVec2,
@@ -281,11 +282,11 @@ impl SizeField<'_> {
         if found.found.len() <= FEW { Sources::Few(found.found.into()) } else { Sources::All }
     }
 
-    /// The lattice points in the rectangle that are not too near to a source, sorted by y, then x. `None` if there
-    /// would be more than `limit`. Looks every [`CELLS_BETWEEN_LOOKS`] cells.
+    /// Returns the lattice points in the rectangle that are not too near to a source, sorted by y, then x. `None` if
+    /// there would be more than `limit`. Calls `exec.look` every [`CELLS_BETWEEN_LOOKS`] cells.
     ///
-    /// `spacing` is the spacing of the lattice where no source needs less. It must not exceed the largest value of the
-    /// cap.
+    /// `spacing` is the spacing of the lattice where no source demands a smaller one. It must not exceed the largest
+    /// value of the cap.
     pub fn lattice(
         &self,
         low: DVec2,
@@ -350,8 +351,8 @@ impl SizeField<'_> {
             if found.len() > merged + 2 * limit {
                 merge(&mut found);
                 merged = found.len();
-                // Points that are too near to a source do not count. If there are far more points than the limit,
-                // others must be among them.
+                // `found` still includes points that are too near to a source. These are refused only if there are far
+                // more than `limit`, because then some are far enough from all sources.
                 if merged > 2 * limit {
                     return Ok(None);
                 }
@@ -389,7 +390,7 @@ mod tests {
 
     #[test]
     fn pruned_sizes_and_clearances_equal_brute_force() {
-        // A long and a very short source: pruning must keep both where they matter.
+        // The last source is much smaller than the others: pruning must keep both kinds of source where they matter.
         let mut sources = square_sources(1.0, 4);
         sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), 0.003));
         let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };

@@ -1,4 +1,4 @@
-//! A layout of vertices for a plane mesh, and how far it is from the resolution that is asked for.
+//! A layout of vertices for a plane mesh, and the comparison of its resolution with the wanted one.
 
 use super::plane_mesh::PlaneRegion;
 use super::sampling::Sampled;
@@ -6,15 +6,15 @@ use crate::minimal_surface::options::Resolution;
 use glam::DVec2;
 use plateau_mesh::film::Film;
 
-/// Growth of the edge length per distance from the boundary. Steeper growth gives fewer but less even triangles.
+/// Increase of the edge length per distance from the boundary. A larger value gives fewer but less even triangles.
 pub(super) const GRADING: f64 = 0.3;
-/// Factor between the growths that are tried.
+/// Factor between consecutive gradings that are tried.
 pub(super) const GRADING_STEP: f64 = 1.5;
-/// Largest fraction by which the resolution may be missed.
+/// Largest relative error of the resolution that is tolerated.
 pub(super) const TOLERATED: f64 = 0.1;
 
-/// The result of one trial of a size: the sampled boundaries and the positions of the vertices between them. Only the
-/// accepted layout is triangulated, because the number of triangles does not depend on the triangulation.
+/// A trial: the boundaries sampled at some size, and the positions of the vertices between them. Only the accepted
+/// layout is triangulated, because the number of triangles does not depend on the triangulation.
 pub(super) struct Layout {
     pub boundaries: Vec<Sampled>,
     pub domain: PlaneRegion,
@@ -22,7 +22,7 @@ pub(super) struct Layout {
     pub triangles: usize,
     /// Mean edge length in space, if the resolution is an edge length.
     pub mean_edge: f64,
-    /// Mean over the sites of the length in the plane per length in space.
+    /// Mean over all sites of the length in the plane per length in space.
     pub scale: f64,
 }
 
@@ -32,7 +32,8 @@ impl Layout {
     }
 }
 
-/// A resolution, and the Euler characteristic of the surface that it is counted on.
+/// The wanted resolution, and the Euler characteristic of the surface, which relates the numbers of vertices and
+/// triangles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Goal {
     pub resolution: Resolution,
@@ -72,7 +73,7 @@ impl Goal {
     }
 }
 
-/// Growth of the edge length per distance from the boundary after some steps.
+/// Increase of the edge length per distance from the boundary, after `steps` multiplications by [`GRADING_STEP`].
 pub(super) fn grading(steps: u32) -> f64 {
     // The steps are multiplied one by one, so that the result does not depend on where the search for it began.
     (0..steps).fold(GRADING, |grading, _| grading * GRADING_STEP)

@@ -1,5 +1,5 @@
-//! Fixed points and curves inside a film: the mesh vertices that they need, and the positions of these in the plane
-//! domain.
+//! Fixed points and curves inside a film: the mesh vertices and edges that they need, and the positions of these
+//! vertices in the plane domain.
 
 use super::domain::Shape;
 use crate::minimal_surface::options::{BoundarySampling, Constraints};
@@ -19,10 +19,10 @@ pub(super) enum Pin {
     Inner(u32),
 }
 
-/// The vertex at each known point.
+/// The vertex at each known position.
 type Known = BTreeMap<[u64; 3], Pin>;
 
-/// The constraints as vertices and edges.
+/// The constraints, converted to vertices and edges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pins {
     /// The vertices that are not on the boundary, each once.
@@ -31,8 +31,8 @@ pub(super) struct Pins {
 }
 
 impl Pins {
-    /// Points that equal a boundary point, or each other, become one vertex. With `refine`, curves are divided into
-    /// pieces of about `size`.
+    /// Converts the constraints to vertices and edges. Points that equal a boundary point, or each other, become one
+    /// vertex. With `refine`, curves are divided into pieces of about `size`.
     pub fn new(constraints: &Constraints, boundaries: &[Vec<DVec3>], size: f64, sampling: BoundarySampling) -> Self {
         let mut known = Known::new();
         for (k, &point) in boundaries.iter().flatten().enumerate() {
@@ -74,8 +74,9 @@ impl Pins {
         })
     }
 
-    /// The positions of the inner vertices in the plane: projected, or the nearest point of a film that was mapped from
-    /// the plane. The nearest point is searched for in all triangles, with one look for each point.
+    /// Returns the positions of the inner vertices in the plane. For a plane domain, they are projected. Otherwise
+    /// `mapped` is a film with the plane position of each of its vertices, and the nearest point of the film is taken.
+    /// All triangles are searched for each point, with a call of `exec.look` before.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -97,8 +98,8 @@ impl Pins {
     }
 }
 
-/// The plane position of the point of the film that is nearest to a point in space. It is moved a little into its
-/// triangle.
+/// Finds the point of the film that is nearest to a point in space, moves it slightly into the interior of its
+/// triangle, and returns its position in the plane.
 fn nearest(film: &Film, flat: &[DVec2], point: DVec3) -> DVec2 {
     let mut best = (f64::INFINITY, DVec2::ZERO);
     for &triangle in film.triangles() {

@@ -1,4 +1,5 @@
-//! A graded triangulation of a plane domain between closed polygons: boundary, lattice points, constrained Delaunay.
+//! Graded triangulation of a plane domain between closed polygons: places lattice points between the boundaries, and
+//! triangulates all points by the constrained Delaunay criterion.
 
 use super::graded_lattice::{SizeField, Source};
 use glam::DVec2;
@@ -20,7 +21,7 @@ pub(super) struct PlaneRegion {
     pub segments: Vec<[u32; 2]>,
 }
 
-/// A mesh whose vertices are the points of the loops, the fixed points, and then those of the lattice.
+/// A mesh whose vertices are the points of the loops, then the fixed points, then the lattice points.
 #[derive(Clone, Debug)]
 pub(super) struct PlaneMesh {
     pub points: Vec<DVec2>,
@@ -30,10 +31,10 @@ pub(super) struct PlaneMesh {
 /// Why a region has no mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PlaneError {
-    /// The boundary or a fixed edge crosses or touches itself. The first such edge, by its two vertices.
+    /// The boundary or a fixed edge crosses or touches itself. Holds the two vertices of the first such edge.
     NotSimple([u32; 2]),
     TooManyPoints,
-    /// A fixed point (by its number among them) does not lie inside the boundaries.
+    /// A fixed point does not lie inside the boundaries. Holds its index among the fixed points.
     PointOutside(u32),
     /// The points of the boundary alone give this number of triangles, which is more than the resolution allows.
     TooCoarse {
@@ -72,8 +73,9 @@ impl PlaneRegion {
         self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect()
     }
 
-    /// The positions of the vertices: the fixed ones, then those of a lattice. The sizes come from the lengths of the
-    /// boundary edges and of the fixed edges, and grow by `grading` up to the cap.
+    /// Returns the positions of the vertices: first the fixed ones, then the lattice points. The wanted edge lengths
+    /// are those of the boundary edges and of the fixed edges, and grow with the distance from these by `grading`, up
+    /// to the cap.
     ///
     /// # Errors
     /// See [`PlaneError`]. A boundary that crosses itself is found only by [`mesh`](Self::mesh).
@@ -171,7 +173,7 @@ impl PlaneRegion {
         Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })
     }
 
-    /// The same mesh with about `count` more vertices, in its largest triangles.
+    /// Adds up to `count` vertices at the centres of the largest triangles, then triangulates and smooths again.
     ///
     /// # Errors
     /// See [`PlaneError`].
@@ -185,7 +187,7 @@ impl PlaneRegion {
         order.sort_by(|&s, &t| area(t).total_cmp(&area(s)).then(s.cmp(&t)));
         let mut points = mesh.points.clone();
         let mut taken = vec![false; points.len()];
-        // Triangles that share no corner come first, so that the new points keep a distance.
+        // Triangles that share a corner with a chosen one are skipped, so that the new points keep a distance.
         let mut added = 0;
         for t in order {
             let triangle = mesh.topology.triangles()[t as usize];
@@ -212,7 +214,8 @@ impl PlaneRegion {
         }
     }
 
-    /// Constrained Delaunay triangles inside the loops. `edges` are those of the loops, and then the fixed ones.
+    /// Constrained Delaunay triangles inside the loops. `edges` are the edges of the loops, followed by the fixed
+    /// edges.
     fn triangulate(&self, points: &[DVec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, PlaneError> {
         let outlines = self.boundary_points();
         let constraint = |(k, &[from, to]): (usize, &[u32; 2])| {

@@ -1,19 +1,20 @@
-//! Plane images of a boundary loop in which a triangulation can be made.
+//! Images of a boundary loop in the plane, in which it can be triangulated.
 
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::polygon::doubled_area_vector;
 use plateau_mesh::{DVec2, DVec3, polyline};
 
-/// The images of the loop's points, anticlockwise.
+/// The images of the loop's points in the plane, anticlockwise.
 #[derive(Clone, Debug)]
 pub(super) struct PlaneLoop {
     pub rim: Vec<DVec2>,
 }
 
-/// The images to try, the best first: in the plane across the area vector of the loop, then on the unit circle by arc
-/// length.
+/// Returns the images of the loop that are worth trying, the best first: the projection onto the plane perpendicular to
+/// the area vector of the loop, then the unit circle with the points at their fractions of arc length.
 ///
-/// The first is left out if the loop encloses no area. The triangulation finds out whether it is simple.
+/// The projection is left out if the loop encloses no area. Only the triangulation finds out whether the projected loop
+/// is simple.
 pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
     let centre = polyline::mean(boundary);
     let m = boundary.len();
@@ -46,8 +47,9 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
     domains
 }
 
-/// The nearest point of a fine grid. Symmetric loops put four points on one circle. The grid keeps the last bits, which
-/// depend on scale and position, from deciding which diagonal is chosen.
+/// Rounds to the nearest point of a fine grid. In symmetric loops four points lie on one circle, so that either
+/// diagonal is Delaunay. Without the grid, the last bits, which depend on scale and position, would decide which one is
+/// chosen.
 pub(super) fn snapped(point: DVec2) -> DVec2 {
     const GRID: f64 = (1u64 << 32) as f64;
     (point * GRID).round() / GRID

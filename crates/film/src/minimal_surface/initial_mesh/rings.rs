@@ -1,18 +1,18 @@
 //! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area*, section 3.4: an initial mesh with an exact
-//! number of triangles.
+//! number m of triangles.
 //!
 //! 1. For one boundary of n points: s = floor((m - n) / 2n) rings of n points on the segments from the boundary points
-//!    to their mean, and the mean itself. These are (2 s + 1) n triangles.
+//!    to their mean, and the mean itself. These give (2 s + 1) n triangles.
 //! 2. The remaining triangles, an even number, come from splitting triangles of the outer ring into three at their
 //!    centre.
 //!
 //! Departures from the paper:
-//! - Between two boundaries (their Fig. 9 shows the result, and the text does not describe the mesh) the rings have as
-//!   many points as the longer boundary. They stand on the bridges of a strip between the two, so that m = n₁ + n₂ + 2
-//!   × interior vertices.
+//! - Two boundaries: the paper's Fig. 9 shows the result, but the text does not describe the mesh. Here the rings
+//!   have as many points as the longer boundary. The points lie on the bridges of a strip between the two boundaries.
+//!   Thus m = n₁ + n₂ + 2 × interior vertices.
 //! - The triangles that are split are spread evenly over the outer ring. In the paper any of them are split.
-//! - With `refine` the boundary is first sampled as finely as the mesh, and a count of the wrong parity is raised by
-//!   one.
+//! - With `refine` the boundary is first sampled as finely as the mesh, and a wanted number of triangles whose parity
+//!   is impossible is raised by one.
 
 use super::sampling::{Sampled, numbers, sample};
 use super::strip::Matching;
@@ -21,7 +21,8 @@ use plateau_mesh::edit::orient_along;
 use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 
-/// Rings over one or two boundaries. If the boundary is kept, the number of triangles is exactly the wanted one.
+/// Builds rings over one or two boundaries. If the points of the boundary are kept, the number of triangles is exactly
+/// the wanted one.
 ///
 /// # Errors
 /// [`Error::Input`] naming the resolution if these boundaries cannot have it.
@@ -53,8 +54,9 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
 }
 
-/// The boundaries sampled at a size. A number of triangles limits the number of points: a narrow strip cannot have
-/// triangles as short as it is wide.
+/// Samples the boundaries with pieces of length `size`. If a number of triangles is wanted, the pieces are made longer
+/// until there are no more points than triangles: in a narrow strip, the length that follows from the area is too
+/// short.
 ///
 /// # Errors
 /// The interruptions of `exec`.
@@ -72,14 +74,15 @@ fn sampled(
     };
     let longest = boundaries.iter().map(longest_of).fold(0.0, f64::max);
     let mut size = size;
-    // Ends because each round lengthens the pieces by a tenth or more, up to `WITHOUT_INFLUENCE`.
+    // At most log(WITHOUT_INFLUENCE × longest / size) / log(1.1) + 2 rounds, because each round multiplies the size by
+    // at least 1.1.
     loop {
         let sampled = with_size(size, BoundarySampling::Refine);
         let points: usize = sampled.iter().map(|boundary| boundary.points.len()).sum();
         exec.look(points as u64)?;
         let added = sampled.iter().flat_map(|boundary| &boundary.own).any(|own| !own);
         match resolution {
-            // Only the grading beside short segments still adds points.
+            // At this size only the grading beside short segments still adds points, so a larger size would not help.
             Resolution::Triangles(count) if added && points > count && size > WITHOUT_INFLUENCE * longest => {
                 return Ok(with_size(size, BoundarySampling::Keep));
             }
@@ -91,8 +94,8 @@ fn sampled(
     }
 }
 
-/// Whether two boundaries are so near to each other that a strip of single triangles between them meets the resolution.
-/// A mesh of triangles as long as wide would need many more.
+/// Whether two boundaries are so close together that a strip of single triangles between them meets the resolution. A
+/// mesh of equilateral triangles would need many more.
 pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolution) -> bool {
     let length = polyline::length(first, true) + polyline::length(second, true);
     let edge = match resolution {
@@ -101,7 +104,8 @@ pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolutio
         Resolution::EdgeLength(edge) => edge,
     };
     let matching = Matching::between(first, second);
-    // Half of the bridges are diagonals, which are as long as the sides, however near the boundaries are to each other.
+    // Distances are measured to the sides, because half of the bridges are diagonals, whose length does not vanish with
+    // the gap.
     let mut gaps = vec![f64::INFINITY; first.len() + second.len()];
     let (n, m) = (first.len(), second.len());
     for &(i, j) in &matching.bridges {
@@ -115,7 +119,7 @@ pub(super) fn is_narrow(first: &[DVec3], second: &[DVec3], resolution: Resolutio
     gaps.iter().sum::<f64>() / (gaps.len() as f64) < NARROW * edge
 }
 
-/// Distance of a point from two sides with a common corner in the middle.
+/// Distance of a point from two sides that meet at `corner`.
 fn to_sides(point: DVec3, [before, corner, after]: [DVec3; 3]) -> f64 {
     let to = |end: DVec3| {
         let side = end - corner;
@@ -125,7 +129,7 @@ fn to_sides(point: DVec3, [before, corner, after]: [DVec3; 3]) -> f64 {
     to(before).min(to(after))
 }
 
-/// A narrow strip of rings for a resolution that need not be met exactly.
+/// Builds rings in a narrow strip. A wanted number of triangles is raised to the next number that rings can have.
 ///
 /// # Errors
 /// The errors of [`build`].
@@ -146,18 +150,18 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result
     Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
 }
 
-/// Mean distance of the points of two boundaries from the other one that counts as narrow, as a fraction of the edges
-/// of a strip of single triangles.
+/// Mean distance between two boundaries below which the strip between them counts as narrow, as a fraction of the edge
+/// length of a strip of single triangles.
 const NARROW: f64 = 1.0;
 
-/// Upper bound of the growth of boundary pieces, per length.
+/// Largest increase of the length of boundary pieces per distance along the boundary.
 const GRADING: f64 = 0.3;
 
 /// Multiple of the longest segment above which a size has no influence, because with [`GRADING`] the sizes of
 /// [`sample`] stay below 1.3 of that segment.
 const WITHOUT_INFLUENCE: f64 = 2.0;
 
-/// The film with its first vertices in another order.
+/// Renumbers the first vertices of the film: vertex v becomes `numbers[v]`.
 fn renumbered(film: &Film, numbers: &[u32]) -> Film {
     let place = |v: u32| numbers.get(v as usize).copied().unwrap_or(v);
     let mut vertices = film.vertices.clone();
@@ -167,13 +171,13 @@ fn renumbered(film: &Film, numbers: &[u32]) -> Film {
     Film::new(vertices, &triangles, boundaries).expect("renaming keeps a manifold")
 }
 
-/// The paths along which the rings follow each other: from each point of the outer loop to its partner on the inner
-/// one.
+/// The paths on which the vertices of the rings lie: from each point of the outer loop to its partner on the inner
+/// loop, or to the centre.
 struct Skeleton {
     /// All boundary points, boundary by boundary.
     points: Vec<DVec3>,
     boundaries: Vec<Vec<u32>>,
-    /// The boundary whose number of points the rings have.
+    /// The boundary that determines the number of points of each ring.
     outer: usize,
     inner: Inner,
 }
@@ -311,8 +315,8 @@ impl Skeleton {
     }
 }
 
-/// Splits `splits` of the first `candidates` triangles (those of the outer ring) into three at their centres, evenly
-/// spread. When each has been split, the smaller triangles are split in turn.
+/// Splits `splits` of the first `candidates` triangles into three at their centres, evenly spread. The first triangles
+/// are those of the outer ring.
 fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candidates: usize, splits: usize) {
     for k in 0..splits {
         let t = k * candidates / splits.max(1);
@@ -328,8 +332,8 @@ fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candid
 mod tests {
     use super::*;
 
-    /// Input: a square with a short side. The grading adds points beside that side at any size, so that lengthening the
-    /// pieces did not end.
+    /// Input: a square with a short side. The grading adds points beside that side at any size, so that longer pieces
+    /// alone never bring the number of points below the limit.
     #[test]
     fn a_boundary_keeps_its_own_points_if_every_size_adds_too_many() {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.01, 1.0), (0.0, 1.0)];

@@ -1,4 +1,4 @@
-//! Points on a boundary: the points of the polygon, and with `refine` further ones on its long segments.
+//! Sampling of a boundary: the points of the polygon, and with `refine` additional points on its long segments.
 
 use crate::minimal_surface::options::BoundarySampling;
 use plateau_mesh::DVec3;
@@ -7,12 +7,12 @@ use plateau_mesh::DVec3;
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub points: Vec<DVec3>,
-    /// For each point whether it is a point of the polygon.
+    /// Whether each point belongs to the polygon, that is, was not added.
     pub own: Vec<bool>,
 }
 
-/// The vertex numbers of the points of sampled boundaries: first the polygons' points, boundary by boundary, then the
-/// added ones.
+/// Returns the vertex numbers of the points of sampled boundaries. The polygons' points come first, boundary by
+/// boundary, then the added points.
 pub(super) fn numbers(boundaries: &[Sampled]) -> Vec<u32> {
     let own = || boundaries.iter().flat_map(|boundary| &boundary.own);
     let (mut next_own, mut next_added) = (0, own().filter(|own| **own).count() as u32);
@@ -35,7 +35,7 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
     let n = polygon.len();
     let lengths: Vec<f64> = (0..n).map(|k| polygon[k].distance(polygon[(k + 1) % n])).collect();
     let mut wanted: Vec<f64> = (0..n).map(|k| size.min(lengths[k]).min(lengths[(k + n - 1) % n])).collect();
-    // Going round twice in each direction carries the size of every short segment to all others.
+    // Going round twice in each direction carries the size at every short segment to all other points.
     for k in 0..2 * n {
         let (a, b) = (k % n, (k + 1) % n);
         wanted[b] = wanted[b].min(wanted[a] + grading * lengths[a]);
@@ -59,8 +59,8 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
 /// Largest number of pieces into which one segment is divided. It bounds the size of the mesh where the sizes vanish.
 const MOST_PIECES: f64 = 1e5;
 
-/// Fractions of a segment at which it is divided. The sizes at its ends are `from` and `to`; they grow inwards by
-/// `grading`, up to `size`.
+/// Fractions of a segment at which it is divided. The wanted sizes at its ends are `from` and `to`. Between the ends,
+/// the size grows by `grading` per length, up to `size`.
 fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let meeting = ((to - from + grading * length) / (2.0 * grading)).clamp(0.0, length);
     let (up, down) = if from + grading * meeting <= size {
@@ -72,7 +72,7 @@ fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let flat = (down - up) / size;
     let fall = libm::log(1.0 + grading * (length - down) / to) / grading;
     let pieces = rise + flat + fall;
-    // If the spacing of the boundary makes the sizes vanish, the number of points is bounded.
+    // The count is bounded, because closely spaced boundary points can make the sizes vanish.
     let count = if pieces.is_finite() { (pieces - 0.3).ceil().clamp(1.0, MOST_PIECES) as usize } else { 1 };
     (1..count)
         .map(|k| {

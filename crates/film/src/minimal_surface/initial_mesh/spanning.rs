@@ -1,14 +1,14 @@
-//! Initial meshes with well-shaped triangles at a wanted resolution: a plane domain is meshed, and its mesh is mapped
+//! Builds initial meshes with well-shaped triangles at a wanted resolution: meshes a plane domain, and maps the mesh
 //! into space.
 //!
-//! 1. The boundaries become polygons in the plane: their projections if these are simple, else circles of the same arc
-//!    length. Three and more boundaries are laid out as they are seen from a point between them.
+//! 1. The boundaries become polygons in the plane: their projections if these are simple, otherwise circles on which
+//!    the points keep their fractions of arc length. Three or more boundaries are seen from a point between them.
 //! 2. The domain is meshed with sizes that are graded to the spacing of the boundary
 //!    ([`plane_mesh`](super::plane_mesh)). The size is adjusted until the resolution is met.
 //! 3. The mesh is mapped into space. A plane boundary needs no map. For a projected boundary the heights are extended
 //!    harmonically. Otherwise all coordinates are harmonic; with Delaunay triangles the weights are positive, so
 //!    this is a convex combination map (Tutte 1963, Floater 1997).
-//! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
+//! 4. For a fine mesh, a coarse mesh is made in this way and then subdivided regularly.
 
 mod mapping;
 
@@ -26,7 +26,7 @@ use plateau_mesh::remesh::isotropic::resample;
 use plateau_mesh::remesh::subdivision::subdivide;
 use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
 
-/// A film at a coarse resolution, and the number of subdivisions to the wanted one.
+/// A film at a coarse resolution, and the number of subdivisions that lead to the wanted resolution.
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     pub film: Film,
@@ -50,35 +50,35 @@ impl Start {
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of times that the growth is multiplied by [`GRADING_STEP`], which makes it 26, if the spacing of the
-/// boundary asks for more triangles than are wanted.
+/// Largest number of times that the grading is multiplied by [`GRADING_STEP`], which makes it 26. The grading is
+/// increased if the spacing of the boundary leads to more triangles than are wanted.
 const STEEPEST_GRADING: u32 = 11;
-/// Number of triangles per boundary edge in the zone between the boundary and the large triangles inside, multiplied by
-/// the growth of the edge length in that zone. Measured on a plane star of 50,000 points. It only decides which growth
-/// is tried first.
+/// Number of triangles per boundary edge in the zone between the boundary and the large triangles inside, times the
+/// grading in that zone. Measured on a plane star of 50,000 points. It only decides which grading is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
-/// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
-/// estimated, because a layout with the least growth has ten times as many triangles as wanted, and the boundary's own
-/// triangles are taken into account when the next size is chosen. A mesh of so few triangles is not subdivided.
+/// A boundary counts as dense if fewer triangles than this are wanted for each of its points. For a dense boundary the
+/// first grading is estimated, because a layout with the least grading has ten times as many triangles as wanted. Also,
+/// the triangles at the boundary are taken into account when the next size is chosen. A mesh of so few triangles is not
+/// subdivided.
 const DENSE: f64 = 3.0;
-/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary. It is above 1,
+/// Ratio of the wanted to the reached number of triangles at which the search aims on a dense boundary. It is above 1,
 /// because too few triangles are better than too many.
 const AIM: f64 = 1.01;
-/// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger coarse mesh would give more even
-/// triangles but take longer.
+/// Approximate lower bound of the number of triangles of a mesh that is then subdivided. A larger coarse mesh would
+/// give more even triangles but take longer.
 const COARSE_TRIANGLES: f64 = 450.0;
-/// A size is accepted if it meets the resolution to within this fraction.
+/// A size is accepted if the wanted number of triangles differs from the reached one by at most this fraction.
 const CLOSE_ENOUGH: f64 = 0.02;
-/// If the boundary is kept, a fine mesh is made by splitting the edges of a coarse mesh. The coarse mesh has this many
-/// triangles, or eight per boundary point if that is more.
+/// Least number of triangles of the coarse mesh from which a fine mesh with kept boundary points is made by splitting
+/// edges. The coarse mesh has this many triangles, or eight per boundary point if that is more.
 const FINEST_MAPPED: usize = 2_000;
-/// Number of passes of isotropic remeshing from that mesh to the wanted number of triangles.
+/// Number of passes of isotropic remeshing from this coarse mesh to the wanted number of triangles.
 const FINE_PASSES: u32 = 12;
-/// Largest number of sizes that are tried.
+/// Largest number of sizes that are tried for one mesh.
 const TRIALS: u32 = 10;
-/// Number of trials after which twice [`CLOSE_ENOUGH`] is accepted.
+/// Number of trials after which an error of twice [`CLOSE_ENOUGH`] is accepted.
 const PATIENCE: u32 = 3;
-/// Largest number of rounds that add vertices if no size gave enough.
+/// Largest number of rounds that add vertices if no size gave enough triangles.
 const DENSIFICATIONS: u32 = 4;
 
 /// Why there is no film: the domain has no mesh, or another error that [`Spanning::build`] returns.
@@ -99,8 +99,8 @@ impl From<Error> for NoFilm {
     }
 }
 
-/// Largest number of edges into which all fixed curves together are divided. It bounds the time, because each end is
-/// searched for in the whole film.
+/// Largest number of edges into which all fixed curves together are divided. It bounds the time, because the whole film
+/// is searched for the place of each end.
 const MOST_PINS: f64 = 2e4;
 
 static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
@@ -119,7 +119,7 @@ struct Meshed {
     plane: PlaneMesh,
 }
 
-/// Meshes one shape of domain over the boundaries.
+/// Meshes the boundaries with one shape of domain.
 pub(super) struct Spanning<'a> {
     pub boundaries: &'a [Vec<DVec3>],
     pub shape: Shape,
@@ -129,7 +129,7 @@ pub(super) struct Spanning<'a> {
 }
 
 impl Spanning<'_> {
-    /// The film, or why the domain has no mesh.
+    /// Returns the film, or the reason why the domain has no mesh. The outer error is one that ends the whole search.
     pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
         match self.try_build() {
             Ok(start) => Ok(Ok(start)),
@@ -155,8 +155,8 @@ impl Spanning<'_> {
         Ok(Start { film, subdivisions })
     }
 
-    /// Returns the number of triangles that the wanted edge length stands for on a mapped mesh. A coarse film is made
-    /// for that, because the area of a mapped mesh is known only in space. `None` for a plane domain or another
+    /// Converts a wanted edge length into a number of triangles if the domain is mapped into space. A coarse film is
+    /// built for this, because the area in space is not known before. `None` for a plane domain or another kind of
     /// resolution.
     fn resolution_in_space(&self) -> Result<Option<Resolution>, NoFilm> {
         if !self.shape.is_mapped() || !matches!(self.options.resolution, Resolution::EdgeLength(_)) {
@@ -170,17 +170,17 @@ impl Spanning<'_> {
         if count > LARGEST_COUNT as f64 {
             return Err(PlaneError::TooManyPoints.into());
         }
-        // The spacing of the boundary may ask for more triangles.
+        // The spacing of the boundary may require more triangles than the edge length.
         let least = self.unpinned(self.options).layout(self.largest_size(), GRADING, &Pinned::default())?.triangles;
         Ok(Some(Resolution::Triangles((count.round() as usize).max(least))))
     }
 
-    /// This problem with other options and without constraints.
+    /// The same problem with other options and without constraints.
     fn unpinned<'b>(&'b self, options: &'b Options) -> Spanning<'b> {
         Spanning { options, shape: self.shape.clone(), constraints: &NO_CONSTRAINTS, ..*self }
     }
 
-    /// The constraints as vertices and edges, with their places in the plane.
+    /// Converts the constraints to vertices and edges, and finds their places in the plane.
     fn pinned(&self) -> Result<Pinned, NoFilm> {
         if self.constraints.is_empty() {
             return Ok(Pinned::default());
@@ -194,7 +194,7 @@ impl Spanning<'_> {
                 let spanning = self.unpinned(&coarse);
                 let (meshed, _) = spanning.fit(&Pinned::default())?;
                 let (mut film, flat) = spanning.carry(&meshed, &Pinned::default())?;
-                // A few solves on the same connectivity bring the mesh near the film for which the points are meant.
+                // A few solves with the same connectivity bring the mesh near the film in which the constraints lie.
                 if let Ok(mut dirichlet) = Dirichlet::new(&film) {
                     let _ = (0..3).try_for_each(|_| dirichlet.step(&mut film));
                 }
@@ -216,8 +216,8 @@ impl Spanning<'_> {
         Ok(Pinned { pins, places })
     }
 
-    /// Refuses curves that would be divided into more pieces than the film can have triangles. One distant point is
-    /// enough to make a curve so long.
+    /// Refuses curves that would be divided into more pieces than the film can have triangles. A single distant point
+    /// can make a curve too long.
     fn check_lengths(&self, size: f64) -> Result<(), NoFilm> {
         if self.options.boundary_sampling == BoundarySampling::Keep {
             return Ok(());
@@ -239,9 +239,9 @@ impl Spanning<'_> {
         self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
 
-    /// Number of lattice points after which a layout is given up. Many points may lie in the rectangle around the
-    /// boundary but outside the boundary (a thin diagonal strip). The number may therefore exceed the wanted one, but
-    /// not without bound (a spike that is a million long).
+    /// Number of lattice points above which a layout is given up. It exceeds the wanted number of triangles, because
+    /// many points may lie in the rectangle around the boundary but outside the boundary (a thin diagonal strip). It is
+    /// bounded, because a spike in the boundary may be a million times longer than the rest.
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let asked = estimate(self.boundaries, self.options).triangles + boundary as f64;
@@ -254,8 +254,8 @@ impl Spanning<'_> {
         Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
     }
 
-    /// The resolution of the mesh in the plane. A mesh whose boundary must be kept cannot be subdivided. A fine one is
-    /// made by splitting the edges of a coarse one that has been improved before.
+    /// The resolution of the mesh in the plane. A mesh whose boundary must be kept cannot be subdivided. If it has to
+    /// be fine, a coarse mesh is made and improved first, and its edges are split afterwards.
     fn resolution(&self) -> Resolution {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let coarse = FINEST_MAPPED.max(8 * boundary);
@@ -271,17 +271,17 @@ impl Spanning<'_> {
         }
     }
 
-    /// Meshes with the size and the number of subdivisions that come nearest to the resolution.
+    /// Makes the plane mesh with the size and the number of subdivisions that come nearest to the resolution.
     fn fit(&self, pinned: &Pinned) -> Result<(Meshed, u32), PlaneError> {
         let goal = Goal { resolution: self.resolution(), ..self.goal() };
-        // With the largest size only the spacing of the boundary counts. A coarser mesh is possible only by faster
+        // At the largest size only the spacing of the boundary counts. A coarser mesh is possible only with a larger
         // grading.
         let mut step = self.first_grading_step(goal.resolution);
         let mut coarsest = self.layout(self.largest_size(), grading(step), pinned)?;
         if !matches!(self.shape, Shape::Disc { .. }) {
             coarsest.domain.check_simple()?;
         }
-        // Only the area in the plane is known yet. The area in space is about that divided by the square of the scale.
+        // Only the area in the plane is known yet. The area in space is about this area over the squared scale.
         let area = coarsest.domain.area() / (coarsest.scale * coarsest.scale);
         let triangle = 0.75f64.sqrt() / 2.0;
         let wanted = match goal.resolution {
@@ -299,8 +299,8 @@ impl Spanning<'_> {
         while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
             subdivisions -= 1;
         }
-        // An edge length that the spacing of the boundary does not allow is met where possible. A number of triangles
-        // must be met.
+        // If the spacing of the boundary does not allow an edge length, the edge length is met where possible. A number
+        // of triangles must be met.
         let by_number = !matches!(goal.resolution, Resolution::EdgeLength(_));
         let estimated = step;
         while by_number && goal.shortfall(&coarsest, subdivisions) < 1.0 && step < STEEPEST_GRADING {
@@ -327,7 +327,7 @@ impl Spanning<'_> {
         };
         let Layout { boundaries, domain, sites, triangles, .. } = layout;
         let mut plane = domain.mesh(&sites, self.exec)?;
-        // New vertices must keep a distance, so one round may not be enough.
+        // New vertices must keep a distance from each other, so one round may not be enough.
         for _ in 0..DENSIFICATIONS {
             let reached = plane.topology.triangles().len() as f64;
             let missing = (shortfall * triangles as f64 / reached).min(2.0) - 1.0;
@@ -339,8 +339,8 @@ impl Spanning<'_> {
         Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
 
-    /// Adjusts the size until the resolution is met. Returns the layout, and the ratio of the wanted to the reached
-    /// number of triangles. `first` is the first size to try; `coarsest` holds the grading, and the ratio at the
+    /// Adjusts the size until the resolution is met. Returns the layout, and its ratio of the wanted to the reached
+    /// number of triangles. `first` is the first size to try. `coarsest` holds the grading, and the ratio at the
     /// largest size.
     fn tune(
         &self,
@@ -353,7 +353,7 @@ impl Spanning<'_> {
         let (grading, at_largest) = coarsest;
         let largest = self.largest_size();
         let mut size = first.min(0.9 * largest);
-        // Logarithms of sizes and of the ratios there: too many triangles at the low end, too few at the high end.
+        // Logarithms of sizes and of their ratios: `low` has too many triangles, `high` has too few.
         let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (libm::log(largest), libm::log(at_largest)));
         let mut best: Option<(Layout, f64)> = None;
         for trial in 0..TRIALS {
@@ -368,7 +368,8 @@ impl Spanning<'_> {
             if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
                 best = Some((layout, shortfall));
             }
-            // The spacing of the lattice jumps beside the boundary, so the last percent is worth a few trials only.
+            // The number of lattice points beside the boundary jumps with the size, so the last percent is worth only a
+            // few trials.
             if (shortfall - 1.0).abs() <= if trial < PATIENCE { CLOSE_ENOUGH } else { 2.0 * CLOSE_ENOUGH } {
                 break;
             }
@@ -378,14 +379,13 @@ impl Spanning<'_> {
             } else {
                 high = here;
             }
-            // The number of triangles decreases with the square of the size, or more slowly where the spacing of the
-            // boundary decides. Beyond some size the number is constant, so the largest size is not used for the
-            // interpolation.
+            // The number of triangles decreases with the square of the size, or more slowly if the spacing of the
+            // boundary decides. Above some size it is constant, so the largest size is not used for interpolation.
             let square = here.0 - 0.5 * here.1;
             size = libm::exp(match low {
                 None => square,
                 Some(_) if high.0 == libm::log(largest) && self.is_dense(goal.resolution) => {
-                    // The triangles that the spacing of the boundary asks for do not depend on the size.
+                    // The number of triangles due to the spacing of the boundary does not depend on the size.
                     let inside = |shortfall: f64| 1.0 / shortfall - 1.0 / at_largest;
                     let ratio = inside(shortfall) / inside(AIM);
                     (here.0 + 0.5 * libm::log(ratio)).max(here.0 + 0.05).min(0.5 * (here.0 + high.0))
@@ -401,8 +401,8 @@ impl Spanning<'_> {
         Ok(best.expect("at least one layout was tried"))
     }
 
-    /// The number of steps of the growth to begin with. The layouts of a dense boundary take longer the slower the
-    /// sizes grow, so that it pays to begin near the growth that is needed.
+    /// Number of [`GRADING_STEP`]s of the grading that is tried first. On a dense boundary, a smaller grading makes a
+    /// larger layout, so the search starts near the grading that is needed.
     fn first_grading_step(&self, resolution: Resolution) -> u32 {
         let Resolution::Triangles(count) = resolution else { return 0 };
         if !self.is_dense(resolution) {
@@ -425,7 +425,7 @@ impl Spanning<'_> {
         self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
     }
 
-    /// The layout for a size, before any triangulation.
+    /// Makes the layout for a size, without triangulating it.
     fn layout(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Layout, PlaneError> {
         let sampling = self.options.boundary_sampling;
         let boundaries: Vec<Sampled> =
@@ -448,13 +448,13 @@ impl Spanning<'_> {
             segments: pinned.pins.edges.iter().map(|edge| edge.map(vertex)).collect(),
         };
         let scale = self.shape.scale(self.boundaries);
-        // The lattice starts from the largest size in the plane. Its spacing therefore follows the size without jumps
-        // where the scale is the same everywhere.
+        // The lattice starts from the largest size in the plane. If the scale is the same everywhere, its spacing
+        // therefore follows the size without jumps.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
         let sites = domain.sites(&|p| size * scale(p), size * largest, grading, self.largest_lattice(), self.exec)?;
         let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
-        // Euler's formula for one connected domain, whose characteristic is 2 minus the number of loops. A domain of
-        // several components has a few triangles less.
+        // Euler's formula for one connected domain, whose Euler characteristic is 2 minus the number of loops. A domain
+        // of several components has a few triangles fewer.
         let euler = 2 - boundaries.len() as i64;
         let triangles = (2 * sites.len() as i64 - i64::from(first) - 2 * euler).max(1) as usize;
         let mean_edge = match self.options.resolution {

@@ -1,5 +1,5 @@
-//! The matching of two closed loops: the direction and the start of the second one, and the strip of triangles between
-//! them.
+//! The matching of two closed loops: the direction and the start of the second loop, and the strip of triangles between
+//! the two.
 
 use plateau_mesh::DVec3;
 
@@ -8,18 +8,18 @@ use plateau_mesh::DVec3;
 pub(super) struct Matching {
     /// The points of Q in the order of the strip, starting opposite to the first point of P.
     pub order: Vec<usize>,
-    /// Each bridge as the index of its point of P and the position of its other end in `order`. The last entry is the
-    /// first bridge again, with the lengths of P and Q as its indices. There is one entry more than there are
+    /// Each bridge, as the index of its point on P and the position in `order` of its point on Q. The last entry
+    /// repeats the first bridge, with the numbers of points of P and Q as its indices, so there is one entry more than
     /// triangles.
     pub bridges: Vec<(usize, usize)>,
 }
 
-/// Number of samples on each loop that decide the direction and the start.
+/// Number of samples on each loop from which the direction and the start are determined.
 const SAMPLES: usize = 64;
 
 impl Matching {
-    /// The direction and start of Q for which points at equal fractions of arc length are nearest (least sum of
-    /// squares).
+    /// Matches Q to P: chooses the direction and the start of Q for which the points at equal fractions of arc length
+    /// are nearest (least sum of squared distances).
     pub fn between(p: &[DVec3], q: &[DVec3]) -> Self {
         let (from, to) = (samples(p), samples(q));
         let mut best = (f64::INFINITY, 0, false);
@@ -42,7 +42,7 @@ impl Matching {
         Self { bridges: march(&shares(p), &shares(&turned)), order }
     }
 
-    /// For each point of P the position in `order` at which the middle one of its bridges ends.
+    /// Returns for each point of P the position in `order` at which the middle one of its bridges ends.
     pub fn partners(&self, points: usize) -> Vec<usize> {
         let mut range = vec![(usize::MAX, 0); points];
         for &(i, j) in &self.bridges {
@@ -53,8 +53,8 @@ impl Matching {
         range.into_iter().map(|(low, high)| (low + high) / 2 % self.order.len()).collect()
     }
 
-    /// The triangles of the strip over vertices of P and of Q (numbered as Q was given). They run along P in its
-    /// direction.
+    /// Returns the triangles of the strip. `p` and `q` are the vertex numbers of the points of P and of Q, the latter
+    /// in the given order of Q. The triangles run along P in its direction.
     pub fn triangles(&self, p: &[u32], q: &[u32]) -> Vec<[u32; 3]> {
         let on_p = |i: usize| p[i % p.len()];
         let on_q = |j: usize| q[self.order[j % q.len()]];
@@ -68,7 +68,7 @@ impl Matching {
     }
 }
 
-/// Fractions of the arc length at which the points stand: from 0, with 1 added at the end.
+/// Fractions of the arc length from the first point to each point, followed by 1.
 fn shares(points: &[DVec3]) -> Vec<f64> {
     let total = plateau_mesh::polyline::length(points, true);
     let mut at = 0.0;

@@ -1,6 +1,6 @@
 //! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (Computer-Aided Design & Applications 5, 2008).
 //!
-//! Three processes on a mesh whose boundary is fixed (their sections 3.1 to 3.3):
+//! The method has three processes for a mesh whose boundary is fixed (their sections 3.1 to 3.3):
 //! 1. *Laplacian fairing* moves every interior vertex at once to Σ w_ij P_j. The weight w_ij is proportional to the
 //!    area of the two triangles at the edge ij.
 //! 2. *Area minimising* moves one vertex at a time, in index order, to the solution of the linearised equation ∂A/∂P_h
@@ -12,12 +12,13 @@
 //!
 //! Departures from the paper:
 //! - Their tolerances are areas. Ours are relative to the area, so that they mean the same at every scale.
-//! - Eq. 5 is written for the step P_h(new) - P_h, so that large coordinates cost no digits. With frozen weights it
-//!   minimises a weighted sum of squared distances to the lines of the opposite edges, so it does not raise the area
-//!   (Weiszfeld). The weight of a triangle without height would be infinite and is bounded.
-//! - A swap must gain more than rounding (1e-12 of the products of sides) and must not make a degenerate triangle.
-//! - Fairing does not lower the area in every step and could alternate between two states for ever. Each stage
-//!   therefore has at most its share of the remaining iterations.
+//! - Eq. 5 is written for the step P_h(new) - P_h, so that large coordinates cost no digits. With frozen weights the
+//!   step minimises a weighted sum of squared distances to the lines of the opposite edges, so it does not raise the
+//!   area (Weiszfeld). The weight of a triangle without height would be infinite and is bounded.
+//! - A swap must reduce the area by more than rounding (1e-12 of the products of sides) and must not make a degenerate
+//!   triangle.
+//! - Fairing does not lower the area in every step and could alternate between two states for ever. The iterations of
+//!   each stage are therefore limited to its share of the remaining iterations.
 
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, Process, Solver, VertexRelaxation};
@@ -31,10 +32,11 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 /// Largest number of sweeps if the caller gives none.
 const DEFAULT_SWEEPS: u32 = 10_000;
 
-/// Number of triangles visited between two checks for an interruption, which takes less than a millisecond.
+/// Number of triangles visited between two checks for an interruption. Visiting them takes less than a millisecond.
 const LOOK_EVERY: u64 = 20_000;
 
-/// Relaxes the film stage by stage. The mesh is valid at every moment; a deadline ends the run with the present mesh.
+/// Relaxes the film stage by stage. The mesh is valid at every moment; at a deadline the run ends with the present
+/// mesh.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel.
@@ -95,8 +97,8 @@ impl Relaxation<'_> {
             let share = (self.limit - self.iterations) / (stages.len() - k) as u32;
             let span = (k as f64 / stages.len() as f64, (k + 1) as f64 / stages.len() as f64);
             let ended = self.stage(stage, tolerance, self.iterations + share, span)?;
-            // The last stage decides the reason. A stage before it that used up its iterations leaves the rest of its
-            // work to the next.
+            // The last stage decides the reason. An earlier stage that used up its iterations leaves the rest of its
+            // work to the next stage.
             reason = if ended { StopReason::AreaChange } else { StopReason::MaxIterations };
         }
         Ok(reason)
@@ -142,8 +144,8 @@ impl Relaxation<'_> {
         }
     }
 
-    /// Adds a history row and reports progress, as often as [`Statistics::history`](crate::minimal_surface::Statistics)
-    /// documents.
+    /// Adds a history row and reports progress after the iterations that
+    /// [`Statistics::history`](crate::minimal_surface::Statistics) names.
     fn remember(&mut self, phase: &'static str, area: f64, fraction: f64, last: bool) {
         let k = self.iterations;
         let kept = k <= 100 || k.is_multiple_of(100) || (k <= 1000 && k.is_multiple_of(10));
@@ -228,7 +230,7 @@ impl Relaxation<'_> {
     }
 }
 
-/// The step of eq. 5 for one vertex, and the number of the vertex's triangles.
+/// Returns the step of eq. 5 for one vertex, and the number of its triangles.
 fn eq5_step(film: &Film, v: u32) -> (DVec3, u64) {
     let topology = &film.topology;
     let position = |vertex: u32| film.vertices[vertex as usize];

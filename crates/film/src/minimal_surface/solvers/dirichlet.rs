@@ -10,10 +10,10 @@ use plateau_mesh::film::Film;
 use plateau_mesh::remesh::delaunay::flip_to_delaunay;
 use plateau_mesh::{Error, Execution, Interruption};
 
-/// A single solve of steps 1 and 2 of [`harmonic`](crate::minimal_surface::harmonic), for the objective
-/// [`MinimalDirichletEnergy`](crate::minimal_surface::Objective::MinimalDirichletEnergy): the harmonic map from the
-/// initial mesh. The initial mesh is made Delaunay first, so that the weights are positive. The objective value is the
-/// energy ¼ Σ (cot α + cot β) |a'|² over the edges.
+/// Minimises the Dirichlet energy by a single solve of steps 1 and 2 of [`harmonic`](crate::minimal_surface::harmonic),
+/// for the objective [`MinimalDirichletEnergy`](crate::minimal_surface::Objective::MinimalDirichletEnergy). The result
+/// is the harmonic map from the initial mesh, which is made Delaunay first, so that the weights are positive. The
+/// objective value is the energy ¼ Σ (cot α + cot β) |a'|² over the edges.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large or too degenerate to factorise.

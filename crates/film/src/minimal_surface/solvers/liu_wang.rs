@@ -1,7 +1,7 @@
 //! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
 //!
-//! 1. The initial mesh is a Delaunay triangulation of the loop with n points inside, chosen by a seed from candidates
-//!    at barycentres (`initial_mesh/barycentres.rs`).
+//! 1. The initial mesh is a Delaunay triangulation of the loop with n points inside. The points are chosen by a seed
+//!    from candidates at barycentres (`initial_mesh/barycentres.rs`).
 //! 2. The mesh is faired once: every interior vertex becomes the mean of its neighbours (Tutte's map with uniform
 //!    weights). Then it is made Delaunay.
 //! 3. Levenberg and Marquardt's method (their Fig. 5) minimises F = ½ Σ H_i² over the positions of the interior
@@ -9,13 +9,14 @@
 //! 4. The mesh is made Delaunay again. Steps 3 and 4 repeat until the triangulation stays the same.
 //!
 //! Departures from the paper:
-//! - The curvatures at boundary vertices are left out unless the caller asks for them. Their eq. 1 has them, but half a
-//!   ring does not cancel, so F falls by degenerating triangles.
-//! - Step 2 is added, because without the curvatures at the boundary F has n terms for 3 n unknowns: every start
+//! - The curvatures at boundary vertices are left out unless the caller asks for them. Their eq. 1 includes them. But a
+//!   boundary vertex has only half a ring of triangles, whose terms do not cancel, so F falls by degenerating
+//!   triangles.
+//! - Step 2 is added, because without the curvatures at the boundary F has n terms for 3 n unknowns. Every start then
 //!   reaches F = 0 and keeps the layout of its points along the surface, so the start decides the result. Only the
-//!   candidate mesh of step 1 is faired; other starts are taken as they are.
+//!   candidate mesh of step 1 is faired; other initial meshes are taken as they are.
 //! - Lengths are divided by the radius R of the boundary first, because the four stopping criteria depend on the scale.
-//! - |F_k - F_{k-1}| is tested after accepted steps only. As printed, every rejected step would end the run.
+//! - |F_k - F_{k-1}| is tested after accepted steps only. In the printed form every rejected step would end the run.
 //! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there and
 //!   has a wrong sign.
 //! - Step 4 flips the edges whose two opposite angles add up to more than 180°. The mesh is then Delaunay on the
@@ -35,12 +36,13 @@ use plateau_mesh::sparse::levenberg_marquardt::{Criteria, LeastSquares, NormalEq
 use plateau_mesh::sparse::pattern::{FIXED, Pattern};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 
-/// Largest number of steps over all rounds if the caller gives none (k_max in the paper).
+/// Largest number of steps, over all rounds, if the caller gives none (k_max in the paper).
 const MAX_ITERATIONS: u32 = 500;
 /// Largest number of rounds of steps 3 and 4, because flips and solves could undo each other for ever.
 const MAX_ROUNDS: usize = 50;
 
-/// Damping at the start, as a fraction of the largest diagonal entry of JᵀJ (τ in Madsen, Nielsen and Tingleff).
+/// Damping of Levenberg and Marquardt's method at the start, as a fraction of the largest diagonal entry of JᵀJ (τ in
+/// Madsen, Nielsen and Tingleff).
 const DAMPING: f64 = 1e-6;
 
 /// The objective F = ½ Σ H² as a function of the positions of the vertices that may move.
@@ -109,11 +111,11 @@ impl LeastSquares<3> for Bending {
 /// Steps 2 to 4 on a film: lowers F = ½ Σ H² until the triangulation stays the same. The fairing of step 2 is made only
 /// if the film is a `candidate` mesh of step 1.
 ///
-/// `options.tolerance` is their ε, for lengths divided by R: a run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
+/// `options.tolerance` is their ε, for lengths divided by R. A run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
 /// √ε(1 + ‖δ‖∞), or after `max_iterations` steps. Where F vanishes, the *normal cycle* curvature of the surface
-/// vanishes. Such a surface is near a minimal surface, but its area is not the least; its residual tells how near. The
-/// run checks for an interruption after every sweep over the triangles and after every factorisation. At a deadline the
-/// film is the best one so far.
+/// vanishes. A surface with F = 0 is near a minimal surface, but does not have the least area; the residual tells how
+/// near it is. The run checks for an interruption after every sweep over the triangles and after every factorisation.
+/// At a deadline the film is the best film so far.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].
@@ -152,7 +154,8 @@ fn fair(film: &mut Film) {
     let mut means = vec![0.0; 3 * count];
     for (triangle, slots) in film.triangles().iter().zip(&pattern.slots) {
         for k in 0..3 {
-            // Every neighbour of an interior vertex is the end of one half-edge that starts there.
+            // This visits every neighbour of an interior vertex once, because each is the end of one half-edge from the
+            // vertex.
             let (row, end) = (pattern.free.unknown[triangle[k] as usize], triangle[(k + 1) % 3] as usize);
             if row == FIXED {
                 continue;

@@ -1,14 +1,15 @@
-//! Whether a stable film exists, or only its mesh holds it: a mesh of long edges holds a thin neck at distances at
-//! which no minimal surface connects the boundaries.
+//! Decides whether a stable film exists, or whether only its mesh holds it together. A mesh of long edges holds a thin
+//! neck at distances at which no minimal surface connects the boundaries.
 //!
-//! 1. The [margin](crate::equilibrium::stability::Margin) m of the film is compared with that of the film whose edges
-//!    are halved. Near the limit beyond which no film exists, m² is proportional to the distance from the limit, and
-//!    the mesh moves the limit by a multiple of h². The margin of a mesh of edges of length zero therefore is the root
-//!    of m_fine² - (m_coarse² - m_fine²) / 3.
+//! 1. The [margin](crate::equilibrium::stability::Margin) m of the film is compared with the margin of the film whose
+//!    edges are halved. Near the limit beyond which no film exists, m² is proportional to the distance from the limit,
+//!    and the mesh moves the limit by a multiple of h². The margin of a mesh of edges of length zero is therefore the
+//!    root of m_fine² - (m_coarse² - m_fine²) / 3.
 //! 2. If this root is not far from the margin of the film, the mesh is fine enough and the film exists.
-//! 3. Otherwise the mesh is refined where the film bends most in relation to its edges, which is at the neck. It is
-//!    also refined at a boundary in which a neck ends, if the edges there are as long as the boundary is wide: the mesh
-//!    is a cone there, whatever its margin. The film is solved on the refined mesh, and step 1 starts again.
+//! 3. Otherwise the mesh is refined where the film bends most in relation to its edges, which is at the neck. The mesh
+//!    is also refined at a boundary in which a neck ends, if the edges there are as long as the boundary is wide,
+//!    because the mesh is a cone there, whatever its margin. The film is solved on the refined mesh, and step 1 starts
+//!    again.
 //! 4. If the solver finds no film on the refined mesh, the film has collapsed. If the mesh may not be refined any
 //!    further, the film exists if the radicand in step 1 is positive.
 //! 5. On a mesh whose edges at a boundary are as long as the boundary is wide, the solver may find no film although one
@@ -22,25 +23,26 @@ use std::f64::consts::TAU;
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// A film of at least this margin whose edges turn by at most [`COARSE_TURNING`] exists without a further check. The
-/// edges of a film with one boundary do not matter, because it has no neck. Between rings this margin is reached at
-/// nine tenths of the largest distance.
+/// A film exists without a further check if it has at least this margin and its edges turn by at most
+/// [`COARSE_TURNING`]. In a film with one boundary the edges do not matter, because it has no neck. Between rings the
+/// margin has this value at nine tenths of the largest distance.
 const CALM: f64 = 0.6;
 /// Largest turning of the normal along an edge (radians) of a film that exists without a further check. The edges of a
 /// hexagonal neck turn further.
 const COARSE_TURNING: f64 = 0.7;
 /// A neck ends in a boundary if the normals along the boundary deviate from their mean by more than this (radians), or
-/// would do so on a fine mesh. A plane film around a small hole has no neck.
+/// would do so on a fine mesh. The normals of a plane film around a small hole do not deviate, so it has no neck.
 const BENT: f64 = 0.3;
-/// Largest length of an edge that ends at the boundary of a neck, as a fraction of the boundary's length over 2 π.
+/// Largest length of an edge that ends at the boundary of a neck, as a fraction of the length of that boundary over 2
+/// π. If an edge is longer, the mesh is refined there.
 const COARSE_EDGE: f64 = 0.7;
-/// A film is resolved if halving its edges once leaves at least this fraction of its margin.
+/// A mesh is fine enough if halving its edges leaves at least this fraction of the film's margin.
 const RESOLVED: f64 = 0.8;
-/// Turning of the normal along an edge (radians) at which the refinement aims first; each further round halves it. A
+/// Turning of the normal along an edge (radians) at which the first refinement aims. Each further round halves it. A
 /// neck has about 2 π / 0.25 = 25 edges around it after the first round.
 const FIRST_TURNING: f64 = 0.25;
-/// Smallest turning at which a refinement aims. The mesh then moves the limit by about a thousandth of the largest
-/// distance.
+/// Smallest turning of the normal along an edge (radians) at which a refinement aims. The mesh then moves the limit by
+/// about a thousandth of the largest distance.
 const LAST_TURNING: f64 = 0.06;
 /// Largest number of triangles that a refinement may make, unless twice the number of the film is more.
 const MOST_TRIANGLES: f64 = 40_000.0;
@@ -72,8 +74,8 @@ pub(crate) fn has_fine_ends(film: &Film) -> bool {
     })
 }
 
-/// The target edge lengths of step 5, one for each vertex. `None` if no boundary is narrow in comparison with the edges
-/// that end at it, or if the mesh would have too many triangles.
+/// Returns the target edge lengths of step 5, one for each vertex. Returns `None` if no boundary is narrow in
+/// comparison with the edges that end at it, or if the mesh would have too many triangles.
 pub(crate) fn sizes_at_narrow_ends(film: &Film) -> Option<Vec<f64>> {
     let longest = longest_free_edges(film);
     let mut sizes: Vec<f64> = longest.iter().map(|&length| if length > 0.0 { length } else { f64::INFINITY }).collect();
@@ -93,8 +95,8 @@ pub(crate) fn sizes_at_narrow_ends(film: &Film) -> Option<Vec<f64>> {
     is_affordable(film, &sizes).then_some(sizes)
 }
 
-/// For each vertex of a boundary in which a neck ends the boundary's length over 2 π, and infinity for all others. A
-/// film with one boundary has no neck that ends in it.
+/// Returns for each vertex of a boundary in which a neck ends the length of the boundary over 2 π, and infinity for all
+/// other vertices. A film with one boundary has no neck that ends in it.
 fn neck_radii(film: &Film) -> Vec<f64> {
     let mut radius = vec![f64::INFINITY; film.vertices.len()];
     if film.boundaries.len() < 2 {
@@ -111,7 +113,7 @@ fn neck_radii(film: &Film) -> Vec<f64> {
         let reach = boundary.iter().map(|&v| longest[v as usize]).fold(0.0, f64::max) / own;
         let steeper = if reach > 0.0 { reach / libm::log1p(reach) } else { 1.0 };
         let sum: DVec3 = boundary.iter().map(|&v| normals[v as usize]).sum();
-        // The normals around a cylinder add up to zero and have no mean direction.
+        // The normals around a cylinder add up to zero, so they have no mean direction.
         let has_mean = sum.length() > 0.5 * boundary.len() as f64;
         if has_mean && boundary.iter().all(|&v| steeper * measure::angle(normals[v as usize], sum) <= BENT) {
             continue;
@@ -121,7 +123,7 @@ fn neck_radii(film: &Film) -> Vec<f64> {
     radius
 }
 
-/// For each vertex the length of its longest edge that can move.
+/// Returns for each vertex the length of its longest edge with an end that can move.
 pub(crate) fn longest_free_edges(film: &Film) -> Vec<f64> {
     let mut longest = vec![0.0f64; film.vertices.len()];
     let topology = &film.topology;
@@ -136,8 +138,8 @@ pub(crate) fn longest_free_edges(film: &Film) -> Vec<f64> {
     longest
 }
 
-/// Steps 1 and 2 for the margin of a film and that of the film whose edges are halved `halvings` times. `fine` is
-/// `None` if no finer film was found.
+/// Does steps 1 and 2 for the margin of a film and the margin of the film whose edges are halved `halvings` times.
+/// `fine` is `None` if no finer film was found.
 pub(crate) fn compare(coarse: f64, fine: Option<f64>, halvings: u32) -> Look {
     let Some(fine) = fine else { return Look::Unresolved(None) };
     let growth = f64::from(4u32.pow(halvings.min(12)));
@@ -150,7 +152,8 @@ pub(crate) fn compare(coarse: f64, fine: Option<f64>, halvings: u32) -> Look {
     Look::Unresolved((limit > 0.0).then(|| limit.sqrt()))
 }
 
-/// The edges that can turn: both ends, the angle between the normals at the ends, and the length.
+/// Returns the interior edges with an end that can move: both ends, the angle between the normals at the ends, and the
+/// length.
 fn turnings(film: &Film) -> impl Iterator<Item = (usize, usize, f64, f64)> + '_ {
     let normals = measure::normals(&film.vertices, film.triangles());
     let topology = &film.topology;
@@ -163,8 +166,9 @@ fn turnings(film: &Film) -> impl Iterator<Item = (usize, usize, f64, f64)> + '_ 
     })
 }
 
-/// The target edge lengths of step 3, one for each vertex. They are chosen so that the normal turns along no edge by
-/// more than an angle that falls from round to round. `None` if the mesh may not be refined any further.
+/// Returns the target edge lengths of step 3, one for each vertex. They are chosen so that the normal turns along no
+/// edge by more than an angle that falls from round to round. Returns `None` if the mesh may not be refined any
+/// further.
 pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     let mut curvature = vec![0.0f64; film.vertices.len()];
     let mut longest = vec![0.0f64; film.vertices.len()];
@@ -197,7 +201,7 @@ pub(crate) fn finer_sizes(film: &Film) -> Option<Vec<f64>> {
     is_affordable(film, &sizes).then_some(sizes)
 }
 
-/// Whether a mesh of these sizes is not too large.
+/// Whether a mesh with these target edge lengths has at most the permitted number of triangles.
 fn is_affordable(film: &Film, sizes: &[f64]) -> bool {
     let unit = 0.75f64.sqrt() / 2.0;
     let triangles = |triangle: &[u32; 3]| {

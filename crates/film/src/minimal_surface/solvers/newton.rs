@@ -7,8 +7,8 @@
 //!    the method stalls, the solver returns to step 1. If the film converges with small angles, these are widened in
 //!    place, and Newton's method runs again. In the end the vertices slide along the film to where its triangles have
 //!    less area ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects the film once more.
-//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, a surface that is unstable
-//!    or whose index is undecided is left along its lowest mode.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, the solver moves away from
+//!    a surface that is unstable or whose index is undecided, along its lowest mode.
 //! 4. *Check of necks* ([`necks`](crate::minimal_surface::solvers::necks)). A stable film near the edge of stability is
 //!    compared with a finer one. Where its mesh is too coarse, the mesh is refined, and the film is solved again from
 //!    step 1. If Newton's method stalls on the refined mesh, the degenerate triangles are removed once.
@@ -46,28 +46,28 @@ pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// residual is no measure of nearness, because at vertices of uneven triangles it stays above 1 on the exact surface,
 /// however fine the mesh.
 const NEARLY_STATIONARY: f64 = 1.0;
-/// Largest number of returns to step 1 after Newton's method has stalled or left flipped triangles, and largest number
-/// of unstable surfaces that are left.
+/// Largest number of returns to step 1 after Newton's method has stalled or left flipped triangles. Also the largest
+/// number of unstable surfaces from which the solver moves away.
 const MAX_RETURNS: u32 = 2;
-/// Where Newton's method stalls on a refined mesh, triangles with an angle below this (radians, 0.06 degrees) are
-/// removed.
+/// Smallest angle (radians, 0.06 degrees) of the triangles that are kept where Newton's method stalls on a refined
+/// mesh. Triangles with a smaller angle are removed.
 const DEGENERATE: f64 = 1e-3;
 /// Largest number of refinements of a neck.
 const MOST_LOOKS: u32 = 4;
-/// Largest number of passes of one refinement. Each halves the longest edges once.
+/// Largest number of passes of one refinement. Each pass halves the longest edges once.
 const REFINING_PASSES: u32 = 8;
 
 /// Instructions for a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Task {
-    /// When the run ends.
+    /// The tolerance and the largest number of iterations.
     pub limits: Limits,
-    /// Whether an unstable surface is left.
+    /// Whether the solver reports an unstable surface or moves away from it.
     pub on_unstable: OnUnstable,
     /// Whether the initial mesh is the caller's own, which may lie near a stationary surface.
     pub given: bool,
-    /// Whether small angles may be widened, which changes the number of triangles. Meshes that the caller gave, and
-    /// rings, are not widened, because their triangles were promised.
+    /// Whether small angles may be widened, which changes the number of triangles. Meshes of the caller and rings are
+    /// not widened, because their triangles were promised.
     pub may_widen: bool,
     /// Whether a mesh that is too coarse for a neck may be refined, which can make many times as many triangles.
     pub may_refine: bool,
@@ -77,9 +77,9 @@ pub(crate) struct Task {
     pub slides: bool,
 }
 
-/// Steps 1 to 4 on a film.
+/// Does steps 1 to 4 on a film.
 ///
-/// The film becomes the best mesh that was reached. If it is not converged, the stop reason says why.
+/// The film becomes the best mesh that was reached. If that mesh is not converged, the stop reason says why.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
@@ -100,8 +100,8 @@ pub(crate) struct Solve<'a> {
     pub limit: u32,
     pub tolerance: f64,
     pub radius: f64,
-    /// Number of solves that each direction out of an unstable surface, and each refined mesh, may use if the caller
-    /// gives no limit. If the caller gives a limit, this is 0.
+    /// Number of solves that are allowed for each direction away from an unstable surface, and for each refined mesh,
+    /// if the caller gives no limit. If the caller gives a limit, this is 0.
     solves_per_way: u32,
     edges_swapped: u64,
     unstable_mode: Option<Vec<DVec3>>,
@@ -223,7 +223,8 @@ impl<'a> Solve<'a> {
                 return Ok((reason, Some(stability)));
             }
             returns += 1;
-            // The direction of the lower area may lead to a film that comes apart, and the other one to a minimum.
+            // The direction of the lower area may lead to a film that comes apart, and the other direction to a
+            // minimum.
             let before = film.clone();
             let ways = self.ways_out(film, &pattern, &state, &variation.lowest.vector);
             if ways.is_empty() {
@@ -233,8 +234,8 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// Returns a copy of the film that is refined to the target edge length in `sizes` at each vertex. `None` if the
-    /// copy has no more triangles than the film.
+    /// Returns a copy of the film that is refined to the target edge length in `sizes` at each vertex. Returns `None`
+    /// if the copy has no more triangles than the film.
     fn refined(&mut self, film: &Film, sizes: Vec<f64>) -> Result<Option<Film>, Interruption> {
         let mut finer = film.clone();
         refine(&mut finer, sizes, REFINING_PASSES, self.boundary_edges, self.exec)?;
@@ -243,8 +244,8 @@ impl<'a> Solve<'a> {
         Ok(grows.then_some(finer))
     }
 
-    /// Converges from each of the `ways` out of an unstable film, of which there is at least one, until a film holds.
-    /// If none does, the film is that of the first way.
+    /// Converges from each of the `ways` out of an unstable film, of which there is at least one, until a film
+    /// converges without flipped triangles. If none of them does, the film becomes that of the first way.
     fn leave(
         &mut self,
         film: &mut Film,
@@ -266,7 +267,7 @@ impl<'a> Solve<'a> {
     }
 
     /// Step 4: compares a stable film of this margin with the film whose edges are halved, and records the area that is
-    /// extrapolated from the two.
+    /// extrapolated from the two films.
     fn look(
         &mut self,
         film: &Film,
@@ -345,8 +346,9 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a
-    /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
+    /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. This surface need not be a
+    /// minimum, and Pinkall-Polthier solves would move away from it. Returns `None` and leaves the film unchanged if
+    /// there is no such surface.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let FilmState { gradient, mass, .. } = self.state(film, &pattern);
@@ -379,7 +381,8 @@ impl<'a> Solve<'a> {
         Ok(self.record.newton(&mut film.vertices, &motion, direct, &settings, "newton", done)?.0)
     }
 
-    /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
+    /// Step 3: computes the stability of the film. Returns `None` if the linear solver refuses the mesh, or if no
+    /// vertex can move.
     fn stability(
         &mut self,
         film: &Film,
@@ -407,9 +410,9 @@ impl<'a> Solve<'a> {
         Ok(Some((stability, variation, state)))
     }
 
-    /// Returns the vertices of an unstable film after a step along its lowest mode in either direction, the lower area
-    /// first. In each direction the step has the least area of four lengths. A direction in which each of them would
-    /// turn a triangle over is left out.
+    /// Returns the vertices of an unstable film after a step along its lowest mode, for both directions, the lower area
+    /// first. The step in each direction is the step of least area among four lengths. A direction is left out if each
+    /// of its four steps would turn a triangle over.
     fn ways_out(&self, film: &Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) -> Vec<Vec<DVec3>> {
         let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
         let mean_length = (state.energy / film.triangles().len() as f64).sqrt();

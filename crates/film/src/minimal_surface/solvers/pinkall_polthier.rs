@@ -1,10 +1,10 @@
-//! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules
-//! that keep its triangles sound, so that necks may close.
+//! The method of Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration
+//! with rules that remove degenerate triangles, so that necks may close.
 //!
 //! 1. Remove degenerate triangles ([`thin_triangles`](plateau_mesh::remesh::thin_triangles)), and record changes of
 //!    topology.
-//! 2. Solve once by Pinkall and Polthier: by conjugate gradients from the present positions, with elimination where
-//!    they do not converge, or by elimination alone.
+//! 2. Make one solve of Pinkall and Polthier, either by conjugate gradients from the present positions, with
+//!    elimination where they do not converge, or by elimination alone.
 //! 3. Repeat until the area changes by less than the area tolerance and the rules change nothing.
 //!
 //! Departures from the paper:
@@ -22,14 +22,15 @@ use plateau_mesh::{Error, Execution, Interruption};
 
 /// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Factor on the threshold angle after a linear system was refused, so that wider triangles are removed too.
+/// Factor by which the threshold angle grows after a linear system was refused, so that triangles with larger angles
+/// are removed too.
 const WIDER: f64 = 4.0;
 
-/// Steps 1 to 3 on a film.
+/// Does steps 1 to 3 on a film.
 ///
 /// Without [`PinkallPolthier::degenerate_angle`] step 1 is left out. The run ends with [`StopReason::AreaChange`], or
 /// with [`StopReason::Residual`] if the residual falls below its tolerance first. It ends with
-/// [`StopReason::Collapsed`] if the linear system is refused and the rules cannot mend the mesh. It checks for an
+/// [`StopReason::Collapsed`] if the linear system is refused and the rules cannot mend the mesh. The run checks for an
 /// interruption once for each solve.
 ///
 /// # Errors
@@ -48,20 +49,20 @@ pub(crate) fn run(film: &mut Film, options: &PinkallPolthier, limits: Limits, ex
     Ok(run)
 }
 
-/// Where [`iterate`] ends unless something else stops it.
+/// The event at which [`iterate`] ends unless something else stops it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
-    /// When the area no longer changes.
+    /// The area changes by no more than its tolerance.
     Settled,
-    /// When the area no longer changes, or after the solve that follows a change of topology
+    /// The area changes by no more than its tolerance, or the solve after a change of topology is done
     /// ([`StopReason::TopologyChange`]).
     Pinched,
 }
 
-/// Steps 1 to 3, adding to `record` and `run`.
+/// Does steps 1 to 3 and adds to `record` and `run`.
 ///
 /// # Errors
-/// As [`run`], and [`Error::Interrupted`] at a deadline too.
+/// The errors of [`run`], and [`Error::Interrupted`] at a deadline too.
 pub(crate) fn iterate(
     film: &mut Film,
     options: &PinkallPolthier,
@@ -145,7 +146,7 @@ mod tests {
         let run = run(&mut film, &options, limits(1e-4, None), &Execution::default()).unwrap();
         assert_eq!(run.stop_reason, StopReason::Residual);
         assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
-        // Between the polygons the area is a little below the smooth catenoid's 5.991797 between circles.
+        // The film between polygons has a slightly smaller area than the smooth catenoid between circles, 5.991797.
         assert!((film.area() - 5.9918).abs() < 0.02, "{}", film.area());
     }
 
@@ -176,7 +177,8 @@ mod tests {
         PinkallPolthier { cut_necks: true, ..PinkallPolthier::default() }
     }
 
-    /// A cylinder of radius 10 cut along a line, opened by `opening` radians: one loop.
+    /// A cylinder of radius 10 that is cut along a line and opened by `opening` radians, so that it has one boundary
+    /// loop.
     fn cut_cylinder(n: usize, strips: usize, height: f64, opening: f64) -> Film {
         plateau_mesh::structured::patch(n, strips, |u, v| {
             let angle = 0.5 * opening + u * (std::f64::consts::TAU - opening);
@@ -190,8 +192,8 @@ mod tests {
 
     #[test]
     fn figure_6_near_rings_keep_their_catenoid() {
-        // r = c cosh(h / (2c)) has c = 7.3966 at r = 10, h = 12 (the larger root): area π c² (sinh(h/c) + h/c) =
-        // 700.0...
+        // The catenoid r = c cosh(z / c) between rings of radius r = 10 at the distance h = 12 has r = c cosh(h /
+        // (2c)). The larger root is c = 7.4507, and the area is π c² (sinh(h/c) + h/c) = 699.96.
         let waist: (f64, f64) = (0..60).fold((8.3, 12.0 / 2.4), |(high, low), _| {
             let middle: f64 = 0.5 * (high + low);
             if middle * libm::cosh(6.0 / middle) > 10.0 { (middle, low) } else { (high, middle) }
@@ -207,7 +209,7 @@ mod tests {
             errors.push((film.area() - smooth).abs());
         }
         assert!(errors[2] < 0.05, "{errors:?} {smooth}");
-        // Second order: a quarter of the error for half the edge length.
+        // The error is of second order: it falls to a quarter with half the edge length.
         assert!(errors.windows(2).all(|pair| (3.0..5.0).contains(&(pair[0] / pair[1]))), "{errors:?}");
     }
 
@@ -251,7 +253,7 @@ mod tests {
             // The run ends above the area of the two discs.
             assert!(film.area() > 2.0 * disc_area(24) * (1.0 + 1e-9));
             let spared = run.history.iter().filter(|row| row.phase == "conjugate_gradients").count();
-            // Conjugate gradients fail as the neck closes, like in the paper, and elimination takes over.
+            // Conjugate gradients fail as the neck closes, as the paper reports, and elimination takes over.
             let expected = linear_solver == LinearSolver::ConjugateGradients;
             assert_eq!(spared > 0 && spared < run.history.len(), expected);
         }

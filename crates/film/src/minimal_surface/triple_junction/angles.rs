@@ -1,4 +1,4 @@
-//! The angles at the junctions of a film, measured between facets and between forces.
+//! Measures the angles at the junctions of a film, between facets and between forces.
 
 use super::film::JunctionFilm;
 use crate::energy::area::Facet;
@@ -10,7 +10,7 @@ use plateau_mesh::topology::edge_key;
 
 pub(super) const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
-/// The three angles (radians) between neighbouring directions, seen along an axis. They add up to a full turn.
+/// Returns the three angles (radians) between neighbouring directions, seen along an axis. They add up to a full turn.
 pub(super) fn angles_around(axis: DVec3, directions: [DVec3; 3]) -> [f64; 3] {
     let (u, v) = axis.any_orthonormal_pair();
     let mut at = directions.map(|direction| libm::atan2(direction.dot(v), direction.dot(u)));
@@ -60,7 +60,8 @@ pub(super) fn junction_statistics(
         |inside: bool| at_vertices.iter().filter(move |vertex| vertex.0 == inside).map(|(_, angles)| departure(angles));
     let at_ends = departures(false).fold(0.0, f64::max);
     let away = departures(true).reduce(f64::max);
-    // A junction of a single edge has no inner vertex. Its facets are measured instead.
+    // A junction of a single edge has no vertex inside. If all junctions are of this kind, the angles between facets
+    // are measured instead.
     let (largest, mean) = if at_vertices.is_empty() {
         let mean = Spread::of(facet_angles.iter().map(|angle| (angle - THIRD_OF_TURN).abs())).mean;
         (departure(&facet_angles), mean)
@@ -84,8 +85,9 @@ pub(super) fn junction_statistics(
     }
 }
 
-/// The forces (minus the area gradients) of the three sheets at a vertex inside a junction. Each is the sum over the
-/// fan of triangles from one junction edge to the other. `None` if the sheets cannot be told apart there.
+/// Returns the forces (minus the area gradients) of the three sheets at a vertex inside a junction. The force of a
+/// sheet is the sum over its fan of triangles from one junction edge to the other. Returns `None` if the triangles at
+/// the vertex do not form three fans of this kind.
 fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: &[usize]) -> Option<[DVec3; 3]> {
     let triangles = &film.complex.triangles;
     let mut forces = Vec::new();

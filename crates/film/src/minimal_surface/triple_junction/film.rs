@@ -1,4 +1,4 @@
-//! A film whose sheets meet three by three, as the mesh that it is read from.
+//! A film whose sheets meet three by three, and how it is read from a mesh.
 
 use crate::equilibrium::Body;
 use plateau_mesh::complex::{Complex, VertexKind};
@@ -6,7 +6,7 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::{DVec3, Error, Place, measure};
 use std::collections::BTreeMap;
 
-/// Four junctions and six sheets meet in a point of a soap film (Plateau's second law).
+/// Number of junctions that meet in a point of a soap film, together with six sheets (Plateau's second law).
 const JUNCTIONS_AT_A_POINT: usize = 4;
 
 /// A film whose sheets meet three by three.
@@ -17,12 +17,12 @@ pub(super) struct JunctionFilm {
 }
 
 impl JunctionFilm {
-    /// Reads a mesh.
+    /// Reads a film from a mesh.
     ///
     /// # Errors
-    /// [`Error::Input`] under `initial_mesh`: an edge of four triangles, a vertex that is not finite, a triangle
-    /// without area, or a [defect](plateau_mesh::complex::ComplexDefect) of the
-    /// complex.
+    /// [`Error::Input`] under `initial_mesh`: two triangles with the same corners, a triangle without area or with a
+    /// vertex that does not exist, a vertex that is not finite, an edge of more than three triangles, or a
+    /// [defect](plateau_mesh::complex::ComplexDefect) of the complex.
     pub fn read(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
         let place = || Place::field("initial_mesh");
         let mut errors = Vec::new();
@@ -67,17 +67,17 @@ impl JunctionFilm {
         triangle.map(|v| self.vertices[v as usize])
     }
 
-    /// The film as a body of surface tension 1.
+    /// Returns the film as a body of surface tension 1.
     pub fn body(&self) -> Body {
         Body::new(self.vertices.clone(), &self.complex, &vec![1.0; self.complex.sheets.len()])
     }
 
-    /// The unit tangent of a junction between two of its vertices; the x axis if they coincide.
+    /// Returns the unit tangent of a junction between two of its vertices; the x axis if they coincide.
     pub fn tangent(&self, [a, b]: [u32; 2]) -> DVec3 {
         (self.vertices[b as usize] - self.vertices[a as usize]).normalize_or(DVec3::X)
     }
 
-    /// The points at which a number of junctions other than four meet, with that number.
+    /// Returns the points at which a number of junctions other than four meet, each with that number.
     pub fn unstable_points(&self) -> Vec<(u32, usize)> {
         let mut meeting = vec![0; self.vertices.len()];
         self.complex.junctions().iter().flatten().for_each(|&v| meeting[v as usize] += 1);

@@ -1,4 +1,4 @@
-//! Half-circles from pole to pole of one sphere, and films between them.
+//! Films with junctions, above all films between half-circles of wire from pole to pole of one sphere.
 
 use super::super::options::{FreeTopology, InitialMesh, Newton, Resolution, TopologyRule};
 use super::angles::{THIRD_OF_TURN, angles_around};
@@ -6,8 +6,9 @@ use super::wires::Rim;
 use super::*;
 use plateau_mesh::measure::Spread;
 
-/// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths
-/// (degrees), `m` segments a half-circle and `n` rows from the axis; and the two loops of wire.
+/// Returns the boundary loops and the mesh of sheets from the polar axis to half-circles at the given azimuths
+/// (degrees). Each half-circle has `m` segments, and each sheet `n` rows of vertices from the axis. The axis is bent by
+/// `bend`, as a fraction of the radius. There is a loop for each two neighbouring half-circles.
 fn half_discs(azimuths_deg: &[f64], m: usize, n: usize, radius: f64, bend: DVec3) -> (Vec<Vec<DVec3>>, Mesh) {
     let angle = |i: usize| std::f64::consts::PI * i as f64 / m as f64;
     let pole = |sign: f64| DVec3::new(0.0, 0.0, sign * radius);
@@ -90,7 +91,7 @@ fn three_half_circles_120_degrees_apart_carry_three_half_discs() {
             assert!(statistics.converged && statistics.initial_area > statistics.area, "{statistics:?}");
             assert_eq!((junctions.sheets, junctions.curves.len(), junctions.points), (3, 1, 0));
             assert_eq!((junctions.edges, junctions.curves[0].len()), (m, m + 1));
-            // Three half-discs along a straight diameter, whatever the start.
+            // The result is three half-discs along a straight diameter, whatever the start.
             assert!((junctions.length - 2.0 * radius).abs() < 1e-9);
             let polygons = 1.5 * radius * radius * m as f64 * libm::sin(std::f64::consts::PI / m as f64);
             assert!((statistics.area - polygons).abs() < 1e-12 * polygons);
@@ -102,12 +103,12 @@ fn three_half_circles_120_degrees_apart_carry_three_half_discs() {
                 assert!(boundary.iter().zip(vertices).all(|(&p, &v)| surface.mesh.vertices[v as usize] == p));
             }
         }
-        // Second order in the wire's segments.
+        // The shortfall of the area is of second order in the length of the wire's segments.
         assert!(shortfalls.windows(2).all(|pair| (3.9..4.1).contains(&(pair[0] / pair[1]))), "{shortfalls:?}");
     }
 }
 
-/// Every second wire edge has a vertex in its middle, which the boundary does not name.
+/// Every second edge of the wires has a vertex in its middle that is not a point of the boundaries.
 #[test]
 fn further_vertices_on_the_wires_are_taken_as_they_are() {
     let (loops, mesh) = half_discs(&[0.0, 120.0, 240.0], 12, 4, 2.0, DVec3::new(0.3, -0.2, 0.0));
@@ -165,8 +166,9 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
     );
 }
 
-/// Largest deviation from 120° at the vertices of the junction with |z| < `reach`. The tangent planes are those of
-/// quadratic surfaces through the vertex, fitted to the vertices of each sheet in two rings of triangles.
+/// Returns the largest deviation (degrees) from 120° at the vertices of the junction with |z| < `reach`. The tangent
+/// planes are those of quadratic surfaces through the vertex. For each sheet a surface is fitted to the vertices of the
+/// sheet in two rings of triangles.
 fn fitted_departure_deg(surface: &MinimalSurface, reach: f64) -> f64 {
     let film = JunctionFilm::read(surface.mesh.vertices.clone(), surface.mesh.triangles.clone()).unwrap();
     let mut largest: f64 = 0.0;
@@ -201,8 +203,8 @@ fn conormal(film: &JunctionFilm, sheet: &[u32], v: u32, tangent: DVec3) -> DVec3
     let inward = offsets.iter().sum::<DVec3>().reject_from(tangent).normalize();
     let up = tangent.cross(inward);
     let size = offsets.iter().map(|offset| offset.length()).fold(0.0, f64::max);
-    // Heights b r + c s² + d s r + e r² over the plane of tangent (s) and inward (r): the junction is level at the
-    // vertex.
+    // The fitted heights are b r + c s² + d s r + e r² over the plane of tangent (s) and inward (r). There is no term
+    // in s alone, because s is the direction of the junction at the vertex.
     let (mut matrix, mut right) = (glam::DMat4::ZERO, glam::DVec4::ZERO);
     for offset in offsets.iter().map(|offset| *offset / size) {
         let (s, r, height) = (offset.dot(tangent), offset.dot(inward), offset.dot(up));
@@ -232,12 +234,12 @@ fn scale_and_motion_change_nothing() {
 
 #[test]
 fn four_junctions_meet_in_a_point_inside_a_tetrahedron() {
-    // The cone over a regular tetrahedron's six edges: six sheets, four junctions from the middle to the corners,
-    // 109.47° apart.
+    // The film is the cone over the six edges of a regular tetrahedron: six sheets and four junctions from the middle
+    // to the corners, 109.47° apart.
     let corners =
         [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)].map(|(x, y, z)| DVec3::new(x, y, z));
     let n = 8;
-    // The middle starts displaced.
+    // The start has its middle displaced from the origin.
     let middle = DVec3::new(0.3, -0.2, 0.1);
     let mut vertices = vec![middle];
     let mut find = |p: DVec3| {
@@ -264,7 +266,8 @@ fn four_junctions_meet_in_a_point_inside_a_tetrahedron() {
         }
     }
     let mesh = Mesh::new(vertices, triangles);
-    // The wire's points as the mesh has them, to the last bit.
+    // The points of the wire have exactly the coordinates of the mesh vertices, because boundary points are compared
+    // bit by bit.
     let on_wire = |a: DVec3, b: DVec3, k: usize| {
         let p = a.lerp(b, k as f64 / n as f64);
         *mesh.vertices.iter().min_by(|x, y| x.distance(p).total_cmp(&y.distance(p))).unwrap()
@@ -278,7 +281,7 @@ fn four_junctions_meet_in_a_point_inside_a_tetrahedron() {
     let junctions = surface.statistics.junctions.as_ref().unwrap();
     assert!(surface.statistics.converged, "{:?}", surface.warnings);
     assert_eq!((junctions.sheets, junctions.curves.len(), junctions.points), (6, 4, 1));
-    // Six triangles from the centre to the edges: 6 · ½ |p × q|.
+    // The cone consists of six triangles from the centre to the edges: 6 · ½ |p × q|.
     let cone = 3.0 * p.cross(q).length();
     assert!((surface.statistics.area - cone).abs() < 1e-9 * cone, "{} {cone}", surface.statistics.area);
     assert!(junctions.largest_deviation.to_degrees() < 1e-3);
@@ -298,7 +301,7 @@ fn what_is_no_such_film_is_refused() {
             other => panic!("{other:?}"),
         }
     };
-    // The request has two of the three wires only.
+    // The request has only one of the two loops, which covers two of the three wires.
     assert!(told(&loops[..1], &mesh).contains("such edges are no segment"));
     let mut moved = loops.clone();
     moved[0][2].x += 1e-3;
@@ -306,7 +309,7 @@ fn what_is_no_such_film_is_refused() {
     let mut bad = mesh.clone();
     bad.triangles[5][0] = 10_000;
     assert!(told(&loops, &bad).contains("does not exist"));
-    // A second copy of a triangle, whose edges look like a small junction.
+    // The mesh has a second copy of a triangle, whose edges look like a small junction.
     let mut bad = mesh.clone();
     let [a, b, c] = bad.triangles[5];
     bad.triangles.push([b, c, a]);
@@ -314,7 +317,7 @@ fn what_is_no_such_film_is_refused() {
     let mut bad = mesh.clone();
     bad.vertices.push(DVec3::ONE);
     assert!(told(&loops, &bad).contains("belongs to no triangle"));
-    // A fourth sheet on the same junction.
+    // The mesh has a fourth sheet at the same junction.
     let (four, mesh) = half_discs(&[0.0, 90.0, 180.0, 270.0], 6, 2, 1.0, DVec3::ZERO);
     assert!(told(&four, &mesh).contains("4 triangles share the edge"));
     let options = Options {

@@ -1,4 +1,4 @@
-//! The boundaries of a film with junctions, found among the vertices and edges of its mesh.
+//! Finds the boundaries of a film with junctions among the vertices and edges of its mesh.
 
 use super::film::JunctionFilm;
 use crate::minimal_surface::initial_mesh::ON_SEGMENT;
@@ -6,17 +6,18 @@ use plateau_mesh::polyline::position_key;
 use plateau_mesh::topology::edge_key;
 use plateau_mesh::{DVec3, Error, Mesh, Place};
 
-/// The boundaries as loops of mesh vertices, and new numbers for the vertices: first those at boundary points, by first
-/// appearance, then those between two neighbouring boundary points, then all others.
+/// The boundaries as loops of mesh vertices, and new numbers for all vertices. First come the vertices at boundary
+/// points, in the order of their first appearance, then the vertices between two neighbouring boundary points, then all
+/// others.
 #[derive(Debug)]
 pub(super) struct Wires {
-    /// For each boundary its vertices, added ones included, with the new numbers.
+    /// The vertices of each boundary, with the new numbers. Vertices between its points are included.
     pub loops: Vec<Vec<u32>>,
-    /// The vertices at the points of all boundaries, one boundary after the other.
+    /// The vertex at each boundary point, one boundary after the other, with the new numbers.
     pub vertex_of: Vec<u32>,
-    /// Number of distinct boundary points, which are the first vertices.
+    /// Number of distinct boundary points. Their vertices have the first numbers.
     pub points: usize,
-    /// For each old vertex its new number.
+    /// The new number of each vertex of the given mesh.
     number: Vec<u32>,
 }
 
@@ -73,7 +74,7 @@ impl Wires {
         (vertices, mesh.triangles.iter().map(|t| t.map(renumber)).collect())
     }
 
-    /// Checks that the boundary edges of the mesh are the segments of the boundaries.
+    /// Checks that the edges with one triangle are exactly the segments of the boundaries.
     pub fn check(&self, film: &JunctionFilm) -> Result<(), Error> {
         let mut wires: Vec<[u32; 2]> = self
             .loops
@@ -98,7 +99,7 @@ impl Wires {
     }
 }
 
-/// The edges that belong to a single triangle, each in both directions, sorted.
+/// The edges with exactly one triangle, each in both directions, sorted.
 #[derive(Debug)]
 pub(super) struct Rim(pub Vec<[u32; 2]>);
 
@@ -117,8 +118,8 @@ impl Rim {
         Self(edges)
     }
 
-    /// The vertices that the mesh has on the segment between two of its vertices, in order. Empty if no path of these
-    /// edges leads from one end to the other along the segment.
+    /// Returns the vertices that the mesh has on the segment between two of its vertices, in order. The result is empty
+    /// if no path of edges with one triangle leads along the segment from one end to the other.
     pub fn between(&self, mesh: &Mesh, from: u32, to: u32) -> Vec<u32> {
         let (a, b) = (mesh.vertices[from as usize], mesh.vertices[to as usize]);
         let along = b - a;

@@ -1,15 +1,15 @@
-//! The check of cables across the film that cross each other.
+//! Refuses cables across the film that cross each other without meeting.
 
 use super::super::options::{Course, Structure, cable_place};
 use plateau_mesh::error::InputError;
 use plateau_mesh::polyline::contact::{Segments, first_contact};
 use plateau_mesh::{DVec3, Execution, polyline};
 
-/// Two cables meet if they come nearer to each other than this fraction of the boundary's radius.
+/// Two cables meet if their distance is below this fraction of the boundary's radius.
 const MEETS: f64 = 1e-9;
 
-/// Refuses cables across a film with one boundary whose ends alternate along the boundary, so that they cross, although
-/// they do not meet in space: nothing says where they would be joined.
+/// Refuses two cables across a film with one boundary if their ends alternate along the boundary and the cables do not
+/// meet in space. The cables must then cross on the film, but nothing says where they are joined.
 pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError>) {
     let [boundary] = &structure.boundaries[..] else { return };
     let place = |point: &DVec3| boundary.iter().position(|own| own == point);
@@ -37,7 +37,7 @@ pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError
     }
 }
 
-/// Whether two polylines come nearer to each other than a distance.
+/// Whether two polylines come nearer to each other than the distance `near`.
 fn meet(a: &[DVec3], b: &[DVec3], near: f64) -> bool {
     let [a, b] = [a, b].map(|points| Segments::new(points, false));
     first_contact(&a, &b, near, |_| true, &Execution::default()).is_ok_and(|found| found.is_some())

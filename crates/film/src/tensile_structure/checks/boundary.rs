@@ -9,8 +9,8 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::polyline::{self, merge_near_neighbours};
 use plateau_mesh::{DVec3, Place};
 
-/// A length counts as longer than a chord from this ratio on: at a smaller one the force would exceed the film's
-/// tension times the chord by a factor of more than 10,000.
+/// A cable's length must exceed the chord by more than this fraction. With a smaller excess the cable's force would be
+/// more than 6,000 times the film's tension times the chord, because an arc of radius F / σ is that flat.
 const LEAST_EXCESS: f64 = 1e-9;
 
 pub(super) fn check_cable(
@@ -44,7 +44,8 @@ pub(super) fn check_cable(
     }
 }
 
-/// Checks where a cable runs, and takes its segments of the boundary. Returns false if the course has no two ends.
+/// Checks where a cable runs, and marks its segments of the boundary in `taken`. Returns false if the course is
+/// refused, so that the cable's mode cannot be checked against it.
 fn check_course(
     structure: &Structure,
     k: usize,
@@ -145,7 +146,7 @@ fn check_mode(structure: &Structure, k: usize, cable: &Cable, errors: &mut Vec<I
     errors.push(InputError::new(place().then("value"), detail));
 }
 
-/// Whether an end of the cable is a point that no support holds.
+/// Whether an end of the cable can move: a free point, a sliding point, a joint, or a point or the hub of a ring.
 fn ends_freely(structure: &Structure, cable: &Cable) -> bool {
     let position = |free: &BoundaryPoint| structure.boundaries.get(free.boundary)?.get(free.point).copied();
     let sliding = |sliding: &Sliding| match sliding.part {
@@ -172,8 +173,9 @@ fn ends_freely(structure: &Structure, cable: &Cable) -> bool {
 /// Largest distance of a boundary's point from the surface on which it slides, as a fraction of the boundaries' radius.
 const ON_SUPPORT: f64 = 1e-9;
 
-/// The segments of its boundary along which a part slides: none for a point. `None`, with an error, if a point does not
-/// exist or cannot slide. The boundary has `count` points, and `name` is the field that names the part.
+/// Returns the segments of the boundary along which a part slides; a single point has none. Returns `None` and adds an
+/// error if a point does not exist or cannot slide. The boundary has `count` points, and `name` is the field that names
+/// the part.
 fn slid_segments(
     structure: &Structure,
     k: usize,
@@ -275,7 +277,7 @@ fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[
     for &point in sliders {
         let place = || Place::field("boundaries").at(boundary).at(point);
         if let Some(extent) = sliding.on.extent() {
-            // The distance of a point with coordinates that are not numbers is NaN.
+            // The distance is NaN if a coordinate of the point is not a number.
             let distance = extent.distance(points[point]);
             if distance.is_nan() || distance > extent.rounding() {
                 let detail = format!(
@@ -302,8 +304,8 @@ fn check_distances(structure: &Structure, k: usize, boundary: usize, sliders: &[
     }
 }
 
-/// Largest number of triangles of a mesh within its rounding of a point that slides on it. All of them are looked at in
-/// every step; with two to three lengths of an edge as the rounding there are about fifty.
+/// Maximum number of triangles of a support's mesh within the mesh's rounding of a sliding point, because every step
+/// visits all of them. With a rounding of two to three edge lengths there are about fifty.
 const MOST_NEAR: usize = 2000;
 
 fn check_contact_angle(

@@ -45,7 +45,7 @@ fn check_chamber(structure: &Structure, k: usize, errors: &mut Vec<InputError>) 
         errors.push(InputError::new(place(), "must be a finite number"));
         return;
     }
-    // Two layers close the space between them wherever their common edge is.
+    // The space between two layers is closed even if their common edge moves. The space below the last layer is not.
     if below + 1 == structure.layers.len() {
         let hangs = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
         let moving_edges = [
@@ -69,13 +69,14 @@ fn check_chamber(structure: &Structure, k: usize, errors: &mut Vec<InputError>) 
     }
 }
 
-/// The chamber below a layer; `None` if the space is not closed, as in front of the first layer (`layer` is `None`).
+/// Returns the chamber below a layer, or `None` if the space there is not closed. `layer` is `None` for the space in
+/// front of the first layer, which is never closed.
 fn chamber_below(structure: &Structure, layer: Option<usize>) -> Option<usize> {
     structure.chambers.iter().position(|chamber| Some(chamber.below) == layer)
 }
 
-/// The pressure below each layer less that above it, where both are known before the solve, and the chamber that it
-/// follows from.
+/// For each layer the pressure below it minus the pressure above it, and a chamber from which this difference follows.
+/// `None` if one of the two pressures is not known before the solve.
 fn known_differences(structure: &Structure) -> Vec<Option<(f64, usize)>> {
     let known = |layer: Option<usize>| match chamber_below(structure, layer) {
         None => Some((0.0, None)),
@@ -117,7 +118,8 @@ fn check_pressures(structure: &Structure, errors: &mut Vec<InputError>) {
     if errors.len() > before {
         return;
     }
-    // Of two layers without weight over the same edge the one with the larger curvature lies in front.
+    // Of two weightless layers over the same edge, the layer with the larger curvature lies in front. The curvature is
+    // the pressure difference over the tension.
     for (layer, pair) in differences.windows(2).enumerate() {
         let [Some((above, chamber)), Some((below, _))] = *pair else { continue };
         let [upper, lower] = [layer, layer + 1].map(|k| &structure.layers[k]);
@@ -135,11 +137,13 @@ fn check_pressures(structure: &Structure, errors: &mut Vec<InputError>) {
     }
 }
 
-/// The largest pressure that a layer of constant tension can hold: the pressure on the opening's vector area is borne
-/// by the tension along its perimeter and by the cables that end there, |p A| <= σ P + Σ F, with the larger of the
-/// stresses of warp and weft for σ. Infinite where something that is not known before the solve bears it: several
-/// boundaries, whose openings may balance each other; an edge that moves; stresses that vary along the edge, as those
-/// of a heavy film do; and a cable across the film whose force at its ends is not given.
+/// Returns the largest pressure that a layer of constant tension can hold. The tension σ along the perimeter P of the
+/// opening and the forces F of the cables that end there must bear the pressure p on the opening's vector area A: |p A|
+/// <= σ P + Σ F. For a woven film σ is the larger of the stresses of warp and weft.
+///
+/// The limit is infinite if the pressure is partly borne by something that is not known before the solve: by several
+/// boundaries, whose openings may balance each other; by an edge that moves; by stresses that vary along the edge, as
+/// in a heavy film; or by a cable across the film whose force at its ends is not given.
 fn pressure_limit(structure: &Structure, layer: usize) -> f64 {
     let [points] = &structure.boundaries[..] else { return f64::INFINITY };
     let film = &structure.layers[layer];
@@ -157,8 +161,9 @@ fn pressure_limit(structure: &Structure, layer: usize) -> f64 {
     (largest * polyline::length(points, true) + borne) / (0.5 * doubled_area_vector(points).length())
 }
 
-/// The sum of a cable's forces at its two ends, if it is given with the mode; else infinite. A woven film pulls along
-/// the cable and changes its force, by an amount that is known only with the shape.
+/// The sum of a cable's forces at its two ends, or infinity if the mode does not give them. The sum is infinite on a
+/// woven film too, because the film pulls along the cable and changes the cable's force by an amount that is known only
+/// with the shape.
 fn forces_at_ends(structure: &Structure, cable: &Cable) -> f64 {
     if cable.weight > 0.0 || structure.weave().is_some() {
         return f64::INFINITY;

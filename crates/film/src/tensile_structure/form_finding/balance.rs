@@ -9,7 +9,7 @@ use crate::tensile_structure::options::Pressure;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
 
-/// The forces of the found shape, which the balance takes as given.
+/// Forces of the found shape, which the balance does not change.
 struct Given {
     /// Per triangle, one layer after the other, the stress in the reference shape.
     stresses: Vec<PlaneStress>,
@@ -20,7 +20,7 @@ struct Given {
 }
 
 impl Run<'_> {
-    /// Makes step 3. If the linear system is refused, `found` stays without a balance.
+    /// Runs step 3. If the solver refuses the linear system, `found` stays without a balance.
     pub(super) fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let reference = body.vertices.clone();
@@ -29,8 +29,8 @@ impl Run<'_> {
         let place = self.hold_forces(&mut body, &given, &loads, &reference);
         let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
         let (mut outcome, mut state) = self.solve(&mut body, &settings, "balance", 0.2)?;
-        // The balance moves vertices along the film, so the weights are renewed until they are those of the mesh that
-        // leaves.
+        // The balance moves vertices along the film, so the weights are renewed until they belong to the mesh that is
+        // returned.
         for _ in 0..RENEWED_LOADS {
             let renewed = self.loads(&body.vertices);
             let change = renewed.iter().zip(&loads).map(|(new, old)| new.distance(*old)).fold(0.0, f64::max);
@@ -85,14 +85,14 @@ impl Run<'_> {
     }
 
     /// Replaces the energies of the body by those of the given forces, and lets its vertices move in all directions.
-    /// Returns the place of the loads among the terms.
+    /// Returns the index of the load among the terms.
     fn hold_forces(&self, body: &mut Body, given: &Given, loads: &[DVec3], reference: &[DVec3]) -> usize {
         let Given { stresses, densities, pushing } = given;
         body.terms.clear();
-        // The forces of the cables are now those of their densities; only lengths and volumes keep their values.
+        // Force densities give the forces of the cables, so only the constraints of given lengths and volumes stay.
         body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
-        // The length of a mast that pushes with a given force is held at what was found. With a force density in its
-        // place all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
+        // A mast that pushes with a given force is held at the length that was found. With a force density in its place
+        // all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
         for (place, &k) in pushing.iter().enumerate() {
             let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
             let held = Constraint::value(Box::new(quantity.clone()), quantity.value(reference));
@@ -124,7 +124,8 @@ impl Run<'_> {
         place
     }
 
-    /// The force that its constraint adds to each cable, and the pressure in each chamber.
+    /// Returns the force that the constraint of its length adds to each cable, 0 without a constraint, and the pressure
+    /// in each chamber.
     fn found_multipliers(&self, state: &State<Frame>, pushing: &[usize]) -> (Vec<f64>, Vec<f64>) {
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         let mut more = vec![0.0; self.model.cables.len()];
@@ -136,7 +137,8 @@ impl Run<'_> {
     }
 
     /// Adds the pressures on the triangles to the loads. The gradient of a volume includes the cone over the film's
-    /// edge, but a pressure acts on the triangles only: in the `forces` the one is replaced by the other.
+    /// edge, but a pressure acts only on the triangles. In `forces` the gradient of the volume is therefore replaced by
+    /// the pressure on the triangles.
     fn load_walls(&self, pressures: &[f64], at: &[DVec3], loads: &mut [DVec3], forces: &mut [DVec3]) {
         let chambers = self.structure.chambers.iter().zip(pressures);
         for (chamber, &pressure) in chambers.filter(|(_, pressure)| **pressure != 0.0) {

@@ -1,5 +1,5 @@
-//! The body of a structure at the present shape of its model: the energies of films, cables, contacts, weights and
-//! chambers.
+//! Assembles the body of a structure at the present shape of its model: the energies of films, cables, contacts,
+//! weights and chambers.
 
 use super::cable_force::ForceBy;
 use super::{Layer, Model, ModelCable, Renewal, Stage};
@@ -13,13 +13,13 @@ use plateau_mesh::complex::Complex;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Place, measure};
 
-/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may
-/// be far from those of an equilibrium, where no part of a cable pushes.
+/// Lower bound of the force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The
+/// bound is needed because the start may be far from equilibrium. In equilibrium no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
 
 impl Model {
-    /// The body with the terms of the structure, first those of the layers. `grown` is the fraction of the given
-    /// volumes that the chambers have in this body.
+    /// Builds the body with the terms of the structure, those of the layers first. In this body a chamber of given
+    /// volume is required to have `grown` times that volume.
     pub fn body(&self, structure: &Structure, grown: f64, stage: Stage) -> Result<Body, Error> {
         let mut body = self.films_as_body(structure)?;
         self.set_freedoms(&mut body, structure);
@@ -41,7 +41,7 @@ impl Model {
         Ok(body)
     }
 
-    /// The layers as a body whose boundaries are fixed.
+    /// A body of the layers alone, whose boundaries are fixed.
     fn films_as_body(&self, structure: &Structure) -> Result<Body, Error> {
         let invalid = |defect| Error::no_result(Reason::InvalidMesh, format!("the film's mesh is damaged: {defect}"));
         let complex =
@@ -68,7 +68,7 @@ impl Model {
             body.freedoms[self.films + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
         }
         for (k, ModelCable { chain, .. }) in self.cables.iter().enumerate() {
-            // Nothing but the film holds a slack cable across it.
+            // A slack cable across the film moves with the film, so its vertices keep the freedom of film vertices.
             if self.is_let_go(k) && matches!(structure.cables[k].course, Course::Across(_)) {
                 continue;
             }
@@ -98,8 +98,8 @@ impl Model {
             body.terms.push(Box::new(contact.clone()));
         }
         if structure.has_heavy_layers() {
-            // The stress field alone determines the stresses of a woven film, so its weight is a load and changes no
-            // stress.
+            // The stress field alone determines the stresses of a woven film, so the film's weight is a load that
+            // changes no stress.
             if self.stress_field.is_some() {
                 body.terms.push(Box::new(Load { forces: self.film_loads(structure, &body.vertices) }));
             } else {
@@ -113,10 +113,10 @@ impl Model {
     /// Adds the energy of a cable and the constraint that determines its force, if there is one.
     fn add_cable(&self, body: &mut Body, structure: &Structure, k: usize, stage: Stage) {
         let ModelCable { term: cable, by, further_forces, .. } = &self.cables[k];
-        // A straight cable in the air has no other shape, so its length is a constraint from the start.
+        // A cable of a single segment in the air is always straight, so its length is a constraint from the start.
         let by_length = matches!(by, ForceBy::Length(_) | ForceBy::Elastic { .. });
         let at_start = match stage {
-            // The length of a straight chain has no gradient across it, so it cannot be a constraint yet.
+            // Where a chain is straight, its length has no gradient across the chain, so it cannot be a constraint yet.
             Stage::Settling => match *by {
                 ForceBy::Equation(_) => true,
                 ForceBy::Length(_) => cable.segments.len() > 1,
@@ -167,7 +167,7 @@ impl Model {
         by_volume
     }
 
-    /// Adds a cable to the body with its start force in place of the condition that determines its force.
+    /// Adds a cable to the body with its start force. The condition that determines the final force is left out.
     fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
         let ModelCable { term: cable, by, start_force: force, .. } = &self.cables[k];
         if *by == ForceBy::Law {
@@ -179,7 +179,8 @@ impl Model {
             body.terms.push(Box::new(energy::Length { segments: cable.segments.clone(), tension: force }));
             return;
         }
-        // The own energy of a heavy cable has no minimum as long as its force is too small for its sag.
+        // The energy of a heavy cable has no minimum while the force is too small for the sag. Force densities and a
+        // load that are computed at the present shape take its place.
         let at = &body.vertices;
         let catenary = self.catenary(structure, k, at);
         let mean = cable.weight * cable.mean_height(at);
@@ -201,7 +202,7 @@ impl Model {
         body.terms.push(Box::new(Load { forces: loads }));
     }
 
-    /// The weight of each layer, with the datum at its mean height at these positions.
+    /// The weight term of each layer. Heights are measured from the layer's mean height at these positions.
     pub fn weights(&self, structure: &Structure, vertices: &[DVec3]) -> Vec<Weight> {
         let weight = |(layer, film): (&Layer, &FilmStress)| {
             Weight::new(layer.triangles().collect(), film.weight, structure.up, vertices)
@@ -209,7 +210,8 @@ impl Model {
         self.layers.iter().zip(&structure.layers).map(weight).collect()
     }
 
-    /// The forces on the rings from outside, in equal shares on the vertices of each; `None` if there are none.
+    /// The external forces on the rings, as a force on each vertex. The vertices of a ring share its force equally.
+    /// `None` if all of these forces are 0.
     pub fn ring_forces(&self, structure: &Structure) -> Option<Vec<DVec3>> {
         if structure.rings.iter().all(|ring| ring.force == 0.0) {
             return None;
@@ -235,8 +237,8 @@ impl Model {
         loads
     }
 
-    /// Renews the stresses of a woven film by the given rule, and then the forces that its pull adds to the segments of
-    /// its cables. Returns the largest relative change of a stress; 0 for other films.
+    /// Renews the stresses of a woven film by the given rule, then the forces that the film's pull adds to the segments
+    /// of the cables. Returns the largest relative change of a stress, or 0 if the film is not woven.
     pub fn renew_stresses(&mut self, structure: &Structure, renewal: Renewal) -> Result<f64, LinearError> {
         let at = self.vertices();
         let loads = self.film_loads(structure, &at);

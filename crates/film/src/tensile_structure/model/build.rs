@@ -1,4 +1,4 @@
-//! The model of a structure: its mesh, the vertices and the start forces of its cables, and its supports.
+//! Builds the model of a structure: its mesh, the vertices and the start forces of its cables, and its supports.
 
 use super::cable_force::{ForceBy, Swing, law, start_force};
 use super::{Layer, Model, ModelCable, MovingRing, segments};
@@ -14,14 +14,16 @@ use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, Error, Execution, Mesh, polyline};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Fewest segments of a heavy cable in the air.
+/// Minimum number of segments of a heavy cable in the air.
 const LEAST_AIR_SEGMENTS: f64 = 16.0;
-/// Most segments of a heavy cable in the air. More would not show in the shape of a catenary.
+/// Maximum number of segments of a heavy cable in the air. More segments would not show in the shape of a catenary.
 const MOST_AIR_SEGMENTS: f64 = 1000.0;
-/// Largest distance of a vertex from the segment of a cable across the film, as a fraction of the segment's length.
+/// A vertex counts as lying on a segment of a cable across the film up to this distance, as a fraction of the segment's
+/// length.
 const ON_SEGMENT: f64 = 1e-9;
 
-/// The options of the surface that the form finding starts from: one harmonic map.
+/// The options of the surface with which form finding starts: a single harmonic map, in which the cables across the
+/// film are constraint polylines.
 pub(in crate::tensile_structure) fn start_options(
     structure: &Structure,
     options: &Options,
@@ -38,8 +40,8 @@ pub(in crate::tensile_structure) fn start_options(
 }
 
 impl Model {
-    /// Meshes the boundaries and finds the vertices of the cables.
-    /// The edges of the final mesh are `share` times as long as those of this one.
+    /// Meshes the boundaries and finds the vertices of the cables. `share` is the edge length of the final mesh divided
+    /// by that of this mesh.
     pub fn build(structure: &Structure, options: &Options, share: f64, exec: &Execution) -> Result<Self, Error> {
         let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
         let centre = polyline::mean(&all);
@@ -49,7 +51,7 @@ impl Model {
         start.constraints.polylines.iter_mut().flatten().for_each(|point| *point -= centre);
         let surface = minimal_surface::solve(&centred, &start, exec)?;
         let warnings = surface.warnings.into_iter().filter(|warning| warning.code == "merged_points").collect();
-        // The numbers of the input's vertices count through all boundaries.
+        // For each boundary the vertices of its points, as vertex numbers of the whole mesh.
         let input_vertices = surface.input_vertices;
         let invalid = || Error::no_result(Reason::InvalidMesh, "the initial mesh is no oriented manifold");
         let mut mesh = surface.mesh;
@@ -95,8 +97,8 @@ impl Model {
         Ok(model)
     }
 
-    /// Finds the vertices, the laws and the start forces of the cables. `across` has for each cable across the film its
-    /// vertices.
+    /// Finds the vertices, the laws and the start forces of the cables. `across` holds, for each cable across the film,
+    /// the vertices of its points.
     fn add_cables(&mut self, structure: &Structure, across: Vec<Vec<u32>>) -> Result<(), Error> {
         let lost = || Error::no_result(Reason::InvalidMesh, "a cable across the film has no edges in the initial mesh");
         let mut across = across.into_iter();
@@ -154,9 +156,9 @@ impl Model {
         (0..=count).map(|k| rim[(first + k) % rim.len()]).collect()
     }
 
-    /// The vertices of a cable across the film from its first point to its last, with those that meshing added in
-    /// between; `None` if no edges connect its points. Locks these edges and fixes these vertices. The film has only
-    /// one layer then.
+    /// Returns the vertices of a cable across the film from its first point to its last, including the vertices that
+    /// meshing added between its points. Returns `None` if no edges connect the points. Locks these edges and fixes
+    /// these vertices. A film with a cable across it has only one layer.
     fn across(&mut self, points: &[u32]) -> Option<Vec<u32>> {
         let film = &mut self.layers[0].film;
         let mut chain = vec![*points.first()?];
@@ -186,7 +188,7 @@ impl Model {
         (chain.len() > 1).then_some(chain)
     }
 
-    /// Makes the rings that move and the vertices of hubs and joints.
+    /// Adds the moving rings, and the vertices of hubs and joints.
     fn join(&mut self, structure: &Structure) {
         for ring in &structure.rings {
             let mut vertices = self.boundaries()[ring.boundary].clone();
@@ -233,7 +235,7 @@ impl Model {
         let mut chain = vec![first];
         for k in 1..pieces {
             let share = k as f64 / pieces as f64;
-            // Without a catenary the cable starts with a sag of a tenth of its chord, so that it has a curvature.
+            // The cable starts with a sag of a tenth of its chord, so that it is curved even if no catenary is found.
             let sag = 0.4 * straight * share * (1.0 - share) * structure.up;
             chain.push((self.films + self.air.len()) as u32);
             self.air.push(ends[0] - self.centre + share * (ends[1] - ends[0]) - sag);
@@ -243,8 +245,8 @@ impl Model {
         chain
     }
 
-    /// Lets a part of the boundary slide on a surface and moves its vertices onto it. `tension` is the film's tension,
-    /// which the energy of an edge with a contact angle needs.
+    /// Lets a part of the boundary slide on its support and moves the vertices of that part onto the support. `tension`
+    /// is the film's tension, which the energy of an edge with a contact angle needs.
     fn slide(&mut self, sliding: &Sliding, tension: f64) {
         let number = self.supports.len() as u32;
         let on = sliding.on.moved(-self.centre);
@@ -290,8 +292,8 @@ impl Model {
     }
 }
 
-/// Divides every edge that connects two vertices of the boundaries through the inside at its middle. Two layers over
-/// the same boundaries would both have it, and could not come apart there.
+/// Splits every inner edge whose two ends are boundary vertices at its middle. Two layers over the same boundaries
+/// would share this edge and could not come apart there.
 fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
     let mut on_boundary = vec![false; mesh.vertices.len()];
     boundaries.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
@@ -303,7 +305,7 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
     let mut middles = BTreeMap::new();
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
     for &triangle in &mesh.triangles {
-        // The middle of the side that begins at each corner, if it is a chord.
+        // For each corner the middle of the side that begins there, if this side is a chord between boundary vertices.
         let middle = [0, 1, 2].map(|k| {
             let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
             let side = (a.min(b), a.max(b));

@@ -8,29 +8,30 @@ use plateau_mesh::DVec3;
 /// The quantity that determines the force of a cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tensile_structure) enum ForceBy {
-    /// The law of its energy.
+    /// The law of the cable's energy.
     Law,
-    /// Its length, which is a constraint with the force as its multiplier.
+    /// The given length of the cable. The length is a constraint, and the force is the multiplier of this constraint.
     Length(f64),
-    /// Its length, which yields to the force: the cable is elastic.
+    /// The unstressed length and the stiffness: the cable is elastic. The length is a constraint that yields to the
+    /// force.
     Elastic {
-        /// The length without force.
+        /// L0, the length without force.
         unstressed: f64,
-        /// EA.
+        /// EA, the axial stiffness, a force.
         stiffness: f64,
     },
-    /// An equation that replaces a given length in the constraint: the cable is heavy, or its sag or its horizontal
-    /// component is given.
+    /// An equation that takes the place of a given length in the constraint. It is used if the cable is heavy, or if
+    /// its sag or its horizontal component is given.
     Equation(Equation),
 }
 
-/// Damps the changes of a cable's force where the force is computed from the shape and the shape follows from the
-/// force, so that both might swing to and fro without end.
+/// Damps the changes of a cable's start force. The force is computed from the shape, and the shape follows from the
+/// force, so both could oscillate without end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
-    /// The part of a change that is made.
+    /// Fraction of a wanted change that is made.
     share: f64,
-    /// The last change that was asked for.
+    /// The last wanted change, before damping.
     last: f64,
 }
 
@@ -41,12 +42,12 @@ impl Default for Swing {
 }
 
 impl Swing {
-    /// A change opposite to the last one counts as an oscillation if it is above this fraction of the last one.
+    /// A change of opposite sign counts as an oscillation if its magnitude exceeds this fraction of the last change.
     const LASTS: f64 = 0.7;
-    /// Smallest part of a change that is made.
+    /// Lower bound of the fraction of a change that is made.
     const LEAST_SHARE: f64 = 0.1;
 
-    /// The part of a change that is made, which is halved while the changes go to and fro.
+    /// Returns the damped change. Every oscillation halves the fraction of the change that is made.
     pub fn damped(&mut self, change: f64) -> f64 {
         if change * self.last < 0.0 && change.abs() > Self::LASTS * self.last.abs() {
             self.share = (0.5 * self.share).max(Self::LEAST_SHARE);
@@ -56,20 +57,21 @@ impl Swing {
     }
 }
 
-/// Least horizontal part of a chord, as a fraction of its length, by which a start force divides a horizontal
-/// component.
+/// Lower bound of the horizontal part of a cable's unit direction. A start force is a given horizontal component
+/// divided by this part, and without the bound it would be infinite for a vertical cable.
 pub(super) const LEAST_ACROSS: f64 = 0.1;
 
-/// Half angle, in radians, of the flattest arc with which a cable of given length begins. It limits the force in
-/// [`Stage::Settling`](super::Stage::Settling), where the ends may stand further apart than the cable is long.
+/// Half of the central angle, in radians, of the flattest arc with which a cable of given length begins. It bounds the
+/// force in [`Stage::Settling`](super::Stage::Settling), where the ends may be further apart than the cable is long.
 const FLATTEST: f64 = 0.05;
 
-/// The radius of an arc of the given length over a chord; the radius of the flattest arc if the chord is not shorter.
+/// The radius of the circular arc of the given length over a chord. If the chord is not shorter than the arc, the
+/// radius of the flattest arc is returned.
 fn arc_radius(chord: f64, length: f64) -> f64 {
     if chord >= length {
         return 0.5 * length / FLATTEST;
     }
-    // The half angle t with sin t / t = chord / length, by bisection: the quotient falls from 1 to 0.
+    // Bisection for the half angle t with sin t / t = chord / length. The quotient falls from 1 at t = 0 to 0 at t = π.
     let (mut low, mut high) = (0.0, std::f64::consts::PI);
     for _ in 0..60 {
         let middle: f64 = 0.5 * (low + high);
@@ -78,7 +80,7 @@ fn arc_radius(chord: f64, length: f64) -> f64 {
     0.5 * length / low.max(FLATTEST)
 }
 
-/// The law of a cable and what determines its force.
+/// The law of a cable's energy, and the quantity that determines the cable's force.
 pub(super) fn law(cable: &Cable) -> (Law, ForceBy) {
     let by_equation = |equation| (Law::Multiplier, ForceBy::Equation(equation));
     if let (Course::Mast(_), CableMode::Force(force)) = (&cable.course, cable.mode) {
@@ -122,8 +124,8 @@ pub(super) fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32
         CableMode::ForceDensity(density) => density * length(),
         CableMode::Length(length) => load * arc_radius(chord, length),
         CableMode::UnstressedLength(unstressed) => {
-            // The force F of an arc of radius F / load whose length is L0 (1 + F / EA), by bisection: the length of the
-            // arc falls with the force. The arc of the least force is half a circle.
+            // Bisection for the force F of the arc of radius F / load whose length is L0 (1 + F / EA). The length of
+            // the arc falls with the force, and the arc of the least force is half a circle.
             let stiffness = cable.axial_stiffness.unwrap_or(1.0);
             let (mut low, mut high) = (0.5 * load * chord, 0.5 * load * chord + stiffness * (2.0 * chord / unstressed));
             for _ in 0..60 {
@@ -137,7 +139,8 @@ pub(super) fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32
     }
 }
 
-/// The mean force of a cable, weighted by the lengths of its segments, its least and its largest force.
+/// Returns the mean force of a cable, weighted by the lengths of its segments, then the least and the largest force of
+/// a segment. `further` is added to the force of every segment.
 pub(in crate::tensile_structure) fn forces(term: &cable::Cable, further: f64, at: &[DVec3]) -> (f64, f64, f64) {
     let (mut sum, mut total, mut least, mut most) = (0.0, 0.0, f64::INFINITY, f64::NEG_INFINITY);
     for (k, &segment) in term.segments.iter().enumerate() {

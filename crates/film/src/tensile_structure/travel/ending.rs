@@ -7,19 +7,21 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::remesh::moving::Neck;
 use plateau_mesh::{DVec3, Place};
 
-/// A cable of given force counts as shrinking only below this length, in spans. Its forces cannot balance before it has
-/// shrunk to nothing or found its length, so a failure of Newton's method on the way is not counted.
+/// A cable of given force counts as shrinking only if it is shorter than this fraction of the start's span. Until the
+/// cable has shrunk to nothing or found its length, its forces cannot balance, so a failure of Newton's method in the
+/// meantime is not counted.
 const SHORT: f64 = 0.2;
-/// A cable counts as shrinking if a round leaves it shorter than this fraction of its length before.
+/// A cable counts as shrinking if a round leaves it shorter than this fraction of its length before the round.
 const SHRINKS: f64 = 0.97;
-/// Consecutive rounds in which a corner or a narrow place goes on closing before it counts as closed.
+/// Number of consecutive rounds in which a corner or a narrow place must go on closing before it counts as closed.
 const CLOSING: u32 = 10;
 /// A corner below this angle, in degrees, may be closing. Sharp corners open again, so the angle alone decides nothing.
 const CLOSES: f64 = 3.0;
 /// A corner counts as closed if it stays below this angle, in degrees, for [`STAYS_CLOSED`] rounds.
 const CLOSED: f64 = 0.2;
+/// Number of consecutive rounds below [`CLOSED`] after which a corner counts as closed.
 const STAYS_CLOSED: u32 = 3;
-/// A vertex runs away beyond this distance from the start's centre, in radii of the start.
+/// A vertex runs away if it is farther than this from the start's centre, in radii of the start.
 const FAR: f64 = 20.0;
 
 /// Figures that an attempt follows from round to round to see whether a part closes or shrinks to nothing.
@@ -36,18 +38,19 @@ pub(super) struct Watch {
     pinching: u32,
     pub necks: u32,
     pub last_neck: Option<Neck>,
-    /// A shape in equilibrium on the last level, whose mesh is to be renewed. It has no neck.
+    /// A shape in equilibrium on the last level without a neck, as it was before its mesh was renewed.
     pub worn: Option<Model>,
     compressed: u32,
-    /// The length of the shortest cable of given force in the air, and whether it is shrinking.
+    /// The length of the shortest cable of given force in the air.
     shortest: f64,
+    /// Whether this cable is shrinking.
     pub shrinks: bool,
 }
 
 /// The narrowest place between two sides of the film.
 #[derive(Clone, Copy)]
 pub(super) struct Strait {
-    /// The width over the distance from the nearest corner.
+    /// The width divided by the distance from the nearest corner.
     ratio: f64,
     width: f64,
     place: DVec3,
@@ -183,7 +186,7 @@ impl Run<'_> {
                 "the film closes at point {point} of boundary {boundary}, at {}: its sides meet at {angle:.2} degrees",
                 place(at[v as usize])
             );
-            // A support does not move: the other end of one of its two sides has moved too far.
+            // If the corner is a support, it has not moved: the other end of a side has moved too far.
             let ends = self.model.cables.iter().map(ModelCable::ends);
             let other = |[a, b]: [u32; 2]| if a == v { Some(b) } else { (b == v).then_some(a) };
             let own = self
@@ -212,7 +215,8 @@ impl Run<'_> {
         }
     }
 
-    /// Finds the narrowest chord between two sides and follows its width in `watch`.
+    /// Finds the narrowest chord, which is an inner edge between two boundary vertices, relative to its distance from
+    /// the nearest corner. Follows its width in `watch`.
     fn narrowest(&self, watch: &mut Watch, at: &[DVec3], edge: f64) {
         let topology = &self.model.layers[0].film.topology;
         let kept: Vec<DVec3> = self.model.corners().iter().map(|corner| at[corner.0 as usize]).collect();
@@ -240,7 +244,7 @@ impl Run<'_> {
         watch.narrow = narrow;
     }
 
-    /// The ending of an attempt in which no step keeps the mesh.
+    /// The ending of an attempt in which no step keeps the mesh valid.
     pub(super) fn stuck(&self, watch: &Watch) -> Ending {
         let narrow = watch.narrow.filter(|strait| strait.ratio < 0.03);
         if watch.least_angle < CLOSES {

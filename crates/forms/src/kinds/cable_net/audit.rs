@@ -1,4 +1,4 @@
-//! The stated figures of a cable net, measured again.
+//! Measures the stated figures of a cable net again, and compares.
 
 use super::Group;
 use super::solve::SolverInput;
@@ -9,7 +9,7 @@ use plateau_archive::Lines;
 use plateau_archive::archive::CABLES;
 use plateau_mesh::DVec3;
 
-/// Forces on one vertex, and how far rounding may move their sum.
+/// Sum of the forces on one vertex, and the distance by which rounding may move it.
 #[derive(Clone, Copy, Default)]
 struct Forces {
     sum: DVec3,
@@ -64,7 +64,7 @@ impl SolverInput {
         self.compare_balance(audit, &mut on_vertices, largest);
     }
 
-    /// Requires that supports are where the request has them.
+    /// Requires that each support is at its position in the request.
     fn compare_points(&self, audit: &mut Audit) {
         let vertices = &audit.contents.mesh.vertices;
         let mut expected = vertices.clone();
@@ -129,7 +129,7 @@ impl SolverInput {
         }
     }
 
-    /// Compares the reactions and the forces that are not balanced.
+    /// Compares the reactions, the balance of loads and reactions, and the unbalanced forces on the free vertices.
     fn compare_balance(&self, audit: &mut Audit, on_vertices: &mut [Forces], largest_force: f64) {
         let loads: DVec3 = (0..on_vertices.len()).map(|v| self.net.load(v)).sum();
         let load_scale: f64 = (0..on_vertices.len()).map(|v| self.net.load(v).length()).sum();
@@ -159,8 +159,8 @@ impl SolverInput {
         self.compare_loss(audit);
     }
 
-    /// Compares the loss unless it contains the load path, which is relative to that of a start that the result does
-    /// not contain.
+    /// Compares the loss, unless the load path has a weight. The load path counts relative to its value at the start,
+    /// which the result does not contain.
     fn compare_loss(&self, audit: &mut Audit) {
         let options = &self.options;
         if options.load_path_weight > 0.0 {

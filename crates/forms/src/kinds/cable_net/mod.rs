@@ -235,8 +235,8 @@ impl KindRequest for CableNetRequest {
 }
 
 impl CableNetRequest {
-    /// Returns the number of each edge's cable. Edges that no cable lists belong to the cable without a list, if there
-    /// is one.
+    /// Returns for each edge the number of its cable. Edges that no cable lists belong to the cable without a list, if
+    /// there is one.
     fn check_cables(&self, errors: &mut Vec<FieldError>) -> Vec<Option<usize>> {
         let mut of_edge = vec![None; self.edges.len()];
         let mut rest = None;
@@ -289,7 +289,7 @@ impl CableNetRequest {
         of_edge
     }
 
-    /// Returns the load on each vertex, or nothing if there are no loads.
+    /// Returns the load on each vertex, or an empty list if there are no loads.
     fn check_loads(&self, errors: &mut Vec<FieldError>) -> Vec<DVec3> {
         if self.loads.is_empty() {
             return Vec::new();
@@ -386,7 +386,7 @@ fn numbered(count: usize) -> String {
     format!("there are {count} vertices, numbered from 0")
 }
 
-/// Converts the places of the geometry's errors to those of the request.
+/// Converts the geometry's errors to errors at the corresponding fields of the request.
 fn placed(error: GeometryError, of_edge: &[Option<usize>]) -> Rejection {
     let GeometryError::Input(errors) = error else { return error.into() };
     Rejection::Invalid(errors.iter().map(|error| FieldError::new(pointer(error, of_edge), &*error.detail)).collect())

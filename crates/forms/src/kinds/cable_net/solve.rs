@@ -1,4 +1,4 @@
-//! From a checked request for a cable net to its stored result.
+//! Solves a checked request for a cable net, and makes the archive of its result.
 
 use super::{CableNetStatistics, Group};
 use crate::audit::comparison::Audit;
@@ -19,7 +19,7 @@ pub(super) struct SolverInput {
     pub force: ForceUnit,
 }
 
-/// Number of edges that a warning names.
+/// Maximum number of edges that a warning names.
 const NAMED_EDGES: usize = 10;
 
 impl solved::SolverInput for SolverInput {
@@ -80,7 +80,8 @@ fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
     warnings
 }
 
-/// Names the edges that are marked, and returns their number, if there are any.
+/// Returns `detail` followed by the names of the first marked edges, and the number of all marked edges. Returns `None`
+/// if no edge is marked.
 fn edges_where(marked: &[bool], detail: &str) -> Option<(String, usize)> {
     let edges: Vec<usize> = (0..marked.len()).filter(|&k| marked[k]).collect();
     let names: Vec<String> = edges.iter().take(NAMED_EDGES).map(|k| format!("/edges/{k}")).collect();

@@ -8,7 +8,7 @@ use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Groups of a net's edges for statistics and files.
+/// A group of a net's edges in statistics and files: the edges of a cable, or all edges that no cable lists.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     pub name: String,

@@ -1,4 +1,4 @@
-//! The stated figures of an enlargement, measured again.
+//! Measures the stated figures of an enlargement again, and compares.
 
 use super::solve::SolverInput;
 use crate::audit::comparison::Audit;

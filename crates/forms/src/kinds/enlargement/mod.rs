@@ -1,4 +1,4 @@
-//! The mesh of a finished job, enlarged. Only builds for tests have this kind: it shows what a kind needs at least, and
+//! Enlargements of the mesh of a finished job. Only test builds have this kind. It shows how little a kind needs, and
 //! that a kind may begin with the result of a job (docs/adding-a-kind.md).
 
 mod audit;

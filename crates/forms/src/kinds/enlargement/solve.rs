@@ -1,4 +1,4 @@
-//! From a checked request for an enlargement to its stored result.
+//! Solves a checked request for an enlargement, and makes the archive of its result.
 
 use crate::audit::comparison::Audit;
 use crate::common::Point;
@@ -14,7 +14,7 @@ use serde_json::Value;
 pub(super) struct SolverInput {
     pub source: Source,
     pub factor: f64,
-    /// Factor of the stated area.
+    /// Factor between the stated area and the true area. With any value but 1 the audit must fail.
     pub stated: f64,
 }
 

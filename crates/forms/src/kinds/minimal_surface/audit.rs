@@ -1,4 +1,4 @@
-//! The stated figures of a film, measured again.
+//! Measures the stated figures of a film again, and compares.
 
 use super::solve::SolverInput;
 use crate::audit::comparison::Audit;
@@ -56,8 +56,8 @@ impl SolverInput {
         if !(constraints.points.is_empty() && constraints.polylines.is_empty())
             && let Some(stated) = contents.at_vertices(MEAN_CURVATURE)
         {
-            // The mesh names no vertices of constraints. Points that were added on fixed curves are known by their
-            // curvature, which is stated as 0.
+            // The result does not list the vertices of constraints. Vertices that were added on fixed curves are
+            // recognised by their curvature, which is stated as 0.
             is_fixed.iter_mut().zip(&stated.values).for_each(|(fixed, &value)| *fixed |= value == 0.0);
         }
         // At a junction of three sheets the film's normal is not defined.
@@ -77,7 +77,8 @@ impl SolverInput {
     fn compare_objective(&self, audit: &mut Audit, area: Measured) {
         match self.options.method.objective() {
             Objective::MinimalArea => audit.figure("/objective_value", area),
-            // The energy of a map is at least the area of its image; the map's domain does not leave with the mesh.
+            // The Dirichlet energy of a map is at least the area of its image. It cannot be measured again, because the
+            // result does not contain the map's domain.
             Objective::MinimalDirichletEnergy => {
                 audit.figure("/objective_value", Measured { high: f64::INFINITY, ..area });
             }
@@ -98,7 +99,7 @@ impl SolverInput {
             "/certificate/gap",
             Measured { value: gap(area.value), low: gap(area.low), high: gap(area.high).next_up() },
         );
-        // A proven bound lies below every surface with this boundary.
+        // A proven bound is at most the area of every surface with this boundary.
         let above = area.high >= bound;
         audit.require(above, || "the area is at least the proven bound".into(), || format!("{}", area.value));
     }

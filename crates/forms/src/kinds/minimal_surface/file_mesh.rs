@@ -1,9 +1,9 @@
-//! The client's own initial mesh as a binary glTF file: from base64 to a mesh whose boundary has the request's
-//! coordinates.
+//! Reads the client's own initial mesh from a binary glTF file in base64, and gives its boundary the exact coordinates
+//! of the request.
 //!
-//! The numbers of a file are f32, and a mesh has to run through the request's f64 points exactly. So each vertex on the
-//! mesh's boundary that is within the rounding of the file from a point of the request takes the place of that point,
-//! and vertices between two such places move onto the straight line between them.
+//! The numbers of a file are f32, but the mesh has to run through the request's f64 points exactly. Therefore a vertex
+//! on the mesh's boundary moves to a point of the request that is within the rounding of the file, and boundary
+//! vertices between two moved vertices move onto the straight line between them.
 
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
@@ -16,18 +16,18 @@ use std::collections::HashMap;
 
 const POINTER: &str = "/initial_mesh/glb";
 
-/// Largest number of bytes of a file, for each triangle that a mesh may have, and for its document. A triangle of a
-/// closed mesh has 12 bytes of indices and half a vertex; a vertex has 12 bytes of position and rarely more than 100 of
-/// others.
+/// Largest size of a file in bytes, for each triangle that a mesh may have. A triangle of a closed mesh has 12 bytes of
+/// indices and half a vertex. A vertex has 12 bytes of position and rarely more than 100 bytes of other attributes. The
+/// next constant is the allowance for the file's JSON document.
 const BYTES_PER_TRIANGLE: usize = 128;
 const BYTES_OF_DOCUMENT: usize = 16 << 20;
 
-/// Largest distance from a boundary point at which a vertex takes its place, in roundings of the file's numbers. The
-/// program that wrote the file has rounded once, and maybe again when it moved the mesh.
+/// Largest distance at which a boundary vertex moves to a point of the request, as a multiple of the rounding of the
+/// file's numbers. The program that wrote the file has rounded once, and maybe again when it moved the mesh.
 const ROUNDINGS: f64 = 4.0;
 
-/// Largest number of vertices that are compared with one boundary point. Meshes that are finer than the rounding of
-/// their numbers have more, and no solver could use them.
+/// Largest number of vertices that are compared with one boundary point. A mesh with more is finer than the rounding of
+/// its numbers, and no solver could use it.
 const MOST_NEAR: usize = 64;
 
 /// Reads the mesh of a request with these boundaries, units and axis.
@@ -57,7 +57,8 @@ pub(super) fn read(
     Ok(mesh)
 }
 
-/// Leads errors about the vertices and triangles of the mesh, which a request with a file does not have, to the file.
+/// Moves errors about single vertices and triangles of the mesh to the file, because a request with a file has no such
+/// members.
 pub(super) fn at_the_file(rejection: Rejection) -> Rejection {
     let led = |FieldError { pointer, detail }: FieldError| {
         let place = pointer.strip_prefix("/initial_mesh").map(|inner| inner.trim_start_matches('/').replace('/', " "));
@@ -74,8 +75,8 @@ pub(super) fn at_the_file(rejection: Rejection) -> Rejection {
     }
 }
 
-/// Moves the vertices on the mesh's boundary to the points of the boundaries within the tolerance, and the vertices
-/// between them onto the straight lines. O(n log n) in the number of triangles.
+/// Moves boundary vertices to the points of `boundaries` that are within the tolerance, and the boundary vertices
+/// between two moved vertices onto the straight line between them. O(n log n) in the number of triangles.
 fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result<(), String> {
     if tolerance <= 0.0 {
         return Ok(());
@@ -101,7 +102,7 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
         }
         let distance = |v: u32| mesh.vertices[v as usize].distance(point);
         let free = near.into_iter().filter(|&v| !is_restored[v as usize] && distance(v) <= tolerance);
-        // The smaller number among equally near vertices, whatever the order of the map.
+        // Of equally near vertices the smallest number is taken, because the order of the hash map is arbitrary.
         if let Some(v) = free.min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b))) {
             mesh.vertices[v as usize] = point;
             is_restored[v as usize] = true;
@@ -125,7 +126,7 @@ fn straighten(mesh: &mut Mesh, neighbours: &HashMap<u32, Vec<u32>>, is_restored:
                 let [a, b] = neighbours[&at][..] else { break };
                 (before, at) = (at, if a == before { b } else { a });
             }
-            // Each chain is found from both ends.
+            // Each chain is found from both ends. It is handled from the end with the smaller number.
             if !is_restored[at as usize] || at < start {
                 continue;
             }
@@ -174,7 +175,7 @@ mod tests {
         assert_eq!(mesh.vertices[..4], square);
         assert_eq!((mesh.vertices[4].y, mesh.vertices[5].y), (0.0, 0.0));
         assert_eq!(mesh.vertices[6], vertices[6]);
-        // A point that is further away keeps its vertex where it is.
+        // A vertex that is further from its point than the tolerance stays where it is.
         let mut mesh = Mesh::new(vertices.clone(), mesh.triangles);
         restore(&mut mesh, &[square.to_vec()], 0.5 * off).unwrap();
         assert_eq!(mesh.vertices[0], vertices[0]);

@@ -14,7 +14,7 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Error, Execution};
 use serde::Serialize;
 
-/// Returns the memory that the search for a bound takes.
+/// Returns an estimate of the memory in bytes that the search for a bound takes.
 pub(super) fn memory_bytes(boundaries: usize, options: CertifyOptions) -> u64 {
     lower_bound::memory_bytes(boundaries, &options.into())
 }
@@ -60,10 +60,11 @@ impl From<CertifyOptions> for lower_bound::Options {
 }
 
 impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most.
+    /// Adds the bound to the statistics, and for each compared topology the largest possible excess of its area over
+    /// the least area.
     ///
     /// # Errors
-    /// The error of [`gap`].
+    /// Returns the error of [`gap`].
     fn certify(&mut self, found: &LowerBound) -> Result<(), Error> {
         self.certificate = Some(Certificate::of(found, self.area)?);
         for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
@@ -73,17 +74,19 @@ impl MinimalStatistics {
     }
 }
 
-/// Above this gap the statement adds that the film is not proven to be the global minimum.
+/// Gap, as a fraction of the bound, above which the statement adds that the film is not proven to be the global
+/// minimum.
 const LARGE_GAP: f64 = 0.05;
 
-/// Largest fraction of the bound by which rounding, and points that were merged, can make an area less than the bound.
+/// Largest difference, as a fraction of the bound, by which rounding and merged points can make an area less than the
+/// bound.
 const ROUNDED: f64 = 1e-6;
 
 /// Returns the excess of an area over a bound, relative to the bound; `None` for a bound of 0.
 ///
 /// # Errors
-/// [`Error::NoResult`] if the area is below the bound. Either the bound or the area is wrong then, and neither may
-/// leave.
+/// Fails with [`Error::NoResult`] if the area is below the bound by more than [`ROUNDED`]. Either the bound or the area
+/// is wrong then, and there must be no result.
 fn gap(area: f64, bound: f64) -> Result<Option<f64>, Error> {
     match area / bound - 1.0 {
         _ if bound <= 0.0 => Ok(None),
@@ -92,7 +95,7 @@ fn gap(area: f64, bound: f64) -> Result<Option<f64>, Error> {
     }
 }
 
-/// Returns the result in words. The film is at most `percent` above the global minimum.
+/// Returns the result in words. `percent` is the largest possible excess of the film's area over the global minimum.
 fn statement(bound: f64, percent: f64, is_large: bool) -> String {
     let proven = format!(
         "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most \
@@ -105,7 +108,7 @@ impl Certificate {
     /// Returns the certificate of a film with this area.
     ///
     /// # Errors
-    /// [`Error::NoResult`] if the area is below the bound.
+    /// Fails with [`Error::NoResult`] if the area is below the bound.
     pub fn of(found: &LowerBound, area: f64) -> Result<Self, Error> {
         let scope = "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, in \
                      whichever direction each loop is traversed. Films without an orientation (Möbius bands) and films \
@@ -131,7 +134,7 @@ impl Certificate {
     }
 }
 
-/// The axes of a field.
+/// The coordinate system of a field.
 #[derive(Clone, Debug, Serialize)]
 struct FieldAxes {
     origin: Point,
@@ -146,7 +149,7 @@ struct Mirror {
     sign: i8,
 }
 
-/// The field for one orientation of the loops.
+/// The vector field that proves the bound for one orientation of the boundary loops.
 #[derive(Clone, Debug, Serialize)]
 struct Orientation<'a> {
     loops: Vec<Vec<Point>>,

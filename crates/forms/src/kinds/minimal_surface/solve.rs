@@ -1,4 +1,4 @@
-//! From a checked request for a film to its stored result.
+//! Solves a checked request for a film, and makes the archive of its result.
 
 use super::MinimalStatistics;
 use super::certificate::{CertifyOptions, Proof};
@@ -24,12 +24,12 @@ pub(super) struct SolverInput {
     pub certify: Option<CertifyOptions>,
 }
 
-/// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
-/// vertices of a converged film of usual resolution are below it, so that its discretisation error does not use the
-/// whole scale.
+/// Least value at which the default colour scale of the mean curvature ends, times the boundary's radius. 95% of the
+/// vertices of a converged film of usual resolution are below it, so that the film's discretisation error does not use
+/// the whole scale.
 const LEAST_RANGE: f64 = 0.01;
-/// Share of the vertices that are within the default colour scale of the mean curvature, so that the few largest
-/// values, at the corners of the boundary, do not decide about the colours of all others.
+/// Fraction of the vertices that are within the default colour scale of the mean curvature. The few largest values, at
+/// the corners of the boundary, are beyond the scale, so that they do not determine the colours of all others.
 const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
@@ -88,7 +88,7 @@ impl solved::SolverInput for SolverInput {
     }
 }
 
-/// A film that follows its boundary.
+/// A film that moves with its boundary while the user drags points.
 #[derive(Debug)]
 struct Drag {
     film: KeptFilm,

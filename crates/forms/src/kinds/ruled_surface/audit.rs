@@ -1,4 +1,4 @@
-//! The stated figures of strips, measured again.
+//! Measures the stated figures of strips again, and compares.
 
 use super::solve::SolverInput;
 use crate::audit::comparison::Audit;
@@ -54,8 +54,8 @@ impl SolverInput {
         }
     }
 
-    /// Compares every strip. Returns the sums over the strips and the number of their triangles, which come before
-    /// those of the caps. `None` if the strips are not sound, or the audit ends here.
+    /// Compares every strip. Returns the sums over the strips and the number of their triangles, which precede the
+    /// triangles of the caps. Returns `None` if the bridges do not join the directrices or the audit was cancelled.
     fn compare_strips<'c>(
         &self,
         audit: &mut Audit<'c>,
@@ -121,7 +121,7 @@ impl SolverInput {
         Some((total?, first_triangle))
     }
 
-    /// Compares the figures of all strips together, and of the `caps`.
+    /// Compares the figures of all strips together. The area includes the `caps`.
     fn compare_sums(&self, audit: &mut Audit, total: &Total, bridges: usize, caps: &[[u32; 3]]) {
         let contents = audit.contents;
         let convex = Measured::count(total.convex);
@@ -155,14 +155,14 @@ impl SolverInput {
         }
     }
 
-    /// Returns the rails in the order and direction of the strips.
+    /// Returns the rails: the directrices in the order and direction in which the strips run along them.
     fn rails<'c>(&self, audit: &Audit<'c>) -> Vec<Rail<'c>> {
         let contents = audit.contents;
         let mut lines = points::polylines(contents, "directrices").into_iter();
         let rail = |(k, numbers): (usize, &'c Vec<u32>)| {
             let is_apex = numbers.iter().all(|v| v == &numbers[0]);
             let vertices = if is_apex { &numbers[..1] } else { lines.next().unwrap_or_default() };
-            // A directrix that runs against its input has falling vertex numbers.
+            // A directrix that was reversed has falling vertex numbers.
             let is_reversed = audit.value("/reversed")[k] == true;
             let given = |vectors: &Option<Vec<Vec<DVec3>>>, sign: f64| -> Vec<DVec3> {
                 let Some(vectors) = vectors.as_ref().and_then(|vectors| vectors.get(k)) else { return Vec::new() };
@@ -177,7 +177,7 @@ impl SolverInput {
     }
 
     fn strip<'c>(&self, audit: &Audit<'c>, bridges: &[[u32; 2]], rails: [Rail<'c>; 2]) -> Option<Strip<'c>> {
-        // The vertices of a rail follow each other, upwards or downwards.
+        // The vertex numbers of a rail are consecutive, rising or falling.
         let position = |rail: &Rail, v: u32| {
             let vertices = rail.vertices;
             let index = v.abs_diff(*vertices.first()?) as usize;
@@ -199,7 +199,8 @@ impl SolverInput {
 
     fn compare_strip(&self, audit: &mut Audit, pointer: &str, figures: &Figures, bridges: usize) {
         let convex = Measured::count(figures.convex);
-        // Given tangents and normals of resampled directrices do not leave with the mesh.
+        // The result does not contain the tangents and normals of resampled directrices. Figures that depend on them
+        // are not compared.
         let has_vectors = self.options.tangents.is_some() || self.options.normals.is_some();
         let resampled = has_vectors && self.options.sampling.is_some();
         let mut one = |name: &str, measured: Measured| audit.figure(&format!("{pointer}/{name}"), measured);
@@ -230,7 +231,7 @@ impl SolverInput {
             Objective::MinimalBendingEnergy => Some(figures.bending.measured()),
             Objective::MinimalMeanCurvatureVariation => Some(figures.curvature_variation.measured()),
             Objective::MinimalNormalVariation => variation,
-            // The optima by which the terms of a weighted sum are divided do not leave with the mesh.
+            // The result does not contain the optima by which the terms of a weighted sum are divided.
             _ => None,
         };
         if let Some(objective) = objective {
@@ -250,7 +251,8 @@ fn ratio(convex: Measured, bridges: usize) -> Measured {
     convex.times(1.0 / bridges.max(1) as f64).widened(1e-12)
 }
 
-/// Returns the largest fold at bridges that are not convex. Its range includes bridges that may be convex or not.
+/// Returns the largest fold at bridges that are not convex. Its range also covers the bridges whose convexity rounding
+/// decides.
 fn concave_fold(figures: &Figures) -> Measured {
     let [certain, possible] = figures.concave_fold.map(Largest::measured);
     Measured { value: certain.value, low: certain.low.min(possible.low), high: possible.high.max(certain.high) }

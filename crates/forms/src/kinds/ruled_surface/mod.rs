@@ -241,7 +241,7 @@ impl KindRequest for RuledSurfaceRequest {
         let estimate = geometry::estimate(&points, &options);
         let mut cells = estimate.cells;
         if cells > limits.grid_cells {
-            // A strip of least area may visit a small part of its grid.
+            // The search for a strip of least area may visit only a small part of its grid.
             cells = geometry::estimate_for(&directrices, &options, &Execution::default())?.cells;
         }
         if cells > limits.grid_cells {

@@ -1,4 +1,4 @@
-//! From a checked request for strips to its stored result.
+//! Solves a checked request for strips, and makes the archive of its result.
 
 use super::RuledStatistics;
 use crate::audit::comparison::Audit;
@@ -13,9 +13,9 @@ use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
 
-/// Largest number of triangles that are searched for self-intersections. A larger limit costs time: the search for a
-/// strip of least area visits a thousandth of its grid, and is quicker than the search for crossings from some ten
-/// thousand triangles on.
+/// Largest number of triangles that are searched for self-intersections. The limit saves time: from some ten thousand
+/// triangles on, the search for self-intersections takes longer than the search for a strip of least area, which visits
+/// a thousandth of its grid.
 const MOST_SEARCHED_TRIANGLES: usize = 200_000;
 
 #[derive(Debug)]

@@ -1,4 +1,4 @@
-//! The stated figures of a tensile structure, measured again.
+//! Measures the stated figures of a tensile structure again, and compares.
 
 use super::solve::{HELD_EDGES, SolverInput};
 use crate::audit::comparison::Audit;
@@ -12,13 +12,14 @@ use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
 use std::collections::BTreeMap;
 
-/// Largest difference between the force of a cable that its mode states and the mean of the forces of its segments,
-/// relative to the largest of them. The segments bear what balances the film's mesh, which differs from the force of
-/// the smooth shape by up to 5e-4 in the examples, and less on finer meshes.
+/// Largest allowed difference between the stated force of a cable and the mean force of its segments, relative to the
+/// largest force of a segment. The forces of the segments balance the film's mesh. They differ from the force of the
+/// smooth shape by up to 5e-4 in the examples, and by less on finer meshes.
 const MEAN_FORCE: f64 = 0.01;
-/// Relative error of the energy. It is stated for the shape before the balance within the film, which moves vertices
-/// along the film. The energy is stationary there, so that it changes by no more than 5e-8 in the examples, and by
-/// 1.7e-6 on a coarse mesh (a film of 1,000 triangles between two rings of 32 points).
+/// Largest allowed relative error of the stated energy. The energy is stated for the shape before the forces within the
+/// film are balanced, which moves vertices along the film. The energy is stationary there, so that it changes by no
+/// more than 5e-8 in the examples, and by 1.7e-6 on a coarse mesh (a film of 1,000 triangles between two rings of 32
+/// points).
 const ENERGY: f64 = 1e-5;
 
 impl SolverInput {
@@ -72,7 +73,8 @@ impl SolverInput {
         compare_held_edges(audit);
     }
 
-    /// Requires a vertex for each point of the request, at the point itself unless it may move.
+    /// Requires that each boundary has its vertices. If no point of the structure can move, each point must be at its
+    /// vertex.
     fn compare_points(&self, audit: &mut Audit) {
         let contents = audit.contents;
         let lists = contents.input_vertices.len();
@@ -86,7 +88,7 @@ impl SolverInput {
         }
     }
 
-    /// Compares each cable and mast, and returns Σ force · length of the cables of given forces.
+    /// Compares each cable and mast, and returns Σ force · length over those with a prescribed force.
     fn compare_cables(&self, audit: &mut Audit) -> Sum {
         let contents = audit.contents;
         let vertices = &contents.mesh.vertices;
@@ -110,7 +112,8 @@ impl SolverInput {
                 let own = length(vertices, pair);
                 moment.add(force * own, force.abs() * 2.0 * audit.step);
                 sum.add(own, 2.0 * audit.step);
-                // The force of a heavy cable grows with the height, and that of a segment is the one in its middle.
+                // The force of a cable with weight grows with the height. The force of a segment is that at its middle,
+                // so that the forces at its ends differ by half the growth along it.
                 let rise = (vertices[pair[1] as usize] - vertices[pair[0] as usize]).dot(self.structure.up).abs();
                 let half = 0.5 * cable.weight * rise;
                 let tolerance = RELATIVE * (force.abs() + half) + cable.weight * audit.step;
@@ -141,7 +144,8 @@ impl SolverInput {
         total
     }
 
-    /// Compares the energy of a film of one tension between cables of given forces: σ A + Σ F L.
+    /// Compares the energy σ A + Σ F L of a film with isotropic tension σ between cables of prescribed forces F.
+    /// Structures whose energy has other terms are skipped.
     fn compare_energy(&self, audit: &mut Audit, area: Measured, cables: Sum) {
         let structure = &self.structure;
         let [layer] = &structure.layers[..] else { return };
@@ -190,7 +194,8 @@ impl SolverInput {
                     volume(&mut walls, corners(&mesh.vertices, triangle), -1.0);
                 }
             } else {
-                // The fans that close the last chamber have the mean of points that do not leave with the mesh.
+                // The chamber below the last layer is closed by fans to the mean of boundary points, which the result
+                // does not contain. Its volume is not compared.
                 continue;
             }
             volumes.push((number, walls.measured()));
@@ -213,7 +218,7 @@ impl SolverInput {
     }
 }
 
-/// Compares the sums of forces with each other and with the reactions that are listed.
+/// Compares the stated sums of forces with each other and with the listed reactions.
 fn compare_balance(audit: &mut Audit) {
     if audit.value("/balance").is_null() {
         return;
@@ -245,9 +250,9 @@ fn compare_balance(audit: &mut Audit) {
     );
 }
 
-/// Compares the forces per length along held edges with the stresses of the triangles beside them: each pulls with
-/// S ν = σ₂ ν + (σ₁ - σ₂) (d · ν) d, with its principal stresses σ₁ and σ₂, the direction d of σ₁ and the unit vector ν
-/// from its third corner across the edge.
+/// Compares the forces per length along held edges with the stresses of the triangles beside them. Each triangle pulls
+/// with S ν = σ₂ ν + (σ₁ - σ₂) (d · ν) d, where σ₁ and σ₂ are its principal stresses, d is the direction of σ₁, and ν
+/// is the unit vector in its plane that points out of it at right angles to the edge.
 fn compare_held_edges(audit: &mut Audit) {
     let contents = audit.contents;
     let Some(set) = contents.line_sets.iter().find(|set| set.name == HELD_EDGES) else { return };
@@ -256,7 +261,7 @@ fn compare_held_edges(audit: &mut Audit) {
     let key = |[v, w]: [u32; 2]| [v.min(w), v.max(w)];
     let mut is_on_edge = vec![false; vertices.len()];
     pairs.iter().flatten().for_each(|&v| is_on_edge[v as usize] = true);
-    // The force per length and its tolerance.
+    // Force per length of each held edge, and its tolerance.
     let mut pulls: BTreeMap<[u32; 2], (DVec3, f64)> =
         pairs.iter().map(|&pair| (key(pair), (DVec3::ZERO, 0.0))).collect();
     let stresses = ["stress_min", "stress_max", "stress_max_x", "stress_max_y", "stress_max_z"];

@@ -8,7 +8,8 @@ use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Largest number of points of a polyline of directions. Every triangle looks for its nearest point in every round.
+/// Largest number of points of the polyline that gives the warp's direction. The limit bounds the work, because every
+/// triangle searches the polyline for its nearest point in every round.
 const MAX_DIRECTION_POINTS: usize = 200;
 
 /// The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`.
@@ -100,7 +101,8 @@ impl Film {
         Ok(geometry::FilmStress { prestress: self.prestress(pointer)?, weight: self.weight.get() })
     }
 
-    /// Converts the prestress to the geometry's type, or returns what is missing or too much. `pointer` is the film's.
+    /// Converts the prestress to the geometry's type, or returns an error for each member that is missing or not
+    /// allowed. `pointer` is the JSON Pointer of the film.
     fn prestress(&self, pointer: &str) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
         let (warp, weft, direction) = match (self.tension, self.warp, self.weft, &self.direction, self.hold) {
             (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension.get())),

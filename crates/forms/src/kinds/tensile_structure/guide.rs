@@ -103,7 +103,7 @@ pub struct MeshGuide {
 }
 
 impl MeshGuide {
-    /// Number of vertices or of triangles, whichever is larger.
+    /// Returns the number of vertices or of triangles, whichever is larger.
     pub(super) fn size(&self) -> usize {
         self.vertices.len().max(self.triangles.len())
     }
@@ -125,7 +125,7 @@ impl OneOf for Guide {
 }
 
 impl Guide {
-    /// Converts the guide, which has one member, or returns the place of an error and the error.
+    /// Converts the guide, which has exactly one member. An error consists of its place below the guide and its text.
     pub(super) fn to_geometry(&self) -> Result<Arc<dyn Support>, (String, String)> {
         let unit = |vector: Point, field: &str| {
             let error = || (field.to_owned(), "must be a vector with a length".to_owned());

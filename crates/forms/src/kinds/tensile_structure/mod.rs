@@ -114,9 +114,9 @@ const WEIGHT: Input =
     Input::optional("Film Weight", "W", Preset::Number(0.0), "Weight of the film per area, against the z axis.")
         .to("/film/weight");
 
-/// Largest number of cables, and of free points, of a request.
+/// Largest number of cables of a request. The same limit holds for its free points, supports, rings, joints and masts.
 const MAX_CABLES: usize = 1000;
-/// Largest number of layers, and of chambers, of a request. Cushions have two to five.
+/// Largest number of layers of a request, and of its chambers. Cushions have two to five.
 const MAX_LAYERS: usize = 16;
 
 /// A film with cables, pressure and weight, whose shape in equilibrium is found.
@@ -342,7 +342,7 @@ impl KindRequest for TensileStructureRequest {
 }
 
 impl TensileStructureRequest {
-    /// Converts the film or the layers.
+    /// Converts the film or the layers to the geometry's type. Adds what is wrong to `errors`.
     fn layers(&self, errors: &mut Vec<FieldError>) -> Vec<geometry::FilmStress> {
         let mut take = |film: &Film, pointer: &str| film.to_geometry(pointer).map_err(|own| errors.extend(own)).ok();
         match (&self.film, &self.layers) {
@@ -361,7 +361,8 @@ impl TensileStructureRequest {
         }
     }
 
-    /// Converts the chambers, or the pressure or volume of a single film.
+    /// Converts the chambers, or the pressure or volume of a single film, to the geometry's type. Adds what is wrong to
+    /// `errors`.
     fn chambers(&self, errors: &mut Vec<FieldError>) -> Vec<geometry::Chamber> {
         if self.layers.is_none() {
             if !self.chambers.is_empty() {

@@ -1,4 +1,4 @@
-//! From a checked request for a tensile structure to its stored result.
+//! Solves a checked request for a tensile structure, and makes the archive of its result.
 
 use super::TensileStatistics;
 use crate::audit::comparison::Audit;
@@ -14,7 +14,7 @@ use plateau_film::tensile_structure;
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 
-/// The line set of the held segments of the boundaries.
+/// Name of the line set of the held segments of the boundaries.
 pub(super) const HELD_EDGES: &str = "held edges";
 
 #[derive(Debug)]
@@ -42,7 +42,7 @@ fn stresses(of_triangles: &[tensile_structure::TriangleStress], force: ForceUnit
     ]
 }
 
-/// Returns the held segments of the boundaries with the supports' force per length on the structure.
+/// Returns the held segments of the boundaries, with the force per length of their supports on the structure.
 fn held_edges(of_segments: &[tensile_structure::EdgeForce], force: ForceUnit, length: Unit) -> LineSet {
     let unit = format!("{}/{}", force.symbol(), length.symbol());
     let attribute = |name: &str, value: &dyn Fn(DVec3) -> f64| {

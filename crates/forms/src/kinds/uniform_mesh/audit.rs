@@ -1,4 +1,4 @@
-//! The stated figures of a lattice, measured again.
+//! Measures the stated figures of a lattice again, and compares.
 
 use super::solve::SolverInput;
 use crate::audit::comparison::Audit;
@@ -10,7 +10,7 @@ use plateau_archive::Lines;
 use plateau_mesh::DVec3;
 use plateau_uniform_mesh::{Domain, Objective};
 
-/// Excess over the range from ℓ to 2 ℓ that counts as rounding, in ℓ, beside the rounding of the coordinates.
+/// Tolerance for the bounds ℓ and 2 ℓ of the edge lengths, in ℓ. The rounding of the coordinates is added to it.
 const RANGE: f64 = 2e-9;
 
 impl SolverInput {
@@ -72,7 +72,7 @@ impl SolverInput {
         }
     }
 
-    /// Compares the groups of members with the edges of the mesh and with the lengths that they state.
+    /// Compares the groups of members with the edges of the mesh, and their stated lengths with the measured ones.
     fn compare_members(&self, audit: &mut Audit, edges: &Edges, error: f64) {
         let contents = audit.contents;
         let vertices = &contents.mesh.vertices;
@@ -127,7 +127,7 @@ impl SolverInput {
             for (i, &point) in polygon.iter().enumerate() {
                 sides.add(point.distance(next(i)), 2.0 * audit.step);
             }
-            // Twice the area vector, as fans from the first point.
+            // Twice the area vector, summed over the triangles of a fan from the first point.
             let twice: DVec3 = (0..polygon.len()).map(|i| (polygon[i] - polygon[0]).cross(next(i) - polygon[0])).sum();
             enclosed.add(if k == 0 { 0.5 } else { -0.5 } * twice.length(), audit.step * sides.value);
         }
@@ -145,7 +145,8 @@ impl SolverInput {
     }
 }
 
-/// Returns the least number of lengths if lengths within `tolerance` count as one. The lengths are sorted.
+/// Returns the smallest number of distinct lengths, if lengths that differ by at most `tolerance` count as equal.
+/// `sorted` is in increasing order.
 fn distinct(sorted: &[f64], tolerance: f64) -> usize {
     let (mut kinds, mut limit) = (0, f64::NEG_INFINITY);
     for &length in sorted {

@@ -188,7 +188,7 @@ pub enum Optimise {
 }
 
 impl Domain {
-    /// Returns the number of points, and the field for an error if there are too many.
+    /// Returns the number of points, and the JSON Pointer for an error about too many points.
     fn point_count(&self) -> (usize, &'static str) {
         match self {
             Self { polygon: Some(polygon), .. } => (polygon.len() + count(&self.holes), "/domain/polygon"),

@@ -1,4 +1,4 @@
-//! From a checked request for a lattice to its stored result.
+//! Solves a checked request for a lattice, and makes the archive of its result.
 
 use super::UniformStatistics;
 use crate::audit::comparison::Audit;
@@ -55,7 +55,7 @@ impl solved::SolverInput for SolverInput {
     }
 }
 
-/// Returns the vertices that the points of each polyline of a polygon became. The list is empty for other domains,
+/// Returns, for each polyline of a polygon, the vertices that its points became. The list is empty for other domains,
 /// because their points are not nodes.
 fn input_vertices(domain: &uniform_mesh::Domain, mesh: &uniform_mesh::UniformMesh) -> Vec<Vec<u32>> {
     let uniform_mesh::Domain::Polygon { outer, holes } = domain else { return Vec::new() };

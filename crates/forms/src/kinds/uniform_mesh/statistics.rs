@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
+/// Maximum number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
 const LISTED_EDGES: usize = 200;
 
 /// Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group.

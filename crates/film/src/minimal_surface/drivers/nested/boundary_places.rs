@@ -1,28 +1,28 @@
-//! Step 2: every edge is halved, and boundary vertices come to lie on the input polygons.
+//! Step 2: halves every edge, and places the new boundary vertices on the input polygons.
 
 use super::plan::Plan;
 use plateau_mesh::DVec3;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::subdivision::subdivided_inside;
 
-/// The places of the film's boundary vertices on the input polygons.
+/// The places of the film's boundary vertices on the input polygons. A place is the index of an input point, or a
+/// number between two indices for a point between them on the segment.
 #[derive(Debug)]
 pub(super) struct BoundaryPlaces<'a> {
     polygons: &'a [Vec<DVec3>],
     may_add: bool,
-    /// Number of refinements so far.
+    /// Number of refinements that were made.
     pub level: u32,
     /// Whether the last refinement added no input point, so that the boundary polygon stayed the same.
     pub same_polygon: bool,
-    /// For each vertex of the film's boundary loops its place on the polygon: the index of an input point, or a number
-    /// between two indices.
+    /// For each boundary loop of the film, the places of its vertices on the polygon, in order.
     places: Vec<Vec<f64>>,
 }
 
 impl<'a> BoundaryPlaces<'a> {
-    /// Finds the places of the boundary vertices of a coarse film. A vertex that was added on an edge that skips input
-    /// points is moved to one of these points. `None` if the edge skips fewer points than vertices were added on it, or
-    /// if two of these vertices would get the same point.
+    /// Finds the places of the boundary vertices of a coarse film. A vertex that was added on a coarse edge that skips
+    /// input points is moved to one of the skipped points. `None` if more vertices were added on such an edge than it
+    /// skips points, or if two of these vertices would get the same point.
     pub fn new(film: &mut Film, plan: &Plan, polygons: &'a [Vec<DVec3>], may_add: bool) -> Option<Self> {
         let mut places = Vec::with_capacity(polygons.len());
         let mut first = 0u32;
@@ -65,7 +65,7 @@ impl<'a> BoundaryPlaces<'a> {
         Some(Self { polygons, may_add, level: 0, same_polygon: false, places })
     }
 
-    /// Halves every edge that can be halved. Also returns the ends of the edges that the new vertices halve.
+    /// Halves every edge that can be halved. Also returns for each new vertex the ends of the edge that it halves.
     pub fn refine(&mut self, film: &Film) -> (Film, Vec<[u32; 2]>) {
         let old = film.vertices.len();
         // The boundary edges, each with the smaller vertex first, and the place at which each is halved.
@@ -136,11 +136,12 @@ impl<'a> BoundaryPlaces<'a> {
         }
     }
 
-    /// The film with its vertices in the documented order: input points, points added on the boundaries, the interior.
+    /// Renumbers the vertices into the documented order: input points, points added on the boundaries, interior
+    /// vertices.
     ///
-    /// The loops are rotated so that each begins at point 0 of its polygon. Before, it begins at the first point that
-    /// the coarse mesh keeps, which need not be point 0. `None` if point 0 is not a vertex, which cannot happen on the
-    /// last level, because every input point is a vertex there.
+    /// Each boundary loop is rotated to begin at point 0 of its polygon, because it begins at the first point that the
+    /// coarse mesh keeps, which need not be point 0. `None` if point 0 is not a vertex, which cannot happen on the last
+    /// level, because every input point is a vertex there.
     pub fn input_points_first(&mut self, mut film: Film) -> Option<Film> {
         for ((boundary, places), polygon) in film.boundaries.iter_mut().zip(&mut self.places).zip(self.polygons) {
             let count = polygon.len() as f64;
@@ -168,7 +169,7 @@ impl<'a> BoundaryPlaces<'a> {
     }
 }
 
-/// The point at a place on a closed polygon. At a whole number it is exactly an input point.
+/// The point at a place on a closed polygon. At an integer place it is exactly an input point.
 fn point_at(polygon: &[DVec3], place: f64) -> DVec3 {
     let n = polygon.len();
     let index = place.floor() as usize;

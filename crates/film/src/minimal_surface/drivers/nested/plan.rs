@@ -1,22 +1,22 @@
-//! Step 1: which points bound the coarse mesh.
+//! Step 1: chooses the input points that bound the coarse mesh.
 
 use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
 use crate::minimal_surface::initial_mesh::first_point;
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use plateau_mesh::{DVec3, measure, polyline};
 
-/// Smallest number of triangles of the coarse mesh. The first plan takes as many levels as this allows (at most 12),
-/// each of which divides the number of triangles by four.
+/// Smallest number of triangles of the coarse mesh. The first plan has as many levels as this allows (at most 12). Each
+/// level divides the number of triangles by four.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
 /// Smallest number of triangles of the coarse mesh per boundary vertex.
 const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
-/// A boundary vertex at which the boundary turns by more than this (radians) is a corner. A coarse edge replaces at
-/// most this much turning.
+/// A boundary vertex at which the boundary turns by more than this (in radians) is a corner. The boundary that a coarse
+/// edge replaces turns by at most this much in total.
 const CORNER: f64 = 0.6;
 /// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh.
 const LONG_EDGE: f64 = 1.6;
 
-/// Which input points bound the coarse mesh, how large it is, and how often it will be refined.
+/// The input points that bound the coarse mesh, its resolution, and the number of refinements.
 #[derive(Debug)]
 pub(super) struct Plan {
     pub levels: u32,
@@ -33,7 +33,7 @@ impl Plan {
             && options.constraints.is_empty();
         let target = match options.resolution {
             // The number of triangles that cover the area. The additional triangles that `estimate` counts beside a
-            // fine boundary are left out, because halving does not make them.
+            // boundary of close points are left out, because halving does not make them.
             Resolution::EdgeLength(length) => triangles_of_length(boundaries, length),
             _ => estimate(boundaries, options).triangles,
         };
@@ -70,9 +70,9 @@ impl Plan {
     }
 }
 
-/// Whether the boundary edges are on average much longer than the edges of a mesh of this number of triangles. If such
-/// boundary edges must be kept, the triangles beside them have to be graded, and halving all other edges would not
-/// leave them graded.
+/// Whether the boundary edges are on average much longer than the edges of a mesh of this number of triangles. If long
+/// boundary edges must be kept, the triangles beside them have to be graded, and halving all other edges would destroy
+/// the grading.
 fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -80,8 +80,9 @@ fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     length / points as f64 > LONG_EDGE * edge
 }
 
-/// Indices of the points of a closed polygon that a coarse mesh keeps: all corners, and others at most `stride` apart,
-/// so that no edge replaces more turning than a corner has. They do not depend on which point the polygon begins with.
+/// Indices of the points of a closed polygon that a coarse mesh keeps: all corners, and further points at most `stride`
+/// apart, so many that no edge replaces more turning than a corner has. The choice does not depend on the first point
+/// of the list.
 fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     let n = points.len();
     let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();

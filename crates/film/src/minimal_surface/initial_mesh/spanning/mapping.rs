@@ -1,4 +1,4 @@
-//! Step 3 of the initial mesh: the plane mesh is mapped into space, and its triangles are made even there.
+//! Step 3 of the initial mesh: maps the plane mesh into space, and evens out its triangles there.
 
 use super::{Meshed, Pinned, Spanning};
 use crate::minimal_surface::harmonic::Dirichlet;
@@ -15,11 +15,11 @@ use plateau_mesh::remesh::isotropic::{RUNAWAY, resample};
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec3, Error, measure};
 
-/// Largest number of rounds of solving and isotropic remeshing that improve a mesh that was mapped into space.
+/// Largest number of rounds of solving and isotropic remeshing that improve a mesh after it was mapped into space.
 const ROUNDS: u32 = 8;
-/// The area has settled if a round leaves more than this fraction of it.
+/// The area counts as settled if it is above this fraction of the area of the round before.
 const SETTLED_AREA: f64 = 0.998;
-/// A projected mesh whose smallest angle (radians) is at least this is not remeshed.
+/// A projected mesh is not remeshed if its smallest angle (in radians) is at least this.
 const GOOD_ANGLE: f64 = 0.44;
 /// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
 /// longer.
@@ -69,8 +69,9 @@ impl Spanning<'_> {
         Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
     }
 
-    /// Improves a film whose map from the plane has stretched its triangles. Each round distributes the vertices evenly
-    /// and solves towards the minimal surface, where the triangles have to be good, until the area settles.
+    /// Improves a film whose map from the plane has stretched its triangles. Each round spreads the vertices evenly and
+    /// takes two steps towards the minimal surface, because the triangles have to be good there. The rounds end when
+    /// the area settles.
     pub(super) fn even_out(&self, film: &mut Film) -> Result<(), Error> {
         let flat = self.is_plane();
         for _ in 0..if flat { 0 } else { 2 } {
@@ -102,14 +103,14 @@ impl Spanning<'_> {
                 dirichlet.step(film)
             });
             if solved.is_err() {
-                // A neck closes here. The solver reports it.
+                // A neck closes here. The main solver reports this later.
                 break;
             }
             flip_to_delaunay(film, self.exec)?;
         }
         resample(film, count, 5, self.options.boundary_edges(), self.exec)?;
-        // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In
-        // the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
+        // If the boundary is spaced more finely than the resolution, collapsing edges may not coarsen the mesh enough.
+        // In the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
         let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;
         if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count || worse() {
             *film = relaxed;
@@ -117,7 +118,7 @@ impl Spanning<'_> {
         Ok(())
     }
 
-    /// Whether all boundaries lie in the plane of the domain, up to rounding.
+    /// Whether the boundaries and the constraints all lie in the plane of the domain, up to rounding.
     fn is_plane(&self) -> bool {
         match &self.shape {
             Shape::Plane(frame) => {
@@ -129,7 +130,7 @@ impl Spanning<'_> {
         }
     }
 
-    /// Positions of the free vertices in space.
+    /// Computes the positions of the free vertices in space.
     fn lift(
         &self,
         in_plane: &[DVec2],

@@ -1,15 +1,17 @@
-//! The discrete mean curvature of Cohen-Steiner and Morvan at the vertices of a mesh, and its closed gradient.
+//! The discrete mean curvature of Cohen-Steiner and Morvan at the vertices of a mesh, and its gradient in closed form.
 
 use crate::energy::area::Facet;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::topology::{NONE, Topology, previous};
 
-/// "Not an unknown": the entry of [`CurvatureRows::unknown`] for a vertex that stays where it is.
+/// Marks a vertex without an unknown in [`CurvatureRows::unknown`], and a vertex without a row in
+/// [`CurvatureRows::row_of`].
 const FIXED: u32 = u32::MAX;
 
-/// The signed angle between the normals of the triangles (p, q, r) and (q, p, s) across their common edge p-q, radians,
-/// in (-π, π]: positive on a ridge (seen from the side the normals point to), negative in a valley, 0 where flat.
+/// Returns the signed angle (radians, in (-π, π]) between the normals of the triangles (p, q, r) and (q, p, s) across
+/// their common edge p-q. It is positive on a ridge (seen from the side to which the normals point), negative in a
+/// valley, and 0 where the surface is flat.
 #[must_use]
 pub(super) fn dihedral_angle(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     let left = double_area_vector([p, q, r]);
@@ -18,12 +20,12 @@ pub(super) fn dihedral_angle(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> f64 {
     libm::atan2(sine, left.dot(right))
 }
 
-/// The gradient of [`dihedral_angle`] with respect to p, q, r and s.
+/// Returns the gradient of [`dihedral_angle`] with respect to p, q, r and s.
 ///
-/// At r and s, opposite the edge e, it is -|e| n / |n|², where n is twice the area vector of the triangle. The
-/// gradients at p and q follow, because the four sum to zero and exert no moment. This form is regular at a flat edge,
-/// where eq. 3 of Liu and Wang is 0/0. If one of the triangles is a segment or a point, the angle has no gradient, and
-/// zeros are returned.
+/// At r and s, the corners opposite the edge e, the gradient is -|e| n / |n|², where n is twice the area vector of the
+/// triangle. The gradients at p and q follow, because the four gradients sum to zero and exert no moment. This form is
+/// regular at a flat edge, where eq. 3 of Liu and Wang is 0/0. If one of the triangles is a segment or a point, the
+/// angle has no gradient, and zeros are returned.
 #[must_use]
 pub(super) fn dihedral_angle_gradient(p: DVec3, q: DVec3, r: DVec3, s: DVec3) -> [DVec3; 4] {
     let edge = q - p;
@@ -43,12 +45,12 @@ pub(super) fn dihedral_angle_gradient(p: DVec3, q: DVec3, r: DVec3, s: DVec3) ->
     [at_p, at_q, at_r, at_s]
 }
 
-/// An edge with two triangles: its ends p, q and the opposite corners r (left) and s (right).
+/// An edge with two triangles, as the vertices p, q at its ends and the opposite corners r (left) and s (right).
 type Hinge = [u32; 4];
 
-/// H_i = (1/B_i) Σ β(e) |e| / 2 over the interior edges at vertex i, B_i a third of the area of the triangles around
-/// it, and its derivatives with respect to the unknown vertices, as sparse rows of one `DVec3` per vertex of the closed
-/// ring.
+/// The curvatures H_i = (1/B_i) Σ β(e) |e| / 2, and their derivatives with respect to the vertices that may move. The
+/// sum is over the interior edges at vertex i, and B_i is a third of the area of the triangles around it. The
+/// derivatives are sparse rows with one `DVec3` for each moving vertex among vertex i and its neighbours.
 #[derive(Debug)]
 pub(super) struct CurvatureRows {
     hinges: Vec<Hinge>,
@@ -65,7 +67,7 @@ pub(super) struct CurvatureRows {
 }
 
 impl CurvatureRows {
-    /// Lays out the rows: one for every vertex, or, without `boundary_rows`, for the vertices that may move.
+    /// Lays out the rows: one for every vertex if `boundary_rows` is set, otherwise one for each vertex that may move.
     #[must_use]
     pub fn new(topology: &Topology, moves: &[bool], boundary_rows: bool) -> Self {
         let mut unknown = vec![FIXED; moves.len()];
@@ -124,22 +126,23 @@ impl CurvatureRows {
         self.curvatures.len()
     }
 
-    /// H of each row, as of the last [`evaluate`](Self::evaluate).
+    /// The curvature H of each row, from the last call of [`evaluate`](Self::evaluate) or
+    /// [`differentiate`](Self::differentiate).
     #[must_use]
     pub fn curvatures(&self) -> &[f64] {
         &self.curvatures
     }
 
-    /// The columns (unknown vertices, ascending) of a row, with the derivative of its H after
-    /// [`differentiate`](Self::differentiate).
+    /// The columns of a row (the numbers of moving vertices, ascending), and the derivative of its H with respect to
+    /// each. The derivatives are those of the last call of [`differentiate`](Self::differentiate).
     #[must_use]
     pub fn row(&self, row: usize) -> (&[u32], &[DVec3]) {
         let range = self.start[row]..self.start[row + 1];
         (&self.columns[range.clone()], &self.values[range])
     }
 
-    /// For the vertex of each row the sum S = Σ β(e) |e| / 2 over its edges and a third of the area of its triangles,
-    /// B, so that H = S / B.
+    /// Returns S and B for the vertex of each row, with H = S / B. S = Σ β(e) |e| / 2 is a sum over the edges of the
+    /// vertex, and B is a third of the area of its triangles.
     fn sums(&self, vertices: &[DVec3]) -> (Vec<f64>, Vec<f64>) {
         let (mut bending, mut third) = (vec![0.0; self.rows()], vec![0.0; self.rows()]);
         for &hinge in &self.hinges {
@@ -162,7 +165,7 @@ impl CurvatureRows {
         (bending, third)
     }
 
-    /// Evaluates every H and returns F = ½ Σ H². Not finite where a vertex's triangles have no area.
+    /// Evaluates every H and returns F = ½ Σ H². The result is not finite if the triangles of a vertex have no area.
     pub fn evaluate(&mut self, vertices: &[DVec3]) -> f64 {
         let (bending, third) = self.sums(vertices);
         for (row, curvature) in self.curvatures.iter_mut().enumerate() {
@@ -171,7 +174,7 @@ impl CurvatureRows {
         0.5 * self.curvatures.iter().map(|h| h * h).sum::<f64>()
     }
 
-    /// Evaluates every H and its derivatives; returns F like [`evaluate`](Self::evaluate). O(triangles).
+    /// Evaluates every H and its derivatives, and returns F = ½ Σ H². O(triangles).
     pub fn differentiate(&mut self, vertices: &[DVec3]) -> f64 {
         let (bending, third) = self.sums(vertices);
         self.values.fill(DVec3::ZERO);
@@ -206,7 +209,7 @@ impl CurvatureRows {
                 }
                 let factor = -bending[row as usize] / (third[row as usize] * third[row as usize]);
                 for (k, vertex) in triangle.into_iter().enumerate() {
-                    // The factor 1/3 is there because B is a third of the area.
+                    // The factor is 1/3 because B is a third of the area.
                     self.add(row as usize, vertex, facet.gradient(k) * (factor / 3.0));
                 }
             }

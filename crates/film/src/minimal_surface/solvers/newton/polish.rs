@@ -1,4 +1,4 @@
-//! Better triangles for a film that has converged: flipped triangles are opened, small angles are widened, and vertices
+//! Improves the triangles of a film that has converged: opens flipped triangles, widens small angles, and lets vertices
 //! slide along the film.
 
 use super::Solve;
@@ -12,23 +12,25 @@ use plateau_mesh::remesh::sliding::{SWEEPS, slide};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::pattern::Pattern;
 
-/// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
-/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. The
-/// angle is above the 20 degrees that are promised, because a solve makes some angles smaller again.
+/// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again.
+/// Small angles arise at re-entrant corners and where a film bends strongly, because vertices that move along normals
+/// only shear their triangles. The threshold is above the 20 degrees that are promised, because a solve makes some
+/// angles smaller again.
 pub(crate) const NARROW: f64 = 0.384;
-/// Angles are widened to this (radians, 28 degrees) where that is possible.
+/// Angle to which small angles are widened where that is possible (radians, 28 degrees).
 pub(crate) const WIDE: f64 = 0.489;
 /// Largest number of rounds of widening and solving. There are several because a solve may shrink angles again.
 pub(crate) const WIDENINGS: u32 = 4;
-/// A film whose vertices have slid keeps this angle (radians, 20 degrees), or its smallest one if that is less.
+/// Smallest angle (radians, 20 degrees) that sliding may leave in a film. If the film already has a smaller angle, that
+/// angle is the bound.
 pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
 /// Largest number of rounds of flips that open folds. There are several because a solve may close folds again.
 const OPENINGS: u32 = 4;
 
 impl Solve<'_> {
-    /// Opens the folds of a film with flipped triangles by flips that reduce the area, and lets it converge again, as
-    /// long as that leaves fewer flipped triangles. Returns the pattern and the factorisation of the new connectivity;
-    /// `None` if no triangle is flipped, or if it does not help.
+    /// Opens the folds of a film with flipped triangles by edge flips that reduce the area, and lets the film converge
+    /// again. Repeats this as long as it leaves fewer flipped triangles. Returns the pattern and the factorisation of
+    /// the new connectivity, or `None` if no triangle is flipped or the flips do not help.
     pub(super) fn open_folds(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
         let mut opened = None;
         for _ in 0..OPENINGS {
@@ -52,9 +54,9 @@ impl Solve<'_> {
         Ok(opened)
     }
 
-    /// Widens the small angles of a converged film, opens its flipped triangles and lets it converge again, as long as
-    /// that leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and the factorisation of the
-    /// connectivity that remains.
+    /// Widens the small angles of a converged film, opens its flipped triangles, and lets the film converge again.
+    /// Repeats this as long as it leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and
+    /// the factorisation of the connectivity that remains.
     pub(super) fn widen(
         &mut self,
         film: &mut Film,
@@ -85,9 +87,9 @@ impl Solve<'_> {
         Ok((pattern, direct))
     }
 
-    /// Lets the vertices of a converged film slide along it to where its triangles have less area, and corrects it
-    /// along the normals. The film stays as it was if it does not converge again, if its area rises, or if an angle
-    /// gets too small.
+    /// Lets the vertices of a converged film slide along the film to where its triangles have less area, and corrects
+    /// the film along the normals. The film stays as it was if it does not converge again, if its area rises, or if an
+    /// angle gets too small.
     pub(super) fn slide(&mut self, film: &mut Film, pattern: &Pattern, direct: &mut Direct) -> Result<(), Error> {
         let before = film.vertices.clone();
         let (rows, iterations) = (self.record.history.len(), self.record.iterations);
