@@ -50,6 +50,7 @@ const CRATES: [(&str, &[&str]); 10] = [
         &[
             "energy",
             "equilibrium",
+            "form_finding",
             "minimal_surface/options",
             "minimal_surface/cone",
             "minimal_surface/estimate",

@@ -2,7 +2,8 @@
 //!
 //! [`minimal_surface`] finds surfaces of least area between boundary loops (Chen, Cai and Zheng; Liu and Wang; Bento
 //! and Cavalcanti). [`tensile_structure`] finds films with cables, pressure and weight in equilibrium. [`cable_net`]
-//! finds nets of cables without a film. All three use [`energy`] and [`equilibrium`].
+//! finds nets of cables without a film. All three use [`energy`] and [`equilibrium`]. [`form_finding`] drives films and
+//! tensile structures to their shapes.
 //!
 //! ```
 //! use plateau_film::minimal_surface::{Options, Resolution, solve};
@@ -28,8 +29,8 @@
 //! - *Pinch*: a change of topology where a neck closes.
 //!
 //! # Layers
-//! Each module uses only the modules before it in this list: [`energy`], [`equilibrium`], [`minimal_surface`],
-//! [`tensile_structure`], [`cable_net`].
+//! Each module uses only the modules before it in this list: [`energy`], [`equilibrium`], [`form_finding`],
+//! [`minimal_surface`], [`tensile_structure`], [`cable_net`].
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -37,6 +38,7 @@
 pub mod cable_net;
 pub mod energy;
 pub mod equilibrium;
+pub mod form_finding;
 pub mod minimal_surface;
 pub mod tensile_structure;
 

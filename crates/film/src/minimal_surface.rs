@@ -61,11 +61,10 @@ pub use options::{
     VertexRelaxation,
 };
 pub use outcome::{ConstraintVertices, MinimalSurface};
-pub use run::{
-    ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
-};
+pub use run::{ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod};
 pub use statistics::{MeanCurvature, Statistics};
 
+use crate::form_finding::StopReason;
 use drivers::{best_topology, free_topology, nested};
 use outcome::finish;
 use plateau_mesh::complex::has_junctions;

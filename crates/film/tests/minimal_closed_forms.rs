@@ -4,7 +4,8 @@
 mod boundaries;
 
 use boundaries::{circle, patch, rings, skew_quadrilateral};
-use plateau_film::minimal_surface::{BoundarySampling, Method, MinimalSurface, Options, Resolution, StopReason, solve};
+use plateau_film::form_finding::StopReason;
+use plateau_film::minimal_surface::{BoundarySampling, Method, MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress, Signal};
 use std::cell::Cell;
 use std::f64::consts::PI;

@@ -1,9 +1,10 @@
 //! Films that change their topology: under the rule `free` necks may close, and the rule `best` compares every way to
 //! span the boundaries.
 
+use plateau_film::form_finding::StopReason;
 use plateau_film::minimal_surface::{
     BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,
-    PinkallPolthier, Resolution, SpanningComparison, StopReason, TopologyRule, solve,
+    PinkallPolthier, Resolution, SpanningComparison, TopologyRule, solve,
 };
 use plateau_mesh::{DVec3, Error, Execution, Progress, Signal};
 use std::cell::Cell;

@@ -3,6 +3,7 @@
 use super::curvature::Curvature;
 use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
+use super::run::meets_its_rule;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Facts, Origin, Statistics};
 use super::touching_boundaries::{JoinedLoops, own_boundaries};
@@ -74,7 +75,7 @@ fn near_critical(statistics: &Statistics) -> Option<Warning> {
 /// rounding. Only films of least area are checked, because the other objectives do not lead to a minimal surface.
 fn not_minimal(statistics: &Statistics, measured: &Curvature, tolerance: f64) -> Option<Warning> {
     let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
-    let rule_met = stop_reason.meets_the_rule_of(solver, measured.residual_felt, tolerance);
+    let rule_met = meets_its_rule(solver, stop_reason, measured.residual_felt, tolerance);
     let is_missed = measured.residual_beyond_rounding > tolerance;
     (objective == Objective::MinimalArea && rule_met && is_missed).then(|| {
         let detail = format!(
@@ -265,7 +266,7 @@ pub(super) fn finish(
         return Err(Error::no_result(Reason::InvalidMesh, format!("the solver moved boundary point {k} of the input")));
     }
     let measured = Curvature::of(&film);
-    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual_felt, options.tolerance);
+    let rule_met = meets_its_rule(run.solver, run.stop_reason, measured.residual_felt, options.tolerance);
     let facts = Facts::of_film(&film, &topology, &measured);
     let statistics = statistics::collect(facts, rule_met, Origin { kind, initial_area, run }, options);
     let mut warnings = input.warnings();

@@ -3,95 +3,31 @@
 use super::options::Solver;
 use crate::equilibrium::newton::{Equations, State, StepSolver, iterate};
 use crate::equilibrium::stability::SecondVariation;
-use crate::equilibrium::{self, Outcome, Settings};
+use crate::equilibrium::{self, Settings};
+use crate::form_finding::StopReason;
 use plateau_mesh::remesh::thin_triangles::Pinch;
 use plateau_mesh::{DVec3, Execution, Interruption, Progress};
 
-/// Why a solver stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopReason {
-    /// The residual fell to the tolerance.
-    Residual,
-    /// The relative change of the area fell below `area_tolerance`, which is the rule of the papers.
-    AreaChange,
-    /// A neck closed in a run that ends at the first change of topology.
-    TopologyChange,
-    /// The single linear system of the objective is solved.
-    Solved,
-    /// There is no vertex to move.
-    NothingToMove,
-    /// The change of the objective fell below Liu and Wang's criterion.
-    ObjectiveChange,
-    /// The gradient of the objective fell below Liu and Wang's criterion.
-    Gradient,
-    /// The length of the step fell below Liu and Wang's criterion.
-    StepLength,
-    /// The allowed iterations are used up.
-    MaxIterations,
-    /// No step improves the surface, although the residual is above the tolerance: a triangle would flip, or rounding
-    /// errors are reached.
-    Stalled,
-    /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
-    Collapsed,
-    /// The caller's deadline passed.
-    Deadline,
-}
-
-impl StopReason {
-    /// Returns the stop reason of a run whose last Newton iteration had this outcome.
-    ///
-    /// # Errors
-    /// The interruption.
-    pub(crate) fn after(outcome: Outcome) -> Result<Self, Interruption> {
-        match outcome {
-            Outcome::Converged => Ok(Self::Residual),
-            Outcome::StepsUsed => Ok(Self::MaxIterations),
-            Outcome::Stalled => Ok(Self::Stalled),
-            Outcome::Refused(_) => Ok(Self::Collapsed),
-            Outcome::Interrupted(interruption) => Err(interruption),
-        }
-    }
-
-    /// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default
-    /// solver has met its rule if the residual is at most the tolerance. The solvers of the papers have rules of their
-    /// own; for Pinkall and Polthier's solver a residual at the tolerance suffices too.
-    pub(super) fn meets_the_rule_of(self, solver: Solver, residual: f64, tolerance: f64) -> bool {
-        let by_residual = matches!(solver, Solver::Newton | Solver::PinkallPolthier) && residual <= tolerance;
-        let by_another = match self {
-            Self::AreaChange
-            | Self::Solved
-            | Self::NothingToMove
-            | Self::ObjectiveChange
-            | Self::Gradient
-            | Self::StepLength => true,
-            Self::Residual
-            | Self::TopologyChange
-            | Self::MaxIterations
-            | Self::Stalled
-            | Self::Collapsed
-            | Self::Deadline => false,
-        };
-        by_residual || by_another
-    }
-
-    /// A stable name in snake case.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Residual => "residual",
-            Self::AreaChange => "area_change",
-            Self::TopologyChange => "topology_change",
-            Self::Solved => "solved",
-            Self::NothingToMove => "nothing_to_move",
-            Self::ObjectiveChange => "objective_change",
-            Self::Gradient => "gradient",
-            Self::StepLength => "step_length",
-            Self::MaxIterations => "max_iterations",
-            Self::Stalled => "stalled",
-            Self::Collapsed => "collapsed",
-            Self::Deadline => "deadline",
-        }
-    }
+/// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default solver
+/// has met its rule if the residual is at most the tolerance. The solvers of the papers have rules of their own; for
+/// Pinkall and Polthier's solver a residual at the tolerance suffices too.
+pub(super) fn meets_its_rule(solver: Solver, reason: StopReason, residual: f64, tolerance: f64) -> bool {
+    let by_residual = matches!(solver, Solver::Newton | Solver::PinkallPolthier) && residual <= tolerance;
+    let by_another = match reason {
+        StopReason::AreaChange
+        | StopReason::Solved
+        | StopReason::NothingToMove
+        | StopReason::ObjectiveChange
+        | StopReason::Gradient
+        | StopReason::StepLength => true,
+        StopReason::Residual
+        | StopReason::TopologyChange
+        | StopReason::MaxIterations
+        | StopReason::Stalled
+        | StopReason::Collapsed
+        | StopReason::Deadline => false,
+    };
+    by_residual || by_another
 }
 
 /// The record of an iteration of the solver.

@@ -1,7 +1,8 @@
 //! A film that a solver has finished, with the further facts that the statistics need.
 
 use super::initial_mesh::InitialMeshKind;
-use super::run::{Run, StopReason};
+use super::run::Run;
+use crate::form_finding::StopReason;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure;
 

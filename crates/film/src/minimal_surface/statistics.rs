@@ -4,7 +4,8 @@ use super::curvature::Curvature;
 use super::initial_mesh::InitialMeshKind;
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Objective, Options, Solver};
-use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
+use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, meets_its_rule};
+use crate::form_finding::StopReason;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
@@ -108,7 +109,7 @@ impl Statistics {
     /// residual that the solvers compare with their tolerance (see [`Curvature`]).
     pub(super) fn not_converged(&self, residual_felt: f64, tolerance: f64) -> Warning {
         let mut reasons = Vec::new();
-        if !self.stop_reason.meets_the_rule_of(self.solver, residual_felt, tolerance) {
+        if !meets_its_rule(self.solver, self.stop_reason, residual_felt, tolerance) {
             let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
             reasons.push(match self.solver {
                 Solver::Newton => residual(),

@@ -28,12 +28,13 @@ use super::initial_mesh::InitialMeshKind;
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
-use super::run::{Record, Run, StopReason};
+use super::run::{Record, Run};
 use super::statistics::{self, Facts, MeanCurvature, Origin};
 use crate::equilibrium::newton::{Direct, Equations, State};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Unknown};
 use crate::equilibrium::{Aim, Frame, Freedom, Motion, Settings};
+use crate::form_finding::{self, FormFinding, Round, StopReason};
 use angles::junction_statistics;
 use film::JunctionFilm;
 use plateau_mesh::codes::WarningCode;
@@ -206,51 +207,8 @@ impl<'a> JunctionSolver<'a> {
         if film.complex.kinds.iter().all(|kind| *kind == VertexKind::Boundary) {
             return Ok(StopReason::NothingToMove);
         }
-        self.record.share = [0.0, SETTLE_SHARE];
-        self.settle(film)?;
-        self.record.share = [SETTLE_SHARE, ROUNDS_SHARE];
-        for round in 0..ROUNDS {
-            let done = f64::from(round + 1) / f64::from(ROUNDS);
-            self.newton(film, SETTLED, STEPS_PER_ROUND, "junction_rounds", done)?;
-            let swapped = self.even_out(film)?;
-            let body = film.body();
-            if swapped == 0 && Motion::new(&body).state(&film.vertices).residual <= SETTLED {
-                break;
-            }
-        }
-        self.record.share = [ROUNDS_SHARE, 1.0];
-        Ok(match self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)? {
-            // A flipped triangle does not show in the residual.
-            StopReason::Residual if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
-            reason => reason,
-        })
-    }
-
-    /// Step 2: harmonic solves and remeshing until the area settles. Accepts any start.
-    fn settle(&mut self, film: &mut JunctionFilm) -> Result<(), Error> {
-        let fixed: Vec<bool> = film.complex.kinds.iter().map(|kind| *kind == VertexKind::Boundary).collect();
-        let mut area = film.area();
-        for round in 0..ROUNDS {
-            let before = area;
-            let Ok(mut dirichlet) = Dirichlet::of_complex(&film.complex.triangles, &fixed) else { return Ok(()) };
-            for _ in 0..SOLVES_PER_ROUND {
-                self.exec.look(WORK_PER_TRIANGLE * film.complex.triangles.len() as u64)?;
-                let full = self.record.iterations >= self.limit;
-                if full || dirichlet.move_to_minimum(&mut film.vertices, &film.complex.triangles).is_err() {
-                    return Ok(());
-                }
-                let body = film.body();
-                let residual = Motion::new(&body).state(&film.vertices).residual;
-                let done = f64::from(round + 1) / f64::from(ROUNDS);
-                self.record.iteration("pinkall_polthier", film.area(), residual, done);
-            }
-            self.even_out(film)?;
-            area = film.area();
-            if (before - area).abs() <= SETTLED_AREA * area {
-                break;
-            }
-        }
-        Ok(())
+        let area = film.area();
+        form_finding::find(&mut Converging { solver: self, film, rounds: Rounds::Harmonic(0), area })
     }
 
     fn even_out(&mut self, film: &mut JunctionFilm) -> Result<u64, Error> {
@@ -292,6 +250,108 @@ impl<'a> JunctionSolver<'a> {
             };
         }
         Ok(reason)
+    }
+}
+
+/// The rounds of a film with junctions: the kind of the next round, and the number of rounds of this kind before it.
+#[derive(Clone, Copy, Debug)]
+enum Rounds {
+    /// Step 2: harmonic solves and remeshing.
+    Harmonic(u32),
+    /// Step 3: a few Newton steps and remeshing.
+    Newton(u32),
+}
+
+/// A film with junctions on its way to a stationary shape.
+struct Converging<'s, 'a> {
+    solver: &'s mut JunctionSolver<'a>,
+    film: &'s mut JunctionFilm,
+    rounds: Rounds,
+    area: f64,
+}
+
+impl Converging<'_, '_> {
+    /// Makes a round of step 2. Returns whether the area has settled, or no further solve is possible.
+    fn harmonic_round(&mut self, round: u32) -> Result<bool, Error> {
+        let Self { solver, film, .. } = self;
+        let fixed: Vec<bool> = film.complex.kinds.iter().map(|kind| *kind == VertexKind::Boundary).collect();
+        let before = self.area;
+        let Ok(mut dirichlet) = Dirichlet::of_complex(&film.complex.triangles, &fixed) else { return Ok(true) };
+        for _ in 0..SOLVES_PER_ROUND {
+            solver.exec.look(WORK_PER_TRIANGLE * film.complex.triangles.len() as u64)?;
+            let full = solver.record.iterations >= solver.limit;
+            if full || dirichlet.move_to_minimum(&mut film.vertices, &film.complex.triangles).is_err() {
+                return Ok(true);
+            }
+            let body = film.body();
+            let residual = Motion::new(&body).state(&film.vertices).residual;
+            solver.record.iteration("pinkall_polthier", film.area(), residual, part_of_rounds(round));
+        }
+        solver.even_out(film)?;
+        self.area = film.area();
+        Ok(round + 1 == ROUNDS || (before - self.area).abs() <= SETTLED_AREA * self.area)
+    }
+
+    /// Makes a round of step 3. Returns whether the film has settled, or the rounds are used up.
+    fn newton_round(&mut self, round: u32) -> Result<bool, Error> {
+        let Self { solver, film, .. } = self;
+        solver.newton(film, SETTLED, STEPS_PER_ROUND, "junction_rounds", part_of_rounds(round))?;
+        let swapped = solver.even_out(film)?;
+        let body = film.body();
+        let settled = swapped == 0 && Motion::new(&body).state(&film.vertices).residual <= SETTLED;
+        Ok(round + 1 == ROUNDS || settled)
+    }
+}
+
+/// Part of the rounds of a step that is done after the round of this number, which begins at 0.
+fn part_of_rounds(round: u32) -> f64 {
+    f64::from(round + 1) / f64::from(ROUNDS)
+}
+
+impl FormFinding for Converging<'_, '_> {
+    type End = StopReason;
+    type Error = Error;
+
+    fn begin(&mut self, _attempt: u32) {
+        self.solver.record.share = [0.0, SETTLE_SHARE];
+    }
+
+    fn round(&mut self) -> Result<Round<StopReason>, Error> {
+        match self.rounds {
+            Rounds::Harmonic(round) => {
+                self.rounds = Rounds::Harmonic(round + 1);
+                if self.harmonic_round(round)? {
+                    self.rounds = Rounds::Newton(0);
+                    self.solver.record.share = [SETTLE_SHARE, ROUNDS_SHARE];
+                }
+            }
+            Rounds::Newton(round) => {
+                self.rounds = Rounds::Newton(round + 1);
+                if self.newton_round(round)? {
+                    self.solver.record.share = [ROUNDS_SHARE, 1.0];
+                    return Ok(Round::Settled);
+                }
+            }
+        }
+        Ok(Round::Moves)
+    }
+
+    fn newton(&mut self) -> Result<StopReason, Error> {
+        self.solver.newton(self.film, self.solver.tolerance, u32::MAX, "newton", 0.5)
+    }
+
+    fn flipped_triangles(&self) -> usize {
+        flipped_triangles(&self.film.vertices, &self.film.complex)
+    }
+
+    fn accept(&mut self) -> Result<Option<StopReason>, Error> {
+        Ok(Some(StopReason::Residual))
+    }
+
+    /// A film with junctions never settles again, because its rounds of Newton steps and remeshing have already brought
+    /// it near its shape.
+    fn refuse(&mut self, reason: StopReason, _attempt: u32) -> Result<Option<StopReason>, Error> {
+        Ok(Some(if reason == StopReason::Residual { StopReason::Stalled } else { reason }))
     }
 }
 

@@ -15,38 +15,27 @@
 //!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
 mod balance;
+mod settle;
 
 use super::mixing::Mixing;
 use super::model::{ForceBy, Model, Renewal, Stage};
 use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
 use super::weave::StressField;
-use crate::energy::{PlaneStress, Prestress, Term};
+use crate::energy::{PlaneStress, Term};
 use crate::equilibrium::newton::{Direct, State, keeps_orientation};
-use crate::equilibrium::{Aim, Body, Frame, Freedom, Outcome, Settings, Stability};
-use crate::minimal_surface::StopReason;
+use crate::equilibrium::{Aim, Body, Frame, Outcome, Settings, Stability};
+use crate::form_finding::{self, StopReason};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
-use plateau_mesh::measure::normals;
-use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
+use settle::Settling;
 
 // Tunables.
 
 /// Largest number of linear solves of an attempt if the caller gives none.
 pub(super) const DEFAULT_SOLVES: u32 = 400;
-/// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
-const MAX_ROUNDS: u32 = 60;
-/// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.
-const MAX_WOVEN_ROUNDS: u32 = 20;
-/// Number of Newton steps of one round of step 1. More steps would only refine the equilibrium of a reference shape
-/// that the next round replaces.
-const STEPS_PER_ROUND: u32 = 3;
-/// A round that moves no vertex by more than this fraction of the mean edge is the last.
-const SETTLED: f64 = 0.05;
-/// Rounds in which an enclosed volume grows to its required value.
-const VOLUME_ROUNDS: u32 = 8;
 /// Largest number of Newton steps of one solve of step 2.
 const NEWTON_STEPS: u32 = 30;
 /// Largest number of renewals: of the mean height of a heavy film, and of the list of slack cables.
@@ -59,8 +48,6 @@ const MAX_REFERENCES: u32 = 300;
 /// so they change slowly, and each change disturbs the shape. With 1e-7 instead of 1e-4 the example conic-tent took 135
 /// more solves.
 const STRESSES_SETTLED: f64 = 3e-5;
-/// Largest number of times that a stalled Newton iteration is followed by another step 1.
-const MAX_RETURNS: u32 = 3;
 /// Newton steps of the balance, which is linear but for a pressure.
 const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
@@ -311,25 +298,7 @@ impl Run<'_> {
             }
             return Ok(());
         }
-        let mut first_round = 1;
-        for attempt in 0..=MAX_RETURNS {
-            self.settle(first_round)?;
-            first_round = VOLUME_ROUNDS;
-            let reason = match self.model.stress_field {
-                None => self.newton(found, self.options.tolerance)?,
-                Some(_) => self.renew_references(found)?,
-            };
-            found.stop_reason = reason;
-            match reason {
-                StopReason::Residual => break,
-                StopReason::Stalled | StopReason::MaxIterations if attempt < MAX_RETURNS => {}
-                _ => return Ok(()),
-            }
-        }
-        if found.is_shape() && self.model.flipped() == 0 {
-            self.balance(found)?;
-        }
-        Ok(())
+        form_finding::find(&mut Settling { run: self, found, round: 0, last_round: 0 })
     }
 
     /// The residual and the energy of a shape that was left before Newton's method began.
@@ -380,70 +349,6 @@ impl Run<'_> {
     pub fn look(&self) -> Result<(), Stop> {
         let count: usize = self.model.layers.iter().map(|layer| layer.film.triangles().len()).sum();
         self.exec.look(WORK_PER_TRIANGLE * count as u64).map_err(|interruption| Stop::from(Error::from(interruption)))
-    }
-
-    /// Step 1.
-    fn settle(&mut self, first_round: u32) -> Result<(), Stop> {
-        let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
-        let last_round = if self.model.stress_field.is_some() { MAX_WOVEN_ROUNDS } else { MAX_ROUNDS };
-        let by_volume = self.structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
-        for round in first_round..=last_round {
-            let grown = f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS);
-            self.model.hang(self.structure);
-            // The stresses vary even if their magnitudes are to be held. Otherwise the vertices of a film whose
-            // stresses cannot be in equilibrium would move within it from round to round.
-            self.renew_stresses(Renewal::Balance)?;
-            let mut body = self.model.body(self.structure, grown, Stage::Reference)?;
-            self.look()?;
-            let before = body.vertices.clone();
-            if self.model.stress_field.is_none() {
-                for ((term, layer), film) in body.terms.iter_mut().zip(&self.model.layers).zip(&self.structure.layers) {
-                    let (triangles, tension) = (layer.triangles().collect::<Vec<_>>(), film.mean());
-                    *term = Box::new(Prestress::isotropic(&triangles, |_| tension, &before));
-                }
-            }
-            for freedom in &mut body.freedoms {
-                if *freedom == Freedom::Normal {
-                    *freedom = Freedom::Free;
-                }
-            }
-            let (outcome, _) = self.solve(&mut body, &settings, "settle", 0.02)?;
-            let moved = self.largest_motion(&before, &body.vertices);
-            self.model.set_vertices(&body.vertices);
-            self.model.renew_start_forces(self.structure);
-            let flip = if self.model.layers.len() > 1 { flip_without_chords } else { flip_to_delaunay };
-            for k in 0..self.model.layers.len() {
-                self.look()?;
-                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
-                self.look()?;
-                tangential_relaxation(&mut self.model.layers[k].film, 1);
-                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
-            }
-            self.look()?;
-            if matches!(outcome, Outcome::Refused(_)) {
-                return Err(Stop::Reason(StopReason::Collapsed));
-            }
-            let grown = !by_volume || round >= VOLUME_ROUNDS;
-            if grown && moved <= SETTLED * self.model.mean_edge() {
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    /// The largest distance between two positions of a vertex. Inside a woven film it is that along the normal, because
-    /// vertices may move within the film from round to round although the shape has settled.
-    fn largest_motion(&self, before: &[DVec3], after: &[DVec3]) -> f64 {
-        let film = &self.model.layers[0].film;
-        let normals = match self.model.stress_field {
-            Some(_) => normals(before, film.triangles()),
-            None => Vec::new(),
-        };
-        let distance = |(v, (a, b)): (usize, (&DVec3, &DVec3))| match normals.get(v) {
-            Some(normal) if film.fixed.get(v) == Some(&false) => (*b - *a).dot(*normal).abs(),
-            _ => a.distance(*b),
-        };
-        before.iter().zip(after).enumerate().map(distance).fold(0.0, f64::max)
     }
 
     fn renew_stresses(&mut self, renewal: Renewal) -> Result<f64, Stop> {

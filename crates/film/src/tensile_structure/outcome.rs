@@ -11,7 +11,7 @@ use super::reactions::{Hold, contact_angles, edge_forces, holds, reactions, sums
 use super::shape::{CableResult, ChamberResult, LayerResult, Statistics, TensileStructure};
 use super::stress::{of_all, of_triangles, stress};
 use super::warnings::{piercing, warn};
-use crate::minimal_surface::StopReason;
+use crate::form_finding::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::measure::{self, Quality, double_area_vector};

@@ -3,7 +3,7 @@
 use super::options::{BoundaryPoint, WeaveHold};
 use super::ponding::Ponding;
 use crate::equilibrium::Stability;
-use crate::minimal_surface::StopReason;
+use crate::form_finding::StopReason;
 use plateau_mesh::error::Warning;
 use plateau_mesh::measure::Quality;
 use plateau_mesh::{DVec3, Mesh};

@@ -23,7 +23,7 @@ use super::remeshing::Fineness;
 use super::taut_start::{Held, taut};
 use crate::equilibrium::settling::{Pace, Settler, energy};
 use crate::equilibrium::{Body, Determined};
-use crate::minimal_surface::StopReason;
+use crate::form_finding::{self, FormFinding, Round, StopReason};
 use ending::Watch;
 use plateau_mesh::error::InputError;
 use plateau_mesh::{DVec3, Error, Progress, measure};
@@ -110,12 +110,29 @@ struct Trip {
     wait: u32,
     failures: u32,
     kicks: u32,
+    /// Edge length of the mesh in the last round, and whether its level is the last.
+    edge: f64,
+    is_last: bool,
+    /// The shape from which Newton's method began.
+    before: Option<Model>,
 }
 
 impl Trip {
     fn new(attempt: Attempt, level: f64) -> Self {
-        let settler = Settler::default();
-        Self { attempt, settler, level, is_fresh: true, rounds: 0, stuck: 0, wait: 0, failures: 0, kicks: 0 }
+        Self {
+            attempt,
+            settler: Settler::default(),
+            level,
+            is_fresh: true,
+            rounds: 0,
+            stuck: 0,
+            wait: 0,
+            failures: 0,
+            kicks: 0,
+            edge: 0.0,
+            is_last: false,
+            before: None,
+        }
     }
 
     /// Goes on to the next finer level.
@@ -125,16 +142,65 @@ impl Trip {
     }
 }
 
-/// The step that follows a round.
-enum Next {
-    Round,
-    /// Newton's method on a mesh of this edge length.
-    Newton {
-        edge: f64,
-        is_last: bool,
-    },
+/// The end of an attempt.
+enum Arrival {
+    /// The structure is in equilibrium on the last level.
     Found,
-    Ended(Ending),
+    /// There is no shape, or none was found.
+    Lost(Ending),
+}
+
+/// A structure on its way, on meshes that are renewed.
+struct Travelling<'r, 'a> {
+    run: &'r mut Run<'a>,
+    trip: Trip,
+    found: &'r mut Found,
+    watch: &'r mut Watch,
+}
+
+impl FormFinding for Travelling<'_, '_> {
+    type End = Arrival;
+    type Error = Stop;
+
+    fn begin(&mut self, _attempt: u32) {}
+
+    fn round(&mut self) -> Result<Round<Self::End>, Stop> {
+        self.run.settle_once(&mut self.trip, self.watch)
+    }
+
+    /// Tries Newton's method from the present shape.
+    fn newton(&mut self) -> Result<StopReason, Stop> {
+        let Self { run, trip, found, .. } = self;
+        trip.before = Some(run.model.clone());
+        let tolerance = run.options.tolerance;
+        found.stop_reason =
+            run.newton(found, if trip.is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
+        Ok(found.stop_reason)
+    }
+
+    fn flipped_triangles(&self) -> usize {
+        self.run.model.flipped()
+    }
+
+    fn accept(&mut self) -> Result<Option<Self::End>, Stop> {
+        self.run.accept(&mut self.trip, self.found, self.watch)
+    }
+
+    /// Goes back to the shape from which Newton's method has failed. After [`MAX_FAILURES`] failures the attempt ends.
+    fn refuse(&mut self, _reason: StopReason, _attempt: u32) -> Result<Option<Self::End>, Stop> {
+        let Self { run, trip, found, watch } = self;
+        if let Some(before) = trip.before.take() {
+            *run.model = before;
+        }
+        if trip.failures >= MAX_FAILURES {
+            let detail = format!("Newton's method does not converge: the residual is {:.1e}", found.residual);
+            return Ok(Some(Arrival::Lost(Ending::NotFound(detail))));
+        }
+        trip.failures += u32::from(!watch.shrinks);
+        trip.wait = trip.rounds + WAIT * (1 + trip.failures);
+        trip.settler.restart();
+        Ok(None)
+    }
 }
 
 impl Run<'_> {
@@ -276,25 +342,18 @@ impl Run<'_> {
         found: &mut Found,
         watch: &mut Watch,
     ) -> Result<Option<(Ending, Model)>, Stop> {
-        let mut trip = Trip::new(attempt, COARSE.min(self.wanted()));
-        // At most MAX_ROUNDS passes and one, because each pass is a round.
-        loop {
-            let next = match self.settle_once(&mut trip, watch)? {
-                Next::Newton { edge, is_last } => self.try_newton(&mut trip, edge, is_last, found, watch)?,
-                next => next,
-            };
-            match next {
-                Next::Round | Next::Newton { .. } => {}
-                Next::Found => return Ok(None),
-                Next::Ended(ending) => return Ok(Some((ending, self.model.clone()))),
-            }
-        }
+        let trip = Trip::new(attempt, COARSE.min(self.wanted()));
+        Ok(match form_finding::find(&mut Travelling { run: self, trip, found, watch })? {
+            Arrival::Found => None,
+            Arrival::Lost(ending) => Some((ending, self.model.clone())),
+        })
     }
 
     /// Makes one settling round, and remeshes the film if the round has moved it far. Returns the step that follows.
-    fn settle_once(&mut self, trip: &mut Trip, watch: &mut Watch) -> Result<Next, Stop> {
+    fn settle_once(&mut self, trip: &mut Trip, watch: &mut Watch) -> Result<Round<Arrival>, Stop> {
         let Attempt { pace, tension_rounds, .. } = trip.attempt;
         let is_last = trip.level >= 0.99 * self.wanted();
+        trip.is_last = is_last;
         if is_last {
             trip.level = self.wanted();
         }
@@ -305,7 +364,7 @@ impl Run<'_> {
         }
         if trip.rounds >= MAX_ROUNDS {
             let detail = format!("{} rounds of form finding were not enough", trip.rounds);
-            return Ok(Next::Ended(Ending::NotFound(detail)));
+            return Ok(Round::Ended(Arrival::Lost(Ending::NotFound(detail))));
         }
         trip.rounds += 1;
         self.model.hang(self.structure);
@@ -318,17 +377,18 @@ impl Run<'_> {
         let round = match trip.settler.round(&mut body, edge, pace) {
             Ok(round) => round,
             Err(error) => {
-                return Ok(Next::Ended(Ending::NotFound(format!("nothing holds the structure: {error:?}"))));
+                let detail = format!("nothing holds the structure: {error:?}");
+                return Ok(Round::Ended(Arrival::Lost(Ending::NotFound(detail))));
             }
         };
         self.model.set_vertices(&body.vertices);
         self.model.renew_start_forces(self.structure);
         if let Some(ending) = self.ending(watch, edge) {
-            return Ok(Next::Ended(ending));
+            return Ok(Round::Ended(Arrival::Lost(ending)));
         }
         trip.stuck = if round.fraction == 0.0 { trip.stuck + 1 } else { 0 };
         if trip.stuck >= MAX_STUCK {
-            return Ok(Next::Ended(self.stuck(watch)));
+            return Ok(Round::Ended(Arrival::Lost(self.stuck(watch))));
         }
         let ramping = trip.rounds < tension_rounds;
         let moves = round.moved > REMESH_ABOVE * edge;
@@ -339,13 +399,14 @@ impl Run<'_> {
             trip.settler.restart();
         }
         if ramping || moves || is_stuck || !complete || trip.rounds < trip.wait {
-            return Ok(Next::Round);
+            return Ok(Round::Moves);
         }
         if !is_last && round.step < SETTLED * edge {
             trip.grow(self.wanted());
-            return Ok(Next::Round);
+            return Ok(Round::Moves);
         }
-        Ok(if round.step >= NEWTON_BELOW * edge { Next::Round } else { Next::Newton { edge, is_last } })
+        trip.edge = edge;
+        Ok(if round.step >= NEWTON_BELOW * edge { Round::Moves } else { Round::Settled })
     }
 
     /// Remeshes the film at the beginning of a level. The last level is remeshed again while it misses the number of
@@ -362,40 +423,21 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Tries Newton's method from the present shape, and restores this shape if the method fails.
-    fn try_newton(
-        &mut self,
-        trip: &mut Trip,
-        edge: f64,
-        is_last: bool,
-        found: &mut Found,
-        watch: &mut Watch,
-    ) -> Result<Next, Stop> {
-        let before = self.model.clone();
-        let tolerance = self.options.tolerance;
-        let reason = self.newton(found, if is_last { tolerance } else { tolerance.max(COARSE_TOLERANCE) })?;
-        found.stop_reason = reason;
-        if reason != StopReason::Residual || self.model.flipped() > 0 {
-            *self.model = before;
-            if trip.failures >= MAX_FAILURES {
-                let detail = format!("Newton's method does not converge: the residual is {:.1e}", found.residual);
-                return Ok(Next::Ended(Ending::NotFound(detail)));
-            }
-            trip.failures += u32::from(!watch.shrinks);
-            trip.wait = trip.rounds + WAIT * (1 + trip.failures);
-            trip.settler.restart();
-            return Ok(Next::Round);
-        }
+    /// Judges a shape to which Newton's method has converged. `None` if the shape is to go on: it is unstable, or its
+    /// mesh is worn or too coarse.
+    fn accept(&mut self, trip: &mut Trip, found: &mut Found, watch: &mut Watch) -> Result<Option<Arrival>, Stop> {
+        let (edge, is_last) = (trip.edge, trip.is_last);
+        let before = trip.before.take();
         let unstable = found.stability.is_some_and(|stability| stability.least_index > 0);
         if unstable && trip.kicks < MAX_KICKS {
             trip.kicks += 1;
             self.kick(found, KICK * edge);
             trip.settler.restart();
-            return Ok(Next::Round);
+            return Ok(None);
         }
         let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
         let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
-        if trip.failures < MAX_FAILURES && (self.travelled(&before) > edge || is_last && is_worn()) {
+        if trip.failures < MAX_FAILURES && (self.travelled(before.as_ref()) > edge || is_last && is_worn()) {
             // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is renewed.
             trip.failures += 3;
             if is_last && !unstable && watch.last_neck.is_none() {
@@ -403,24 +445,24 @@ impl Run<'_> {
             }
             self.renew_mesh(edge, 2, is_last, watch)?;
             trip.settler.restart();
-            return Ok(Next::Round);
+            return Ok(None);
         }
         if !is_last {
             trip.grow(self.wanted());
-            return Ok(Next::Round);
+            return Ok(None);
         }
         if let Some(neck) = watch.last_neck {
             // A neck that is only three edges around is held open by the mesh alone.
-            return Ok(Next::Ended(self.pinched(neck)));
+            return Ok(Some(Arrival::Lost(self.pinched(neck))));
         }
         self.model.order_input_first(self.structure);
-        found.stop_reason = self.newton(found, tolerance)?;
-        Ok(Next::Found)
+        found.stop_reason = self.newton(found, self.options.tolerance)?;
+        Ok(Some(Arrival::Found))
     }
 
     /// The largest distance of a vertex from its position in `before`.
-    fn travelled(&self, before: &Model) -> f64 {
-        let (old, new) = (before.vertices(), self.model.vertices());
+    fn travelled(&self, before: Option<&Model>) -> f64 {
+        let (old, new) = (before.map(Model::vertices).unwrap_or_default(), self.model.vertices());
         old.iter().zip(&new).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
     }
 

@@ -21,6 +21,7 @@
 
 use super::nested;
 use super::sets::{members, order_of, partitions, set_of, together};
+use crate::form_finding::StopReason;
 use crate::minimal_surface::cone;
 use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
@@ -28,7 +29,7 @@ use crate::minimal_surface::options::{
     InitialMesh, Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule,
 };
 use crate::minimal_surface::run::{
-    ExtrapolatedArea, Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
+    ExtrapolatedArea, Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod,
 };
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;

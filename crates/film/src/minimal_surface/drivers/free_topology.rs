@@ -10,8 +10,9 @@
 //!    change of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start
 //!    step 1 again. If no neck closes after that either, return the film of the default solver as not converged.
 
+use crate::form_finding::StopReason;
 use crate::minimal_surface::options::{FreeTopology, Limits, OnUnstable, PinkallPolthier, Solver};
-use crate::minimal_surface::run::{Record, Run, StopReason};
+use crate::minimal_surface::run::{Record, Run};
 use crate::minimal_surface::solvers::newton;
 use crate::minimal_surface::solvers::pinkall_polthier::{Until, iterate};
 use plateau_mesh::film::Film;

@@ -27,10 +27,11 @@ use crate::equilibrium::newton::{Aim, Equations, Settings};
 use crate::equilibrium::stability::{self, MorseIndex, Unknown, WithMargin};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::equilibrium::{FilmState, NormalMotion};
+use crate::form_finding::StopReason;
 use crate::minimal_surface::extrapolation::{self, Finer, order};
 use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, OnUnstable, Options};
-use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason};
+use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod};
 use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::necks::{Look, compare, has_fine_ends, is_calm};
 use crate::minimal_surface::solvers::newton::{

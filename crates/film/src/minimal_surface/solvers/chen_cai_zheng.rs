@@ -20,9 +20,10 @@
 //! - Fairing does not lower the area in every step and could alternate between two states for ever. The iterations of
 //!   each stage are therefore limited to its share of the remaining iterations.
 
+use crate::form_finding::StopReason;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, Process, Solver, VertexRelaxation};
-use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
+use crate::minimal_surface::run::{HistoryRow, Run};
 use glam::DMat3;
 use plateau_mesh::film::Film;
 use plateau_mesh::measure::double_area_vector;

@@ -1,10 +1,11 @@
 //! The least Dirichlet energy: one harmonic map from the initial mesh (Pinkall, Polthier 1993, section 2).
 
 use crate::energy::dirichlet::dirichlet_energy;
+use crate::form_finding::StopReason;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::Solver;
-use crate::minimal_surface::run::{Record, Run, StopReason};
+use crate::minimal_surface::run::{Record, Run};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::delaunay::flip_to_delaunay;

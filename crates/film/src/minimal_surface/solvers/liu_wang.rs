@@ -25,9 +25,10 @@
 
 mod curvature;
 
+use crate::form_finding::StopReason;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, LiuWang, Solver};
-use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
+use crate::minimal_surface::run::{HistoryRow, Run};
 use curvature::CurvatureRows;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::delaunay::flip_to_delaunay;

@@ -22,10 +22,11 @@ use crate::equilibrium::newton::{Aim, Direct, Equations, Settings, keeps_orienta
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
 use crate::equilibrium::{FilmState, NormalMotion};
+use crate::form_finding::{self, StopReason};
 use crate::minimal_surface::extrapolation::Finer;
 use crate::minimal_surface::harmonic::too_large;
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
-use crate::minimal_surface::run::{ExtrapolatedArea, Record, Run, Stability, StopReason};
+use crate::minimal_surface::run::{ExtrapolatedArea, Record, Run, Stability};
 use crate::minimal_surface::solvers::necks::{self, Look, finer_sizes, has_fine_ends, is_calm, sizes_at_narrow_ends};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, refine};
@@ -34,6 +35,7 @@ use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
 use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
+use settle::Converging;
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
@@ -318,32 +320,7 @@ impl<'a> Solve<'a> {
         {
             return Ok((StopReason::Residual, Some(converged)));
         }
-        let mut reason = StopReason::Stalled;
-        for attempt in 0..=MAX_RETURNS {
-            let collapsed = self.settle(film)?;
-            let mut pattern = Pattern::new(film.triangles(), &film.fixed);
-            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
-            let mut outcome = self.newton(film, &pattern, &mut direct, Aim::Minimum)?;
-            if matches!(outcome, StopReason::Residual | StopReason::Stalled)
-                && let Some(opened) = self.open_folds(film)?
-            {
-                outcome = StopReason::Residual;
-                (pattern, direct) = opened;
-            }
-            reason = match outcome {
-                StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
-                    let (pattern, mut direct) = self.widen(film, pattern, direct)?;
-                    if self.slides {
-                        self.slide(film, &pattern, &mut direct)?;
-                    }
-                    return Ok((StopReason::Residual, Some((pattern, direct))));
-                }
-                StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
-                _ if collapsed => return Ok((StopReason::Collapsed, None)),
-                other => other,
-            };
-        }
-        Ok((reason, None))
+        form_finding::find(&mut Converging::new(self, film))
     }
 
     /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. This surface need not be a

@@ -12,10 +12,11 @@
 //! - The change of area is relative.
 //! - A solve that fails on a collapsed mesh is repeated after the rules have run with a wider threshold.
 
+use crate::form_finding::StopReason;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, Elimination, too_large};
 use crate::minimal_surface::options::{Limits, LinearSolver, PinkallPolthier, Solver};
-use crate::minimal_surface::run::{Record, Run, StopReason, geometric_part};
+use crate::minimal_surface::run::{Record, Run, geometric_part};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::thin_triangles::{Changes, Necks, Pinch, remove_degenerate_triangles};
 use plateau_mesh::{Error, Execution, Interruption};

@@ -9,7 +9,7 @@ use crate::solved::{
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::{ForceUnit, Unit};
 use plateau_archive::{Attribute, LineSet, Lines};
-use plateau_film::minimal_surface::StopReason;
+use plateau_film::form_finding::StopReason;
 use plateau_film::tensile_structure;
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};

@@ -3,8 +3,8 @@
 
 use super::Solve;
 use crate::equilibrium::newton::{Aim, Direct};
+use crate::form_finding::StopReason;
 use crate::minimal_surface::harmonic::too_large;
-use crate::minimal_surface::run::StopReason;
 use plateau_mesh::Error;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
