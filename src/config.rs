@@ -535,7 +535,8 @@ impl Config {
     /// Returns `jobs.memory_bytes`, or its default on this machine.
     #[must_use]
     pub fn solver_memory_bytes(&self) -> u64 {
-        // Assumed if the memory cannot be read, as outside Linux. Most machines have more.
+        // Assumed number of bytes if the size of the memory is not known, for example outside Linux. Most machines have
+        // more.
         const UNKNOWN: u64 = 8 << 30;
         self.jobs.memory_bytes.unwrap_or_else(|| memory::limit_bytes().map_or(UNKNOWN, |bytes| bytes / 4 * 3))
     }

@@ -92,7 +92,8 @@ async fn a_source_that_has_expired_is_410_and_a_repetition_is_answered_all_the_s
     };
     let job: Value = keyed(&app, 2.0).await.json().await.expect("JSON");
     assert_eq!(job["status"], "succeeded", "{job:#}");
-    // A server sweeps when it starts.
+    // A server deletes surplus jobs when it starts. With a limit of one job the film expires, because it is the older
+    // of the two.
     let (_, folder) = app.stop().await;
     let app = TestApp::start_in(folder, &[("PLATEAU_STORE__MAX_JOBS", "1")]).await;
     let this = film["links"]["self"].as_str().expect("a link");

@@ -518,7 +518,7 @@ export interface components {
         };
         /** @description A tensor-product Bézier patch. */
         Bezier: {
-            /** @description Control points: rows along u, each with the points along v. */
+            /** @description Control points: `control_points[i][j]`, where i counts along u and j along v. */
             control_points: components["schemas"]["Polyline"][];
         };
         /** @description A point of a boundary, counted from 0. */
@@ -1995,7 +1995,7 @@ export interface components {
         };
         /** @description A NURBS patch. */
         Nurbs: {
-            /** @description Control points: rows along u, each with the points along v. */
+            /** @description Control points: `control_points[i][j]`, where i counts along u and j along v. */
             control_points: components["schemas"]["Polyline"][];
             /** @description Degrees along u and along v. */
             degrees: number[];
@@ -2533,8 +2533,8 @@ export interface components {
             /** @description Sets of boundaries by their numbers. A connected film spans each set. */
             films: number[][];
             /**
-             * @description Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-             *     comes after all others. Null if the time was up before the search for crossings had ended.
+             * @description Whether its films pass through each other or through themselves. No soap film has such a shape, so these
+             *     topologies follow those whose films do not cross. Null if the time was up before a crossing was found.
              */
             films_cross: boolean | null;
             /**

@@ -114,11 +114,11 @@ impl<'a> Border<'a> {
             let (mut here, mut left) = (first, sides.len());
             (1..=points.len()).all(|k| {
                 let target = points[k % points.len()];
-                // Ends because no side is taken twice: `left` counts the sides that remain.
+                // Takes at most `sides.len()` steps, because each step lowers `left`. A walk that needs more steps
+                // takes a side twice, so it does not run along the polygon.
                 loop {
                     let Some(next) = self.towards(sides, here, target) else { return false };
                     here = next;
-                    // Every side is taken at most once.
                     let Some(fewer) = left.checked_sub(1) else { return false };
                     left = fewer;
                     if position_key(self.vertices[here as usize]) == position_key(target) {

@@ -391,9 +391,10 @@ mod tests {
         }
     }
 
-    /// A spiral ramp of a little more than one turn, whose end lies over its start. The polygon of its boundary crosses
-    /// itself at two vertices that the start and the end share. The end is tilted about the line between these
-    /// vertices, so that it passes through the start.
+    /// A spiral ramp of a little more than one turn, whose last part lies over its first part. The two parts share two
+    /// vertices, and seen from above the boundary crosses itself exactly there. The last part is tilted about the line
+    /// through these vertices, so that it intersects the first part. A search for crossings of boundary edges that
+    /// ignores common vertices would take the ramp for a chart, which cannot intersect itself.
     #[test]
     fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
         let over = 8;

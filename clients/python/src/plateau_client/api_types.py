@@ -221,7 +221,7 @@ class BatchRequest(TypedDict):
 class Bezier(TypedDict):
     """A tensor-product Bézier patch."""
     control_points: Sequence[Polyline]
-    """Control points: rows along u, each with the points along v."""
+    """Control points: `control_points[i][j]`, where i counts along u and j along v."""
 
 
 class BoundaryPoint(TypedDict):
@@ -1269,7 +1269,7 @@ class NetReaction(TypedDict):
 class Nurbs(TypedDict):
     """A NURBS patch."""
     control_points: Sequence[Polyline]
-    """Control points: rows along u, each with the points along v."""
+    """Control points: `control_points[i][j]`, where i counts along u and j along v."""
     degrees: Sequence[int]
     """Degrees along u and along v."""
     knots: Sequence[Sequence[float]]
@@ -1635,8 +1635,8 @@ class SpanningTopology(TypedDict):
     films: List[List[int]]
     """Sets of boundaries by their numbers. A connected film spans each set."""
     films_cross: Optional[bool]
-    """Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-    comes after all others. Null if the time was up before the search for crossings had ended."""
+    """Whether its films pass through each other or through themselves. No soap film has such a shape, so these
+    topologies follow those whose films do not cross. Null if the time was up before a crossing was found."""
     gap: Optional[float]
     """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
     Null if nothing is proven."""

@@ -21,8 +21,8 @@ pub enum Origin {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
     pub origin: Origin,
-    /// Whether lines along the mesh are written too. STL never has them, and PLY only those of a mesh without
-    /// triangles.
+    /// Whether the sets of lines (boundaries, cables, bridges) are written too. An STL file never has lines, and a PLY
+    /// file has them only if the mesh has no triangles.
     pub lines: bool,
     /// Whether a PLY file is text.
     pub ascii: bool,

@@ -73,7 +73,7 @@ pub struct KeptFilm {
 /// Figures of a moved film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovedFilm {
-    /// Area in u².
+    /// Area in the square of the caller's unit of length.
     pub area: f64,
     /// Residual, as [`Statistics::residual`](super::Statistics::residual) defines it.
     pub residual: f64,

@@ -159,7 +159,8 @@ pub struct Sliding {
 /// The part of a boundary that slides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlidingPart {
-    /// The edge from one point of a boundary to another, in the boundary's direction, without the two points.
+    /// The stretch of a boundary from one point to another, in the boundary's direction. The two points themselves do
+    /// not slide.
     Edge {
         /// The number of the boundary.
         boundary: usize,

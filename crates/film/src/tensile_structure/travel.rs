@@ -43,8 +43,9 @@ const NEWTON_BELOW: f64 = 0.5;
 const SETTLED: f64 = 0.05;
 /// The residual at which Newton's method ends on a coarse level.
 const COARSE_TOLERANCE: f64 = 1e-4;
-/// A mesh with an angle above this one (in radians: 137°) is renewed once Newton's method has converged on the mesh.
-const WORN: f64 = 2.4;
+/// Largest acceptable angle of a triangle, in radians; it is 137°. A mesh of the finest level with a larger angle is
+/// remeshed once Newton's method has converged on the mesh.
+const WORN_ANGLE: f64 = 2.4;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// The pause before Newton's method is tried again, in rounds, is this number times one more than the number of
@@ -436,7 +437,7 @@ impl Run<'_> {
             return Ok(None);
         }
         let largest_angle = || measure::angle_range(&self.model.layers[0].film.mesh()).1;
-        let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN;
+        let is_worn = || watch.last_neck.is_some() || largest_angle() > WORN_ANGLE;
         if trip.failures < MAX_FAILURES && (self.travelled(before.as_ref()) > edge || is_last && is_worn()) {
             // Newton's method moves vertices along the normals, which makes bad triangles, so the mesh is renewed.
             trip.failures += 3;

@@ -6,8 +6,8 @@ use crate::axis_box::AxisBox;
 use crate::{DVec3, Execution, Interruption};
 use std::ops::{ControlFlow, Range};
 
-/// Slack that makes up for the rounding of the boxes, as a fraction of the largest coordinate and of the extent of the
-/// mesh.
+/// Slack for the rounding of the boxes' corners, as a fraction of the extent of the mesh. The rounding of the
+/// coordinates is added to it: four times the machine epsilon times the largest coordinate.
 const SLACK: f64 = 1e-14;
 
 /// How the triangles are arranged before the tree is built over them.
@@ -176,7 +176,7 @@ impl Tree {
             origin: DVec3::ZERO,
             base,
             leaf_size: size,
-            // Coordinates are at most 1. Their rounding and that of the extents move a box by less than this.
+            // The slack of an empty list is never used.
             slack: SLACK,
             order: list,
         };

@@ -131,8 +131,9 @@ pub fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
     parents.iter().map(|&[first, second]| 0.5 * (height(first) + height(second))).collect()
 }
 
-/// The parents of the unknowns of a finer mesh. `midpoints` are the ends of the edges that the new vertices halve. New
-/// vertices are numbered after the old ones.
+/// Returns the parents of the unknowns of a finer mesh. `coarse_unknown` has the unknown of each coarse vertex, or
+/// [`FIXED`], and `fine_vertices` the vertex of each fine unknown. New vertices are numbered after the coarse ones, and
+/// each halves an edge: `midpoints` has the ends of the edge for each of them.
 pub fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
     let old = coarse_unknown.len();
     let unknown = |vertex: u32| coarse_unknown[vertex as usize];

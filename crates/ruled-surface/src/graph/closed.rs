@@ -155,14 +155,15 @@ fn divide_and_conquer(
     let mut best = search.find(&Region::full(rows, 0, n), (0, 0, Seed::Either), (n, n), counter)?;
     let low = PathBounds::of(&best.path, rows);
     let high = low.shifted(n as u32);
-    // Each range holds the starts strictly between two starts whose shortest paths are known. All starts are below n,
-    // so no path needs column 2n, which lies beyond the grid.
+    // Each range (a, low, b, high) has the starts strictly between a and b, whose shortest paths `low` and `high`
+    // enclose the paths from all of them. The path from n is the path from 0, shifted by n columns.
     let mut ranges = vec![(0, low, n, high)];
     while let Some((a, low, b, high)) = ranges.pop() {
         if b - a < 2 {
             continue;
         }
         let start = a.midpoint(b);
+        // A path from a start below n ends below column 2n, so the region that is cut at the last column has all paths.
         let columns = search.columns() as u32 - 1;
         let region = Region { first: low.first.clone(), last: high.last.iter().map(|&c| c.min(columns)).collect() };
         let found = search.find(&region, (start, start, Seed::Either), (start + n, start + n), counter)?;

@@ -78,10 +78,11 @@ fn doubled_area(x: &[DVec2], [a, b, c]: [u32; 3]) -> f64 {
     (x[b as usize] - a).perp_dot(x[c as usize] - a)
 }
 
-/// Lays the mesh into the plane. `plane` is the start, which must have no flipped triangle.
+/// Flattens the mesh. `plane` has the positions of the start, which must have no flipped triangle, and receives the
+/// result. `span` is the interval of the progress that belongs to the flattening.
 ///
-/// The run ends when several steps in a row lower the energy by less than 1e-10 of its value. On an interruption
-/// `plane` is the best position found.
+/// The flattening ends after 200 steps, or when several steps in a row lower the energy by less than 1e-10 of its
+/// value. On an interruption `plane` has the best positions found.
 pub(crate) fn flatten(
     mesh: &Mesh,
     edges: &[[u32; 2]],

@@ -245,7 +245,8 @@ impl Shape {
                 let mut placed: Vec<(f64, usize)> = angles.into_iter().zip(others.iter().copied()).collect();
                 placed.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let step = TAU / placed.len() as f64;
-                // Rotation of the evenly spread places that fits them best to the directions.
+                // The inner circles go to the angles k · step, rotated by the mean of (direction - k · step), which
+                // brings them nearest to the directions. If these differences cancel, the first circle keeps its own.
                 let turns = || placed.iter().enumerate().map(|(k, &(angle, _))| unit_vector(angle - step * k as f64));
                 let sum: DVec2 = turns().sum();
                 let turn = if sum.length() > CONCENTRIC { libm::atan2(sum.y, sum.x) } else { placed[0].0 };

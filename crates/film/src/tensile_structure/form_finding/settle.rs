@@ -13,7 +13,8 @@ use plateau_mesh::{DVec3, Error};
 
 /// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
 const MAX_ROUNDS: u32 = 60;
-/// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.
+/// Largest number of rounds of step 1 for a woven film. It is smaller than [`MAX_ROUNDS`], because step 2 of a woven
+/// film converges from a poorer shape.
 const MAX_WOVEN_ROUNDS: u32 = 20;
 /// Number of Newton steps of one round of step 1. More steps would only refine the equilibrium of a reference shape
 /// that the next round replaces.

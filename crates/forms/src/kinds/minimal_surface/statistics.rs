@@ -27,13 +27,13 @@ pub struct SpanningTopology {
     /// Total area. Null if one of the films does not exist.
     pub area: Option<f64>,
     pub stability: Option<Stability>,
-    /// Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
-    /// comes after all others. Null if the time was up before the search for crossings had ended.
+    /// Whether its films pass through each other or through themselves. No soap film has such a shape, so these
+    /// topologies follow those whose films do not cross. Null if the time was up before a crossing was found.
     pub films_cross: Option<bool>,
     /// Whether this topology was returned.
     pub chosen: bool,
-    /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    /// Null if nothing is proven.
+    /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this
+    /// boundary. Null if nothing is proven.
     pub gap: Option<f64>,
 }
 

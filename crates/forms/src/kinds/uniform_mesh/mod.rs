@@ -131,8 +131,8 @@ pub enum UniformMeshKind {
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
 pub struct Domain {
     /// A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
-    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
-    /// `projected`.
+    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
+    /// warning `projected`.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<Point, 3>")]
     pub polygon: Option<List<Point, 3>>,
@@ -155,7 +155,7 @@ pub struct Domain {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bezier {
-    /// Control points: rows along u, each with the points along v.
+    /// Control points: `control_points[i][j]`, where i counts along u and j along v.
     pub control_points: List<List<Point, 2>, 2>,
 }
 
@@ -167,7 +167,7 @@ pub struct Nurbs {
     pub degrees: [Whole<1, 60>; 2],
     /// Knots along u and along v: control points + degree + 1 each, in non-decreasing order.
     pub knots: [Vec<f64>; 2],
-    /// Control points: rows along u, each with the points along v.
+    /// Control points: `control_points[i][j]`, where i counts along u and j along v.
     pub control_points: List<List<Point, 2>, 2>,
     /// Weights in the shape of the control points. Null means equal weights.
     #[serde(default)]

@@ -139,9 +139,9 @@ impl<'a> BoundaryPlaces<'a> {
     /// Renumbers the vertices into the documented order: input points, points added on the boundaries, interior
     /// vertices.
     ///
-    /// Each boundary loop is rotated to begin at point 0 of its polygon, because it begins at the first point that the
-    /// coarse mesh keeps, which need not be point 0. `None` if point 0 is not a vertex, which cannot happen on the last
-    /// level, because every input point is a vertex there.
+    /// A boundary loop begins at the first point that the coarse mesh keeps, which need not be point 0. The loop is
+    /// therefore rotated to begin at point 0 of its polygon. Returns `None` if point 0 is not a vertex of the film. On
+    /// the last level every input point is a vertex.
     pub fn input_points_first(&mut self, mut film: Film) -> Option<Film> {
         for ((boundary, places), polygon) in film.boundaries.iter_mut().zip(&mut self.places).zip(self.polygons) {
             let count = polygon.len() as f64;

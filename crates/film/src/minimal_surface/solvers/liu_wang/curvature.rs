@@ -141,8 +141,9 @@ impl CurvatureRows {
         (&self.columns[range.clone()], &self.values[range])
     }
 
-    /// Returns S and B for the vertex of each row, with H = S / B. S = Σ β(e) |e| / 2 is a sum over the edges of the
-    /// vertex, and B is a third of the area of its triangles.
+    /// Returns S and B for the vertex of each row. The mean curvature is H = S / B. S = Σ β(e) |e| / 2 is the sum over
+    /// the edges e at the vertex, where β is the dihedral angle. B is a third of the area of the triangles at the
+    /// vertex.
     fn sums(&self, vertices: &[DVec3]) -> (Vec<f64>, Vec<f64>) {
         let (mut bending, mut third) = (vec![0.0; self.rows()], vec![0.0; self.rows()]);
         for &hinge in &self.hinges {
