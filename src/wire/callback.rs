@@ -26,8 +26,8 @@ pub struct Delivery {
     pub outcome: Outcome,
 }
 
-/// How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
-/// will be repeated, and `given_up` if it was the last.
+/// How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
+/// attempt will be repeated, and `given_up` if it was the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "DeliveryOutcome")]

@@ -46,8 +46,8 @@ pub struct Links {
     /// Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
-    /// Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal surfaces
-    /// do, if their request has `certify`.
+    /// Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
+    /// surfaces do, if their request has `certify`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<String>,
     pub events: String,

@@ -26,7 +26,8 @@ pub struct Limits {
     pub body_bytes: usize,
     /// Largest number of points of all polylines of a request, and of vertices of a cable net.
     pub points: usize,
-    /// Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net.
+    /// Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable
+    /// net.
     pub triangles: usize,
     /// Largest number of cells of the grids of all strips of a ruled surface.
     pub grid_cells: u64,
@@ -48,8 +49,8 @@ pub struct Limits {
     pub open_requests_per_key: usize,
     /// Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones.
     pub jobs_kept: u64,
-    /// Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
-    /// lose their oldest ones. 0 means no limit.
+    /// Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest
+    /// results lose their oldest ones. 0 means no limit.
     pub bytes_kept: u64,
     /// Time in seconds after its end at which a job is removed with its mesh. 0 means never.
     pub retention_s: u64,

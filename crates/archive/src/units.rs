@@ -60,7 +60,8 @@ impl Unit {
     }
 }
 
-/// Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area.
+/// Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of
+/// area.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum ForceUnit {
     #[serde(rename = "N")]

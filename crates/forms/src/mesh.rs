@@ -43,8 +43,8 @@ pub struct MeshAttributes {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshLines {
-    /// `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
-    /// the cable's name, such as `cables ridge`.
+    /// `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables`
+    /// with the cable's name, such as `cables ridge`.
     pub name: String,
     /// Each line as the vertices along it. A closed line ends with its first vertex.
     pub paths: Vec<Vec<u32>>,

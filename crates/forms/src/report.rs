@@ -26,8 +26,8 @@ pub struct Warning {
     #[schemars(schema_with = "code")]
     pub code: String,
     pub detail: String,
-    /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
-    /// are in the request's unit.
+    /// Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
+    /// lengths are in the request's unit.
     pub values: BTreeMap<String, f64>,
 }
 

@@ -30,8 +30,8 @@ pub struct CertifyOptions {
     /// The search ends once the film's area is at most this fraction above the bound.
     #[serde(default = "default_gap")]
     pub gap: Fraction,
-    /// Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
-    /// the same request gives the same result on every machine.
+    /// Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so
+    /// that the same request gives the same result on every machine.
     #[serde(default = "default_seconds")]
     pub seconds: UpTo600,
 }
@@ -60,8 +60,8 @@ pub struct Certificate {
     pub gap: Option<f64>,
     /// The surfaces for which the bound holds.
     pub scope: String,
-    /// Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
-    /// on every machine.
+    /// Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the
+    /// same on every machine.
     pub seconds: f64,
     pub iterations: u32,
     /// Number of tetrahedra of all fields together.

@@ -253,11 +253,11 @@ pub struct GivenMesh {
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<[u32; 3], 1>", inner(inner(range(min = 0, max = 4_294_967_295u32))))]
     pub triangles: Option<List<[u32; 3], 1>>,
-    /// The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
-    /// scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
-    /// lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
-    /// points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
-    /// no other file and no extension.
+    /// The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its
+    /// default scene are read with their nodes' transforms, from metres with y up to the request's unit and axis.
+    /// Points and lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit
+    /// numbers from points of `boundaries` take their places, and boundary vertices between them move onto the segment.
+    /// The file needs no other file and no extension.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "String")]
     pub glb: Option<String>,

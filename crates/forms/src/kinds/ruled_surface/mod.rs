@@ -110,8 +110,8 @@ pub struct RuledSurfaceRequest {
     /// `auto` would.
     #[serde(default, skip_serializing_if = "is_default")]
     pub direction: geometry::Direction,
-    /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-    /// most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+    /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+    /// at most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
     #[serde(default, skip_serializing_if = "is_default")]
     pub caps: geometry::Caps,
     /// Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires

@@ -176,7 +176,8 @@ pub struct TensileStructureRequest {
     /// pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`.
     #[serde(default)]
     pub volume: Option<Positive>,
-    /// Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more.
+    /// Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+    /// are more.
     #[serde(default, deserialize_with = "given_one", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Resolution")]
     pub resolution: Option<Resolution>,

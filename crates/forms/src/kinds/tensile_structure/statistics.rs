@@ -142,8 +142,8 @@ pub struct TensileStatistics {
     pub balance: Option<ForceBalance>,
     /// Stresses of all layers. Null if the forces could not be balanced.
     pub stress: Option<Stress>,
-    /// Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
-    /// Null without such an edge.
+    /// Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their
+    /// left. Null without such an edge.
     pub contact_angle_deg: Option<AngleRange>,
     /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
     pub stability: Option<Stability>,

@@ -68,8 +68,8 @@ pub struct OutOfRange {
 /// The mesh beside the curved surface that it stands for. All nodes lie on the surface.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct SurfaceFit {
-    /// `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
-    /// it cannot be laid into the plane with a bounded distortion.
+    /// `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself,
+    /// because it cannot be laid into the plane with a bounded distortion.
     pub method: &'static str,
     /// The surface's own area.
     pub area: f64,
@@ -117,13 +117,14 @@ pub struct UniformStatistics {
     pub out_of_range_reasons: BTreeMap<&'static str, usize>,
     /// The first 200 members that are out of range.
     pub out_of_range: Vec<OutOfRange>,
-    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
-    /// Null if not all pairs were looked at.
+    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    /// mesh. Null if not all pairs were looked at.
     pub self_intersections: Option<u64>,
     /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
     pub self_intersections_skipped: Option<&'static str>,
-    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
-    /// off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
+    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the
+    /// area is off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged`
+    /// says by how much.
     pub converged: bool,
     /// Curved domains: the mesh beside its surface. Null for polygons.
     pub surface: Option<SurfaceFit>,
