@@ -590,3 +590,25 @@ fn a_cancelled_run_returns_nothing_and_a_late_one_what_it_has() {
         }
     }
 }
+
+#[test]
+fn a_deadline_at_any_look_after_the_first_returns_a_valid_mesh() {
+    // The sides are no multiples of the edge length, so that several ways to divide them are compared.
+    let outline = polygon(&[[0.0, 0.0], [5.3, 0.4], [6.1, 3.7], [1.2, 4.6]]);
+    let options = Options::new(0.5, Objective::MostEqualEdges);
+    let run = |most: u64| {
+        let looks = std::cell::Cell::new(0);
+        let ask = || {
+            looks.set(looks.get() + 1);
+            if looks.get() > most { plateau_mesh::Signal::Deadline } else { plateau_mesh::Signal::Continue }
+        };
+        (solve(&outline, &options, &Execution::new(&ask, &|_| {})), looks.get())
+    };
+    let (whole, looks) = run(u64::MAX);
+    assert!(whole.expect("a mesh").converged && looks > 100, "{looks} looks");
+    for most in (1..looks).step_by(looks.div_ceil(200) as usize).chain(looks - 20..looks) {
+        let (result, _) = run(most);
+        let result = result.unwrap_or_else(|error| panic!("after {most} of {looks} looks: {error}"));
+        assert!(measure::flipped_triangles(&result.mesh) == 0, "after {most} looks");
+    }
+}

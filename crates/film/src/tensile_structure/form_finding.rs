@@ -24,13 +24,12 @@ use super::weave::StressField;
 use crate::energy::{PlaneStress, Term};
 use crate::equilibrium::newton::{Direct, State, keeps_orientation};
 use crate::equilibrium::{Aim, Body, Frame, Outcome, Settings, Stability};
-use crate::form_finding::{self, StopReason};
+use crate::form_finding::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::sparse::LinearError;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
-use settle::Settling;
 
 // Tunables.
 
@@ -298,7 +297,7 @@ impl Run<'_> {
             }
             return Ok(());
         }
-        form_finding::find(&mut Settling { run: self, found, round: 0, last_round: 0 })
+        self.settle_and_solve(found)
     }
 
     /// The residual and the energy of a shape that was left before Newton's method began.

@@ -63,8 +63,8 @@ impl From<Interruption> for Failure {
 /// The reported progress runs over `span`.
 ///
 /// # Errors
-/// [`Failure::Tangle`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes during the
-/// first search for a placement or while nodes are being inserted, the valid mesh reached so far is returned instead.
+/// [`Failure::Tangle`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes after the
+/// region has been triangulated, the valid mesh that was reached is returned instead.
 pub(crate) fn mesh(
     outlines: &[&Outline],
     objective: Objective,
@@ -108,7 +108,7 @@ pub(crate) fn mesh(
     let lattice = lattice::place(&Boundary { nodes: &outline.nodes, pieces: &pieces }, placement);
     let Lattice { nodes, triangles, borders, .. } = lattice;
     let mut constraints = outline_constraints(&pieces);
-    execution.look(nodes.len() as u64)?;
+    interrupted |= deadline(execution.look(nodes.len() as u64))?;
     // Only the border nodes of the lattice take part in the triangulation of the rim. For each node of the rim, `outer`
     // holds its number in the whole mesh.
     let mut outer: Vec<u32> = (0..fixed).collect();

@@ -22,7 +22,7 @@ use crate::equilibrium::newton::{Aim, Direct, Equations, Settings, keeps_orienta
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, Margin, SecondVariation, Unknown, WithMargin};
 use crate::equilibrium::{FilmState, NormalMotion};
-use crate::form_finding::{self, StopReason};
+use crate::form_finding::StopReason;
 use crate::minimal_surface::extrapolation::Finer;
 use crate::minimal_surface::harmonic::too_large;
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
@@ -35,7 +35,6 @@ use plateau_mesh::sparse::Factorisation;
 use plateau_mesh::sparse::multigrid::Hierarchy;
 use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::{DVec3, Error, Execution, Interruption};
-use settle::Converging;
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
@@ -320,7 +319,7 @@ impl<'a> Solve<'a> {
         {
             return Ok((StopReason::Residual, Some(converged)));
         }
-        form_finding::find(&mut Converging::new(self, film))
+        self.settle_and_solve(film)
     }
 
     /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. This surface need not be a

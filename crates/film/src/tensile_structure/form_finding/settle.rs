@@ -4,7 +4,7 @@
 use super::{Found, Run, Stop};
 use crate::energy::Prestress;
 use crate::equilibrium::{Aim, Freedom, Outcome, Settings};
-use crate::form_finding::{FormFinding, Round, StopReason};
+use crate::form_finding::{self, FormFinding, Round, StopReason};
 use crate::tensile_structure::model::{Renewal, Stage};
 use crate::tensile_structure::options::Pressure;
 use plateau_mesh::measure::normals;
@@ -27,13 +27,13 @@ const VOLUME_ROUNDS: u32 = 8;
 const MAX_RETURNS: u32 = 3;
 
 /// A structure on its way to equilibrium, on a mesh that it keeps.
-pub(super) struct Settling<'r, 'a> {
-    pub run: &'r mut Run<'a>,
-    pub found: &'r mut Found,
+struct Settling<'r, 'a> {
+    run: &'r mut Run<'a>,
+    found: &'r mut Found,
     /// Number of the last round, from 1.
-    pub round: u32,
+    round: u32,
     /// Number of the round after which Newton's method follows in any case.
-    pub last_round: u32,
+    last_round: u32,
 }
 
 impl FormFinding for Settling<'_, '_> {
@@ -79,6 +79,11 @@ impl FormFinding for Settling<'_, '_> {
 }
 
 impl Run<'_> {
+    /// Makes steps 1 to 3 on the present mesh. `found` gets the end.
+    pub(super) fn settle_and_solve(&mut self, found: &mut Found) -> Result<(), Stop> {
+        form_finding::find(&mut Settling { run: self, found, round: 0, last_round: 0 })
+    }
+
     /// Makes a round of step 1 from the present shape as the reference. Returns whether the structure has settled.
     fn reference_round(&mut self, round: u32) -> Result<bool, Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };

@@ -3,7 +3,7 @@
 
 use super::{MAX_RETURNS, Solve};
 use crate::equilibrium::newton::{Aim, Direct};
-use crate::form_finding::{FormFinding, Round, StopReason};
+use crate::form_finding::{self, FormFinding, Round, StopReason};
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::solvers::necks::longest_free_edges;
 use plateau_mesh::film::Film;
@@ -26,7 +26,7 @@ const SETTLED_AREA: f64 = 1e-3;
 const SETTLED_MOTION: f64 = 0.05;
 
 /// A film on its way to a minimal surface.
-pub(super) struct Converging<'s, 'a> {
+struct Converging<'s, 'a> {
     solve: &'s mut Solve<'a>,
     film: &'s mut Film,
     /// Number of rounds since the start or the last return.
@@ -40,12 +40,6 @@ pub(super) struct Converging<'s, 'a> {
     collapsed: bool,
     /// The pattern and the factorisation of the connectivity on which Newton's method has run.
     solved: Option<(Pattern, Direct)>,
-}
-
-impl<'s, 'a> Converging<'s, 'a> {
-    pub fn new(solve: &'s mut Solve<'a>, film: &'s mut Film) -> Self {
-        Self { solve, film, rounds: 0, area: 0.0, moved: 0.0, collapsed: false, solved: None }
-    }
 }
 
 impl FormFinding for Converging<'_, '_> {
@@ -138,6 +132,17 @@ impl FormFinding for Converging<'_, '_> {
 }
 
 impl Solve<'_> {
+    /// Steps 1 and 2, repeated where Newton's method stalls or leaves flipped triangles. Returns the stop reason, and
+    /// the pattern and the factorisation of the connectivity if the film converged.
+    pub(super) fn settle_and_solve(
+        &mut self,
+        film: &mut Film,
+    ) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
+        let form =
+            &mut Converging { solve: self, film, rounds: 0, area: 0.0, moved: 0.0, collapsed: false, solved: None };
+        form_finding::find(form)
+    }
+
     /// Improves the triangles without moving the film: Delaunay flips, tangential relaxation, and Delaunay flips again.
     fn improve(&mut self, film: &mut Film) -> Result<(), Interruption> {
         self.edges_swapped += flip_to_delaunay(film, self.exec)?;
