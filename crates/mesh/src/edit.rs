@@ -5,7 +5,7 @@
 //! another vertex keeps its number too, but has no outgoing half-edge. `Film::close_gaps` renumbers the remaining
 //! triangles and vertices.
 
-use crate::topology::{NONE, Topology, next, previous};
+use crate::topology::{Defect, NONE, Topology, next, previous};
 
 /// Whether the edge between a and b may be contracted to a point so that the mesh stays a manifold of the same
 /// topology: the link condition (Dey, Edelsbrunner, Guha, Nekhayev, *Topology preserving edge contraction*, 1999).
@@ -31,6 +31,29 @@ pub fn may_collapse(mesh: &Topology, a: u32, b: u32) -> bool {
     keeps_form
         && corners.into_iter().flatten().all(|corner| mesh.degree(corner) > 1)
         && !mesh.neighbours(a).any(|v| v != b && !corners.contains(&Some(v)) && mesh.are_adjacent(v, b))
+}
+
+/// The vertices that are left after [`Topology::without_gaps`], and their new numbers.
+#[derive(Clone, Debug)]
+pub struct Renumbering {
+    kept: Vec<usize>,
+    number: Vec<u32>,
+}
+
+impl Renumbering {
+    /// The values of the vertices that are left, in their new order.
+    #[must_use]
+    #[inline]
+    pub fn of<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        self.kept.iter().map(|&v| values[v]).collect()
+    }
+
+    /// The new number of a vertex; [`NONE`] if it is not left.
+    #[must_use]
+    #[inline]
+    pub fn number(&self, vertex: u32) -> u32 {
+        self.number[vertex as usize]
+    }
 }
 
 impl Topology {
@@ -143,6 +166,21 @@ impl Topology {
                 self.outgoing[vertex as usize] = place;
             }
         }
+    }
+
+    /// Returns the connectivity without the triangles that were taken out and without the vertices for which `stays` is
+    /// false. The others are renumbered in the same order.
+    ///
+    /// # Errors
+    /// The defect, if the remaining triangles form no oriented manifold.
+    #[inline]
+    pub fn without_gaps(&self, stays: impl Fn(usize) -> bool) -> Result<(Self, Renumbering), Defect> {
+        let kept: Vec<usize> = (0..self.outgoing.len()).filter(|&v| stays(v)).collect();
+        let mut number = vec![NONE; self.outgoing.len()];
+        kept.iter().enumerate().for_each(|(new, &old)| number[old] = new as u32);
+        let left = self.triangles.iter().filter(|triangle| triangle[0] != NONE);
+        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| number[v as usize])).collect();
+        Ok((Self::build(&triangles, kept.len())?, Renumbering { kept, number }))
     }
 
     /// Merges the vertex `merged` into its neighbour `kept`, and removes the triangles at their common edge. The

@@ -79,17 +79,13 @@ impl Film {
     #[inline]
     pub fn close_gaps(&mut self) -> Result<(), Defect> {
         let stays = |v: usize| self.fixed[v] || self.topology.outgoing[v] != NONE;
-        let kept: Vec<usize> = (0..self.vertices.len()).filter(|&v| stays(v)).collect();
-        let mut place = vec![NONE; self.vertices.len()];
-        kept.iter().enumerate().for_each(|(new, &old)| place[old] = new as u32);
-        let left = self.triangles().iter().filter(|triangle| triangle[0] != NONE);
-        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| place[v as usize])).collect();
-        self.topology = Topology::build(&triangles, kept.len())?;
-        self.vertices = kept.iter().map(|&v| self.vertices[v]).collect();
-        self.fixed = kept.iter().map(|&v| self.fixed[v]).collect();
+        let (topology, left) = self.topology.without_gaps(stays)?;
+        self.topology = topology;
+        self.vertices = left.of(&self.vertices);
+        self.fixed = left.of(&self.fixed);
         // The vertices of the boundaries and of the locked edges are fixed, and fixed vertices are kept.
         let own = self.boundaries.iter_mut().flatten().chain(self.locked.iter_mut().flatten());
-        own.for_each(|v| *v = place[*v as usize]);
+        own.for_each(|v| *v = left.number(*v));
         Ok(())
     }
 

@@ -5,6 +5,7 @@ pub mod delaunay;
 mod flips;
 pub mod isotropic;
 pub mod moving;
+pub mod passes;
 pub mod sheets;
 pub mod sliding;
 pub mod small_angles;

@@ -8,11 +8,11 @@
 //!   neighbourhood. The triangle list is therefore rebuilt once per pass.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
-use crate::edit::may_collapse;
+use super::passes::{Collapse, Surface, collapse_edges, split_edges};
 use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
-use crate::topology::{NONE, Topology};
+use crate::topology::{NONE, Topology, edge_key};
 use crate::{DVec3, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
@@ -71,8 +71,8 @@ pub fn resample(
     for _ in 0..passes {
         let mut size = sizes(film, aim, exec)?;
         split_long(film, &mut size, boundary_edges);
-        let size = sizes(film, aim, exec)?;
-        collapse_short(film, &size);
+        size = sizes(film, aim, exec)?;
+        collapse_short(film, &mut size);
         for _ in 0..2 {
             flip_to_delaunay(film, exec)?;
             tangential_relaxation(film, 1);
@@ -315,99 +315,112 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
 /// are not split in the same pass. A new vertex gets the mean of the sizes at the ends of its edge.
 fn split_long(film: &mut Film, size: &mut Vec<f64>, boundary_edges: BoundaryEdges) {
     let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
-    let mut taken = vec![false; film.triangles().len()];
-    let mut triangles = film.triangles().to_vec();
-    let mut on_boundary: Vec<([u32; 2], u32)> = Vec::new();
-    for h in edges {
-        let twin = film.topology.twin[h as usize];
-        let (a, b) = (film.topology.from(h), film.topology.to(h));
-        let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
-        if is_taken(h) || is_taken(twin) || film.is_locked(a, b) {
-            continue;
-        }
-        let middle = film.vertices.len() as u32;
-        film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
-        size.push(0.5 * (size[a as usize] + size[b as usize]));
-        film.fixed.push(twin == NONE);
-        if twin == NONE {
-            on_boundary.push(([a.min(b), a.max(b)], middle));
-        }
-        for (half, from, to) in [(h, a, b), (twin, b, a)] {
-            if half != NONE {
-                taken[half as usize / 3] = true;
-                let apex = film.topology.opposite(half);
-                triangles[half as usize / 3] = [from, middle, apex];
-                triangles.push([middle, to, apex]);
-            }
-        }
-    }
+    let mut sized = Sized { film, size, on_boundary: Vec::new() };
+    split_edges(&mut sized, edges);
+    let Sized { film, mut on_boundary, .. } = sized;
     on_boundary.sort_unstable();
-    if !on_boundary.is_empty() {
-        for boundary in &mut film.boundaries {
-            let mut longer = Vec::with_capacity(2 * boundary.len());
-            for (k, &a) in boundary.iter().enumerate() {
-                let b = boundary[(k + 1) % boundary.len()];
-                longer.push(a);
-                if let Ok(found) = on_boundary.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends) {
-                    longer.push(on_boundary[found].1);
-                }
-            }
-            *boundary = longer;
-        }
+    if on_boundary.is_empty() {
+        return;
     }
-    film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
+    for boundary in &mut film.boundaries {
+        let mut longer = Vec::with_capacity(2 * boundary.len());
+        for (k, &a) in boundary.iter().enumerate() {
+            let b = boundary[(k + 1) % boundary.len()];
+            longer.push(a);
+            if let Ok(found) = on_boundary.binary_search_by_key(&edge_key([a, b]), |(ends, _)| *ends) {
+                longer.push(on_boundary[found].1);
+            }
+        }
+        *boundary = longer;
+    }
 }
 
 /// Collapses the edges that are too short, beginning with the smallest ratio of length to size. Collapses in one pass
 /// share no neighbourhood.
-fn collapse_short(film: &mut Film, size: &[f64]) {
+fn collapse_short(film: &mut Film, size: &mut Vec<f64>) {
     let edges =
         ranked(film, BoundaryEdges::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
-    let mut touched = vec![false; film.vertices.len()];
-    for h in edges {
-        if film.topology.is_removed(h / 3) {
-            continue;
-        }
+    collapse_edges(&mut Sized { film, size, on_boundary: Vec::new() }, edges);
+    film.close_gaps().expect("the link condition keeps a manifold");
+}
+
+/// A film with a target size at every vertex.
+struct Sized<'f> {
+    film: &'f mut Film,
+    size: &'f mut Vec<f64>,
+    /// The boundary edges that were split, each with its new vertex.
+    on_boundary: Vec<([u32; 2], u32)>,
+}
+
+impl Sized<'_> {
+    /// Whether a collapse may move `v` to `place`: the triangles around `v` that do not contain `other` keep their
+    /// orientation, and their edges stay short enough.
+    fn may_move(&self, v: u32, other: u32, place: DVec3) -> bool {
+        let Self { film, size, .. } = self;
+        let topology = &film.topology;
+        topology.outgoing_half_edges(v).all(|h| {
+            let (j, k) = (topology.to(h), topology.opposite(h));
+            if j == other || k == other {
+                return true;
+            }
+            let (p, q) = (film.vertices[j as usize], film.vertices[k as usize]);
+            let before = double_area_vector([film.vertices[v as usize], p, q]);
+            let after = double_area_vector([place, p, q]);
+            let longest = LONG * 0.5 * (size[v as usize] + size[j as usize]);
+            after.dot(before) > 0.2 * after.length() * before.length()
+                && after.length() > 0.1 * p.distance_squared(q).max(place.distance_squared(p))
+                && place.distance(p) < longest
+        })
+    }
+}
+
+impl Surface for Sized<'_> {
+    type Place = DVec3;
+
+    fn topology(&self) -> &Topology {
+        &self.film.topology
+    }
+
+    fn topology_mut(&mut self) -> &mut Topology {
+        &mut self.film.topology
+    }
+
+    fn add_middle(&mut self, h: u32) -> Option<u32> {
+        let Self { film, size, on_boundary } = self;
         let (a, b) = (film.topology.from(h), film.topology.to(h));
-        // If one end is fixed, the free end moves there. Two free ends meet in the middle.
+        if film.is_locked(a, b) {
+            return None;
+        }
+        let middle = film.vertices.len() as u32;
+        let is_boundary = film.topology.twin[h as usize] == NONE;
+        film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
+        size.push(0.5 * (size[a as usize] + size[b as usize]));
+        film.fixed.push(is_boundary);
+        if is_boundary {
+            on_boundary.push((edge_key([a, b]), middle));
+        }
+        Some(middle)
+    }
+
+    /// If one end is fixed, the free end moves there. Two free ends meet in the middle.
+    fn collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
+        let (film, a, b) = (&self.film, self.film.topology.from(h), self.film.topology.to(h));
         let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
-        let meeting = if film.fixed[stays as usize] {
+        let place = if film.fixed[stays as usize] {
             film.vertices[stays as usize]
         } else {
             0.5 * (film.vertices[a as usize] + film.vertices[b as usize])
         };
-        let near = || film.topology.neighbours(a).chain(film.topology.neighbours(b)).chain([a, b]);
-        if film.fixed[leaves as usize]
-            || near().any(|v| touched[v as usize])
-            || !may_collapse(&film.topology, leaves, stays)
-            || ![(leaves, stays), (stays, leaves)].iter().all(|&(v, other)| keeps_shape(film, size, v, other, meeting))
-        {
-            continue;
-        }
-        near().for_each(|v| touched[v as usize] = true);
-        film.topology.collapse(stays, leaves);
-        film.vertices[stays as usize] = meeting;
+        (!film.fixed[leaves as usize]).then_some(Collapse { leaves, stays, place, moves: true })
     }
-    film.close_gaps().expect("the link condition keeps a manifold");
-}
 
-/// Whether a collapse may move `v` to `place`: the triangles around `v` that do not contain `other` keep their
-/// orientation, and their edges stay short enough.
-fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
-    let topology = &film.topology;
-    topology.outgoing_half_edges(v).all(|h| {
-        let (j, k) = (topology.to(h), topology.opposite(h));
-        if j == other || k == other {
-            return true;
-        }
-        let (p, q) = (film.vertices[j as usize], film.vertices[k as usize]);
-        let before = double_area_vector([film.vertices[v as usize], p, q]);
-        let after = double_area_vector([place, p, q]);
-        let longest = LONG * 0.5 * (size[v as usize] + size[j as usize]);
-        after.dot(before) > 0.2 * after.length() * before.length()
-            && after.length() > 0.1 * p.distance_squared(q).max(place.distance_squared(p))
-            && place.distance(p) < longest
-    })
+    fn keeps_shape(&self, &Collapse { leaves, stays, place, .. }: &Collapse<DVec3>) -> bool {
+        self.may_move(leaves, stays, place) && self.may_move(stays, leaves, place)
+    }
+
+    fn merge(&mut self, Collapse { stays, place, .. }: Collapse<DVec3>) {
+        self.film.vertices[stays as usize] = place;
+    }
 }
 
 #[cfg(test)]

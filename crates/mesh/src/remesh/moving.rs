@@ -7,11 +7,11 @@
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
-use crate::edit::may_collapse;
+use super::passes::{Collapse, Surface, collapse_edges, split_edges};
 use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
-use crate::topology::{NONE, Topology, edge_key};
+use crate::topology::{Topology, edge_key};
 use crate::{DVec3, Execution, Interruption};
 use std::collections::BTreeMap;
 
@@ -217,65 +217,29 @@ impl MovingFilm {
         }
         long.retain(|&(ratio, _)| ratio > LONG);
         long.sort_by_key(|&(ratio, h)| (u64::MAX - key(ratio), h));
-        let film = &mut self.film;
-        let mut taken = vec![false; film.triangles().len()];
-        let mut triangles = film.triangles().to_vec();
-        let mut middles = BTreeMap::new();
-        let mut any = false;
-        for (_, h) in long {
-            let twin = film.topology.twin[h as usize];
-            let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
-            if is_taken(h) || is_taken(twin) {
-                continue;
-            }
-            let (a, b) = (film.topology.from(h), film.topology.to(h));
-            let middle = film.vertices.len() as u32;
-            let place = 0.5 * (film.vertices[a as usize] + film.vertices[b as usize]);
-            let (kind, place) = match stretches.get(&edge_key([a, b])) {
-                None => (Kind::Inside, place),
-                Some(&stretch) => {
-                    middles.insert(edge_key([a, b]), middle);
-                    if self.flexible[stretch as usize] {
-                        (Kind::Along(stretch), onto(stretch, place))
-                    } else {
-                        (Kind::Kept, place)
-                    }
-                }
-            };
-            any = true;
-            film.vertices.push(place);
-            film.fixed.push(kind != Kind::Inside);
-            self.kinds.push(kind);
-            sizes.push(0.5 * (sizes[a as usize] + sizes[b as usize]));
-            for (half, from, to) in [(h, a, b), (twin, b, a)] {
-                if half != NONE {
-                    taken[half as usize / 3] = true;
-                    let apex = film.topology.opposite(half);
-                    triangles[half as usize / 3] = [from, middle, apex];
-                    triangles.push([middle, to, apex]);
-                }
-            }
+        let long: Vec<u32> = long.into_iter().map(|(_, h)| h).collect();
+        let mut pass = Pass::new(self, sizes, onto, stretches);
+        if split_edges(&mut pass, long) == 0 {
+            return false;
         }
-        if any {
-            film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
-            if !middles.is_empty() {
-                for curve in &mut self.curves {
-                    let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
-                    for (k, &v) in curve.vertices.iter().enumerate() {
-                        vertices.push(v);
-                        let Some(&stretch) = curve.stretches.get(k) else { continue };
+        let middles = pass.middles;
+        if !middles.is_empty() {
+            for curve in &mut self.curves {
+                let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
+                for (k, &v) in curve.vertices.iter().enumerate() {
+                    vertices.push(v);
+                    let Some(&stretch) = curve.stretches.get(k) else { continue };
+                    stretches.push(stretch);
+                    if let Some(&middle) = middles.get(&edge_key(curve.edge(k))) {
+                        vertices.push(middle);
                         stretches.push(stretch);
-                        if let Some(&middle) = middles.get(&edge_key(curve.edge(k))) {
-                            vertices.push(middle);
-                            stretches.push(stretch);
-                        }
                     }
-                    *curve = Curve { vertices, stretches };
                 }
-                self.renew_curves();
+                *curve = Curve { vertices, stretches };
             }
+            self.renew_curves();
         }
-        any
+        true
     }
 
     /// Sets the boundaries and the locked edges of the film to those of the curves.
@@ -293,60 +257,10 @@ impl MovingFilm {
         let mut short: Vec<(f64, u32)> = self.ratios(sizes).into_iter().filter(|&(ratio, _)| ratio < SHORT).collect();
         short.sort_by_key(|&(ratio, h)| (key(ratio), h));
         let stretches = self.stretches();
-        let mut left = self.numbers_inside();
-        let mut touched = vec![false; self.film.vertices.len()];
-        let mut dead = vec![false; self.film.vertices.len()];
-        let (mut any, mut neck) = (false, None::<Neck>);
-        for (_, h) in short {
-            let topology = &self.film.topology;
-            if topology.is_removed(h / 3) {
-                continue;
-            }
-            let (a, b) = (topology.from(h), topology.to(h));
-            let near = || topology.neighbours(a).chain(topology.neighbours(b)).chain([a, b]);
-            if near().any(|v| touched[v as usize]) {
-                continue;
-            }
-            let (kind_a, kind_b) = (self.kinds[a as usize], self.kinds[b as usize]);
-            let stretch = stretches.get(&edge_key([a, b])).copied();
-            // The vertex that is removed, the vertex that stays, and whether they meet in the middle.
-            let (leaves, stays, in_the_middle) = match (stretch, kind_a, kind_b) {
-                (Some(s), _, _) if left[s as usize] <= self.fewest[s as usize] => continue,
-                (Some(_), Kind::Along(_), Kind::Along(_)) | (None, Kind::Inside, Kind::Inside) => (a, b, true),
-                (Some(_), Kind::Along(_), _) | (None, Kind::Inside, _) => (a, b, false),
-                (Some(_), _, Kind::Along(_)) | (None, _, Kind::Inside) => (b, a, false),
-                _ => continue,
-            };
-            if !may_collapse(topology, leaves, stays) {
-                if let Some(found) = self.neck_at(a, b)
-                    && neck.is_none_or(|known| found.girth < known.girth)
-                {
-                    neck = Some(found);
-                }
-                continue;
-            }
-            let at = &self.film.vertices;
-            let meeting = if in_the_middle {
-                let middle = 0.5 * (at[a as usize] + at[b as usize]);
-                stretch.map_or(middle, |stretch| onto(stretch, middle))
-            } else {
-                at[stays as usize]
-            };
-            let keeps = self.keeps_shape(sizes, leaves, stays, meeting)
-                && (!in_the_middle || self.keeps_shape(sizes, stays, leaves, meeting));
-            if !keeps {
-                continue;
-            }
-            let around: Vec<u32> = near().collect();
-            around.into_iter().for_each(|v| touched[v as usize] = true);
-            self.film.topology.collapse(stays, leaves);
-            self.film.vertices[stays as usize] = meeting;
-            dead[leaves as usize] = true;
-            if let Some(stretch) = stretch {
-                left[stretch as usize] -= 1;
-            }
-            any = true;
-        }
+        let short: Vec<u32> = short.into_iter().map(|(_, h)| h).collect();
+        let mut pass = Pass::new(self, sizes, onto, stretches);
+        let any = collapse_edges(&mut pass, short) > 0;
+        let Pass { dead, neck, .. } = pass;
         if any {
             self.remove(&dead, sizes);
         }
@@ -385,25 +299,23 @@ impl MovingFilm {
         })
     }
 
+    /// Removes the vertices that were merged into others.
     fn remove(&mut self, dead: &[bool], sizes: &mut Vec<f64>) {
-        let kept: Vec<usize> = (0..dead.len()).filter(|&v| !dead[v]).collect();
-        let mut place = vec![NONE; dead.len()];
-        kept.iter().enumerate().for_each(|(new, &old)| place[old] = new as u32);
         let film = &mut self.film;
-        let left = film.triangles().iter().filter(|triangle| triangle[0] != NONE);
-        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| place[v as usize])).collect();
-        film.topology = Topology::build(&triangles, kept.len()).expect("the link condition keeps a manifold");
-        film.vertices = kept.iter().map(|&v| film.vertices[v]).collect();
-        film.fixed = kept.iter().map(|&v| film.fixed[v]).collect();
-        self.kinds = kept.iter().map(|&v| self.kinds[v]).collect();
-        *sizes = kept.iter().map(|&v| sizes[v]).collect();
-        self.named.iter_mut().for_each(|v| *v = place[*v as usize]);
+        let closed = film.topology.without_gaps(|v| !dead[v]);
+        let (topology, left) = closed.expect("the link condition keeps a manifold");
+        film.topology = topology;
+        film.vertices = left.of(&film.vertices);
+        film.fixed = left.of(&film.fixed);
+        self.kinds = left.of(&self.kinds);
+        *sizes = left.of(sizes);
+        self.named.iter_mut().for_each(|v| *v = left.number(*v));
         for curve in &mut self.curves {
             let (mut vertices, mut stretches) = (Vec::new(), Vec::new());
             for (k, &v) in curve.vertices.iter().enumerate() {
                 // Both edges at a vertex that is removed belong to the same stretch.
                 if !dead[v as usize] {
-                    vertices.push(place[v as usize]);
+                    vertices.push(left.number(v));
                     stretches.extend(curve.stretches.get(k));
                 }
             }
@@ -434,6 +346,124 @@ impl MovingFilm {
                     self.film.vertices[v as usize] = place;
                 }
             }
+        }
+    }
+}
+
+/// A pass of splits or of collapses over a film whose edges move.
+struct Pass<'m> {
+    moving: &'m mut MovingFilm,
+    sizes: &'m mut Vec<f64>,
+    onto: &'m dyn Fn(u32, DVec3) -> DVec3,
+    /// The stretch of every edge of a curve.
+    stretches: BTreeMap<[u32; 2], u32>,
+    /// The edges of curves that were split, each with its new vertex.
+    middles: BTreeMap<[u32; 2], u32>,
+    /// For each stretch the number of vertices inside it.
+    inside: Vec<usize>,
+    /// Marks the vertices that were merged into others.
+    dead: Vec<bool>,
+    /// The narrowest neck that has prevented a collapse.
+    neck: Option<Neck>,
+}
+
+impl<'m> Pass<'m> {
+    fn new(
+        moving: &'m mut MovingFilm,
+        sizes: &'m mut Vec<f64>,
+        onto: &'m dyn Fn(u32, DVec3) -> DVec3,
+        stretches: BTreeMap<[u32; 2], u32>,
+    ) -> Self {
+        let (inside, dead) = (moving.numbers_inside(), vec![false; moving.kinds.len()]);
+        Self { moving, sizes, onto, stretches, middles: BTreeMap::new(), inside, dead, neck: None }
+    }
+
+    fn ends(&self, h: u32) -> [u32; 2] {
+        [self.moving.film.topology.from(h), self.moving.film.topology.to(h)]
+    }
+
+    fn middle(&self, ends: [u32; 2]) -> DVec3 {
+        let [a, b] = ends.map(|v| self.moving.film.vertices[v as usize]);
+        0.5 * (a + b)
+    }
+}
+
+impl Surface for Pass<'_> {
+    type Place = DVec3;
+
+    fn topology(&self) -> &Topology {
+        &self.moving.film.topology
+    }
+
+    fn topology_mut(&mut self) -> &mut Topology {
+        &mut self.moving.film.topology
+    }
+
+    fn add_middle(&mut self, h: u32) -> Option<u32> {
+        let ends = self.ends(h);
+        let place = self.middle(ends);
+        let middle = self.moving.kinds.len() as u32;
+        let (kind, place) = match self.stretches.get(&edge_key(ends)) {
+            None => (Kind::Inside, place),
+            Some(&stretch) => {
+                self.middles.insert(edge_key(ends), middle);
+                if self.moving.flexible[stretch as usize] {
+                    (Kind::Along(stretch), (self.onto)(stretch, place))
+                } else {
+                    (Kind::Kept, place)
+                }
+            }
+        };
+        self.moving.film.vertices.push(place);
+        self.moving.film.fixed.push(kind != Kind::Inside);
+        self.moving.kinds.push(kind);
+        let [a, b] = ends.map(|v| self.sizes[v as usize]);
+        self.sizes.push(0.5 * (a + b));
+        Some(middle)
+    }
+
+    /// Two vertices inside the film, or two of one stretch, meet in the middle. Otherwise the vertex that may move is
+    /// merged into the other one.
+    fn collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
+        let [a, b] = self.ends(h);
+        let stretch = self.stretches.get(&edge_key([a, b])).copied();
+        let (leaves, stays, in_the_middle) =
+            match (stretch, self.moving.kinds[a as usize], self.moving.kinds[b as usize]) {
+                (Some(s), _, _) if self.inside[s as usize] <= self.moving.fewest[s as usize] => return None,
+                (Some(_), Kind::Along(_), Kind::Along(_)) | (None, Kind::Inside, Kind::Inside) => (a, b, true),
+                (Some(_), Kind::Along(_), _) | (None, Kind::Inside, _) => (a, b, false),
+                (Some(_), _, Kind::Along(_)) | (None, _, Kind::Inside) => (b, a, false),
+                _ => return None,
+            };
+        let place = if in_the_middle {
+            let middle = self.middle([a, b]);
+            stretch.map_or(middle, |stretch| (self.onto)(stretch, middle))
+        } else {
+            self.moving.film.vertices[stays as usize]
+        };
+        Some(Collapse { leaves, stays, place, moves: true })
+    }
+
+    fn cannot_collapse(&mut self, h: u32) {
+        let [a, b] = self.ends(h);
+        if let Some(found) = self.moving.neck_at(a, b)
+            && self.neck.is_none_or(|known| found.girth < known.girth)
+        {
+            self.neck = Some(found);
+        }
+    }
+
+    fn keeps_shape(&self, &Collapse { leaves, stays, place, .. }: &Collapse<DVec3>) -> bool {
+        let keeps = |v: u32, other: u32| self.moving.keeps_shape(self.sizes, v, other, place);
+        let moves = place != self.moving.film.vertices[stays as usize];
+        keeps(leaves, stays) && (!moves || keeps(stays, leaves))
+    }
+
+    fn merge(&mut self, Collapse { leaves, stays, place, .. }: Collapse<DVec3>) {
+        self.moving.film.vertices[stays as usize] = place;
+        self.dead[leaves as usize] = true;
+        if let Some(&stretch) = self.stretches.get(&edge_key([leaves, stays])) {
+            self.inside[stretch as usize] -= 1;
         }
     }
 }

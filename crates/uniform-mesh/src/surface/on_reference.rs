@@ -18,7 +18,7 @@
 
 use super::move_nodes::{Effort, Moved, OnSurface, Sheet, TargetLength, refine};
 use super::reference::{Bond, NodeLocation, Reference};
-use super::remesh::{Collapse, Net, Size, longest_squared};
+use super::remesh::{Meeting, Net, Size, longest_squared};
 use crate::edges::edges;
 use crate::options::Objective;
 use crate::report::Why;
@@ -380,7 +380,7 @@ fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < shortest).collect();
     short.sort_by(|&a, &b| net.length(a).total_cmp(&net.length(b)).then(a.cmp(&b)));
     short.truncate(short.len().min(net.places.len() / 50 + 1));
-    net.collapse_edges(&short, Collapse::Middle, 1.9);
+    net.collapse_edges(&short, Meeting::Middle, 1.9);
     net.flip_to_delaunay();
     net.topology.triangles() != before
 }

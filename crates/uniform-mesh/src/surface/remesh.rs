@@ -5,14 +5,13 @@
 //! [`Reference`]. Nodes on its curves stay on the curves, and corners do not move. An operation that would turn a
 //! triangle against the surface's normals is refused, so that no edge cuts through a thin sheet or a sharp crest.
 //!
-//! The edges that one pass splits share no triangle, and the edges that one pass collapses have no common neighbour, as
-//! in [`remesh`](plateau_film::minimal_surface). A pass therefore rebuilds the list of triangles only once.
+//! The passes that split and collapse edges are those of films ([`passes`](plateau_mesh::remesh::passes)).
 
 use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
-use plateau_mesh::edit::may_collapse;
 use plateau_mesh::execution::{Execution, Interruption, WORK_PER_TRIANGLE};
 use plateau_mesh::measure::{self, double_area_vector};
+use plateau_mesh::remesh::passes::{self, Collapse, Surface};
 use plateau_mesh::topology::{NONE, Topology, edge_key};
 
 /// Constants of the remeshing.
@@ -73,7 +72,7 @@ impl Size {
 
 /// The place at which the ends of a collapsed edge meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Collapse {
+pub(crate) enum Meeting {
     /// At one of the ends, which needs no walk on the surface.
     End,
     /// Half way between the two ends.
@@ -225,189 +224,49 @@ impl<'a> Net<'a> {
 
     /// Splits these edges, at most one of each triangle. Returns the number of split edges.
     pub fn split_edges(&mut self, edges: &[u32]) -> usize {
-        let mut taken = vec![false; self.topology.triangles().len()];
-        let mut triangles = self.topology.triangles().to_vec();
-        let mut along = Vec::new();
-        let mut count = 0;
-        for &h in edges {
-            let twin = self.topology.twin[h as usize];
-            let (a, b) = (self.topology.from(h), self.topology.to(h));
-            let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
-            if is_taken(h) || is_taken(twin) {
-                continue;
-            }
-            let Some(place) = self.middle(a, b) else { continue };
-            let point = self.reference.point(place.spot);
-            let normal = self.reference.normal(place.spot);
-            let halves: Vec<(u32, u32, u32, u32)> = [(h, a, b), (twin, b, a)]
-                .into_iter()
-                .filter(|&(half, ..)| half != NONE)
-                .map(|(half, from, to)| (half, from, to, self.topology.opposite(half)))
-                .collect();
-            let fits = |&(_, from, to, apex): &(u32, u32, u32, u32)| {
-                [[from, apex], [apex, to]].iter().enumerate().all(|(k, &[x, y])| {
-                    let corners = [x, y].map(|v| self.positions[v as usize]);
-                    let normals = [x, y].map(|v| self.normals[v as usize]);
-                    let (corners, normals) = if k == 0 {
-                        ([corners[0], point, corners[1]], [normals[0], normal, normals[1]])
-                    } else {
-                        ([point, corners[1], corners[0]], [normal, normals[1], normals[0]])
-                    };
-                    self.is_upright(corners, normals)
-                })
-            };
-            if !halves.iter().all(fits) {
-                continue;
-            }
-            if let Some(curve) = self.curve_of(a, b) {
-                along.push((edge_key([a, b]), self.places.len() as u32, curve));
-            }
-            let middle = self.places.len() as u32;
-            self.push(place);
-            for (half, from, to, apex) in halves {
-                taken[half as usize / 3] = true;
-                triangles[half as usize / 3] = [from, middle, apex];
-                triangles.push([middle, to, apex]);
-            }
-            count += 1;
+        let mut pass =
+            Pass { net: self, to: Meeting::Middle, long: f64::INFINITY, on_curves: Vec::new(), gone: Vec::new() };
+        let count = passes::split_edges(&mut pass, edges.iter().copied());
+        let on_curves = pass.on_curves;
+        let mut split: Vec<[u32; 2]> = on_curves.iter().map(|edge| edge.0).collect();
+        split.sort_unstable();
+        self.along.retain(|edge| split.binary_search(&edge.0).is_err());
+        for ([a, b], middle, curve) in on_curves {
+            self.along.extend([(edge_key([a, middle]), curve), (edge_key([b, middle]), curve)]);
         }
-        if count > 0 {
-            let mut split: Vec<[u32; 2]> = along.iter().map(|edge| edge.0).collect();
-            split.sort_unstable();
-            self.along.retain(|edge| split.binary_search(&edge.0).is_err());
-            for ([a, b], middle, curve) in along {
-                self.along.extend([(edge_key([a, middle]), curve), (edge_key([b, middle]), curve)]);
-            }
-            self.along.sort_unstable();
-            self.rebuild(&triangles);
-        }
+        self.along.sort_unstable();
         count
     }
 
-    fn rebuild(&mut self, triangles: &[[u32; 3]]) {
-        self.topology =
-            Topology::build(triangles, self.places.len()).expect("splits and collapses keep an oriented manifold");
-    }
-
     /// Collapses the edges that are too short, shortest first, whose neighbourhoods do not touch. Returns their number.
-    fn collapse(&mut self, to: Collapse) -> usize {
+    fn collapse(&mut self, to: Meeting) -> usize {
         let edges =
             self.topology.ranked_edges(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
         self.collapse_edges(&edges, to, REMESHING.long)
     }
 
     /// Collapses these edges where no edge becomes longer than `long` sizes. Returns the number of collapsed edges.
-    pub fn collapse_edges(&mut self, edges: &[u32], to: Collapse, long: f64) -> usize {
-        let mut touched = vec![false; self.places.len()];
-        let mut gone: Vec<Option<u32>> = vec![None; self.places.len()];
-        let mut count = 0;
-        for &h in edges {
-            let (a, b) = (self.topology.from(h), self.topology.to(h));
-            if touched[a as usize] || touched[b as usize] {
-                continue;
-            }
-            let curve = self.curve_of(a, b);
-            let middle = || if to == Collapse::Middle { self.middle(a, b) } else { None };
-            let bonds = [a, b].map(|v| self.places[v as usize].bond);
-            let (leaves, stays, meeting) = match (bonds, curve) {
-                ([Bond::Free, Bond::Free], _) => (a, b, middle().unwrap_or(self.places[b as usize])),
-                ([Bond::Free, _], _) => (a, b, self.places[b as usize]),
-                ([_, Bond::Free], _) => (b, a, self.places[a as usize]),
-                ([Bond::Curve { .. }, Bond::Curve { .. }], Some(_)) => {
-                    (a, b, middle().unwrap_or(self.places[b as usize]))
-                }
-                ([Bond::Curve { .. }, Bond::Fixed(_)], Some(_)) => (a, b, self.places[b as usize]),
-                ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, self.places[a as usize]),
-                _ => continue,
-            };
-            // If the end that stays does not move, only the triangles around the other end change.
-            let moves = meeting != self.places[stays as usize];
-            let mut near = self.ring(leaves);
-            near.extend([a, b]);
-            if moves {
-                near.extend(self.ring(stays));
-            }
-            if near.iter().any(|&v| touched[v as usize]) || !may_collapse(&self.topology, leaves, stays) {
-                continue;
-            }
-            let point = self.reference.point(meeting.spot);
-            let normal = self.reference.normal(meeting.spot);
-            let fits = |v: u32, other: u32| self.keeps_shape(v, other, point, normal, long);
-            if !fits(leaves, stays) || (moves && !fits(stays, leaves)) {
-                continue;
-            }
-            near.iter().for_each(|&v| touched[v as usize] = true);
-            gone[leaves as usize] = Some(stays);
-            self.put(stays, meeting);
-            count += 1;
+    pub fn collapse_edges(&mut self, edges: &[u32], to: Meeting, long: f64) -> usize {
+        let gone = vec![None; self.places.len()];
+        let mut pass = Pass { net: self, to, long, on_curves: Vec::new(), gone };
+        let count = passes::collapse_edges(&mut pass, edges.iter().copied());
+        let gone = pass.gone;
+        if count == 0 {
+            return 0;
         }
-        if count > 0 {
-            let mut place = vec![0u32; self.places.len()];
-            let mut kept = 0usize;
-            for v in 0..gone.len() {
-                if gone[v].is_none() {
-                    place[v] = kept as u32;
-                    self.places[kept] = self.places[v];
-                    self.positions[kept] = self.positions[v];
-                    self.normals[kept] = self.normals[v];
-                    self.sizes[kept] = self.sizes[v];
-                    kept += 1;
-                }
-            }
-            self.places.truncate(kept);
-            self.positions.truncate(kept);
-            self.normals.truncate(kept);
-            self.sizes.truncate(kept);
-            let moved = |v: u32| place[gone[v as usize].unwrap_or(v) as usize];
-            let triangles: Vec<[u32; 3]> = self
-                .topology
-                .triangles()
-                .iter()
-                .map(|triangle| triangle.map(moved))
-                .filter(|[a, b, c]| a != b && b != c && c != a)
-                .collect();
-            for (edge, _) in &mut self.along {
-                let [a, b] = edge.map(moved);
-                *edge = edge_key([a, b]);
-            }
-            self.along.retain(|([a, b], _)| a != b);
-            self.along.sort_unstable();
-            self.rebuild(&triangles);
+        let closed = self.topology.without_gaps(|v| gone[v].is_none());
+        let (topology, left) = closed.expect("the link condition keeps a manifold");
+        self.topology = topology;
+        self.places = left.of(&self.places);
+        self.positions = left.of(&self.positions);
+        self.normals = left.of(&self.normals);
+        self.sizes = left.of(&self.sizes);
+        for (edge, _) in &mut self.along {
+            *edge = edge_key(edge.map(|v| left.number(gone[v as usize].unwrap_or(v))));
         }
+        self.along.retain(|([a, b], _)| a != b);
+        self.along.sort_unstable();
         count
-    }
-
-    /// The neighbours of a vertex.
-    pub fn ring(&self, v: u32) -> Vec<u32> {
-        let mut ring: Vec<u32> = self.topology.outgoing_half_edges(v).map(|h| self.topology.to(h)).collect();
-        // At a boundary vertex, the last neighbour is not the end of an outgoing half-edge. It is the vertex opposite
-        // to the last outgoing half-edge.
-        if let Some(last) = self.topology.outgoing_half_edges(v).last() {
-            let other = self.topology.opposite(last);
-            if !ring.contains(&other) {
-                ring.push(other);
-            }
-        }
-        ring
-    }
-
-    /// Whether the triangles at `v` that do not contain `other` stay upright and are not too flat, and their edges stay
-    /// short enough, when `v` moves to `point`.
-    fn keeps_shape(&self, v: u32, other: u32, point: DVec3, normal: DVec3, long: f64) -> bool {
-        let topology = &self.topology;
-        topology.outgoing_half_edges(v).all(|h| {
-            let (j, k) = (topology.to(h), topology.opposite(h));
-            if j == other || k == other {
-                return true;
-            }
-            let [p, q] = [j, k].map(|v| self.positions[v as usize]);
-            let [m, n] = [j, k].map(|v| self.normals[v as usize]);
-            let size = 0.5 * (self.sizes[v as usize] + self.sizes[j as usize]);
-            let area = double_area_vector([point, p, q]).length();
-            self.is_upright([point, p, q], [normal, m, n])
-                && area > 0.05 * p.distance_squared(q).max(point.distance_squared(p))
-                && point.distance(p).max(point.distance(q)) < long * size
-        })
     }
 
     /// Whether an edge may flip: the edge does not run along a curve, and the two new triangles are upright.
@@ -488,8 +347,8 @@ impl<'a> Net<'a> {
 
     fn relax_on_curve(&mut self, v: u32, curve: u32, at: f64) {
         let neighbours: Vec<f64> = self
-            .ring(v)
-            .into_iter()
+            .topology
+            .neighbours(v)
             .filter(|&w| self.curve_of(v, w) == Some(curve))
             .filter_map(|w| self.reference.at(curve, self.places[w as usize].bond, Some(at)))
             .collect();
@@ -543,7 +402,7 @@ impl<'a> Net<'a> {
         for pass in 0..REMESHING.coarsening_passes {
             execution.look(4 * self.places.len() as u64)?;
             let before = self.places.len() as f64;
-            let removed = self.collapse(Collapse::End) as f64;
+            let removed = self.collapse(Meeting::End) as f64;
             self.flip_to_delaunay();
             if pass % 2 == 1 {
                 self.relax(1);
@@ -555,11 +414,113 @@ impl<'a> Net<'a> {
         for _ in 0..REMESHING.rounds {
             execution.look(WORK_PER_TRIANGLE * self.topology.triangles().len() as u64)?;
             self.split();
-            self.collapse(Collapse::Middle);
+            self.collapse(Meeting::Middle);
             self.flip_to_delaunay();
             self.relax(REMESHING.sweeps);
             self.flip_to_delaunay();
         }
         Ok(())
+    }
+}
+
+/// A pass of splits or of collapses over a net.
+struct Pass<'n, 'a> {
+    net: &'n mut Net<'a>,
+    /// The place at which two nodes meet that both may move.
+    to: Meeting,
+    /// No collapse makes an edge longer than this multiple of the size.
+    long: f64,
+    /// The edges along curves that were split, each with its new node and its curve.
+    on_curves: Vec<([u32; 2], u32, u32)>,
+    /// For each node the node that it was merged into.
+    gone: Vec<Option<u32>>,
+}
+
+impl Pass<'_, '_> {
+    /// Whether the triangles at `v` that do not contain `other` stay upright and are not too flat, and their edges stay
+    /// short enough, when `v` moves to `point`.
+    fn may_move(&self, v: u32, other: u32, point: DVec3, normal: DVec3) -> bool {
+        let Self { net, long, .. } = self;
+        let topology = &net.topology;
+        topology.outgoing_half_edges(v).all(|h| {
+            let (j, k) = (topology.to(h), topology.opposite(h));
+            if j == other || k == other {
+                return true;
+            }
+            let [p, q] = [j, k].map(|v| net.positions[v as usize]);
+            let [m, n] = [j, k].map(|v| net.normals[v as usize]);
+            let size = 0.5 * (net.sizes[v as usize] + net.sizes[j as usize]);
+            let area = double_area_vector([point, p, q]).length();
+            net.is_upright([point, p, q], [normal, m, n])
+                && area > 0.05 * p.distance_squared(q).max(point.distance_squared(p))
+                && point.distance(p).max(point.distance(q)) < long * size
+        })
+    }
+}
+
+impl Surface for Pass<'_, '_> {
+    type Place = NodeLocation;
+
+    fn topology(&self) -> &Topology {
+        &self.net.topology
+    }
+
+    fn topology_mut(&mut self) -> &mut Topology {
+        &mut self.net.topology
+    }
+
+    /// An edge is not split if one of the new triangles would not be upright.
+    fn add_middle(&mut self, h: u32) -> Option<u32> {
+        let net = &mut *self.net;
+        let (a, b) = (net.topology.from(h), net.topology.to(h));
+        let place = net.middle(a, b)?;
+        let (point, normal) = (net.reference.point(place.spot), net.reference.normal(place.spot));
+        let fits = |half: u32| {
+            let corners = [net.topology.from(half), net.topology.to(half), net.topology.opposite(half)];
+            let [from, to, apex] = corners.map(|v| net.positions[v as usize]);
+            let [from_normal, to_normal, apex_normal] = corners.map(|v| net.normals[v as usize]);
+            net.is_upright([from, point, apex], [from_normal, normal, apex_normal])
+                && net.is_upright([point, to, apex], [normal, to_normal, apex_normal])
+        };
+        if ![h, net.topology.twin[h as usize]].into_iter().filter(|&half| half != NONE).all(fits) {
+            return None;
+        }
+        let middle = net.places.len() as u32;
+        if let Some(curve) = net.curve_of(a, b) {
+            self.on_curves.push((edge_key([a, b]), middle, curve));
+        }
+        net.push(place);
+        Some(middle)
+    }
+
+    /// A free node is merged into a node on a curve, and a node on a curve into a corner. Two free nodes, and two nodes
+    /// of one curve, meet where [`Meeting`] says.
+    fn collapse(&self, h: u32) -> Option<Collapse<NodeLocation>> {
+        let net = &*self.net;
+        let (a, b) = (net.topology.from(h), net.topology.to(h));
+        let curve = net.curve_of(a, b);
+        let middle = || if self.to == Meeting::Middle { net.middle(a, b) } else { None };
+        let [place_a, place_b] = [a, b].map(|v| net.places[v as usize]);
+        let (leaves, stays, place) = match ([place_a.bond, place_b.bond], curve) {
+            ([Bond::Free, Bond::Free], _) | ([Bond::Curve { .. }, Bond::Curve { .. }], Some(_)) => {
+                (a, b, middle().unwrap_or(place_b))
+            }
+            ([Bond::Free, _], _) | ([Bond::Curve { .. }, Bond::Fixed(_)], Some(_)) => (a, b, place_b),
+            ([_, Bond::Free], _) | ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, place_a),
+            _ => return None,
+        };
+        let moves = place != net.places[stays as usize];
+        Some(Collapse { leaves, stays, place, moves })
+    }
+
+    fn keeps_shape(&self, &Collapse { leaves, stays, place, moves }: &Collapse<NodeLocation>) -> bool {
+        let (point, normal) = (self.net.reference.point(place.spot), self.net.reference.normal(place.spot));
+        let keeps = |v: u32, other: u32| self.may_move(v, other, point, normal);
+        keeps(leaves, stays) && (!moves || keeps(stays, leaves))
+    }
+
+    fn merge(&mut self, Collapse { leaves, stays, place, .. }: Collapse<NodeLocation>) {
+        self.gone[leaves as usize] = Some(stays);
+        self.net.put(stays, place);
     }
 }
