@@ -2,7 +2,7 @@
 
 pub mod area_flips;
 pub mod delaunay;
-mod flips;
+pub mod flips;
 pub mod isotropic;
 pub mod moving;
 pub mod passes;

@@ -1,6 +1,6 @@
 //! Flips edges one after the other until a condition holds for no edge.
 
-use crate::film::Film;
+use super::passes::Connected;
 use crate::topology::{next, previous};
 use crate::{Execution, Interruption};
 
@@ -17,13 +17,13 @@ const LOOK_EVERY: u64 = 100_000;
 ///
 /// # Errors
 /// The interruption. The film is valid in that case too.
-pub(super) fn flip_where(
-    film: &mut Film,
-    wants: impl Fn(&Film, u32) -> bool,
+pub fn flip_where<M: Connected>(
+    mesh: &mut M,
+    wants: impl Fn(&M, u32) -> bool,
     exec: &Execution,
 ) -> Result<u64, Interruption> {
-    let count = film.topology.twin.len() as u32;
-    let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
+    let count = mesh.topology().twin.len() as u32;
+    let mut queue: Vec<u32> = (0..count).rev().filter(|&h| mesh.topology().twin[h as usize] > h).collect();
     let mut queued = vec![false; count as usize];
     queue.iter().for_each(|&h| queued[h as usize] = true);
     let limit = (FLIPS_PER_EDGE * queue.len()) as u64;
@@ -37,14 +37,15 @@ pub(super) fn flip_where(
         if flips >= limit {
             break;
         }
-        if !wants(film, h) || !film.topology.can_flip(h) {
+        if !wants(mesh, h) || !mesh.topology().can_flip(h) {
             continue;
         }
-        film.topology.flip(h);
+        let topology = mesh.topology_mut();
+        topology.flip(h);
         flips += 1;
-        let twin = film.topology.twin[h as usize];
+        let twin = topology.twin[h as usize];
         for around in [next(h), previous(h), next(twin), previous(twin)] {
-            let edge = around.min(film.topology.twin[around as usize]);
+            let edge = around.min(topology.twin[around as usize]);
             if !queued[edge as usize] {
                 queued[edge as usize] = true;
                 queue.push(edge);

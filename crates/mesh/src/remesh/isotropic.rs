@@ -8,7 +8,7 @@
 //!   neighbourhood. The triangle list is therefore rebuilt once per pass.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
-use super::passes::{Collapse, Surface, collapse_edges, split_edges};
+use super::passes::{Collapse, Connected, Surface, collapse_edges, split_edges};
 use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
@@ -374,9 +374,7 @@ impl Sized<'_> {
     }
 }
 
-impl Surface for Sized<'_> {
-    type Place = DVec3;
-
+impl Connected for Sized<'_> {
     fn topology(&self) -> &Topology {
         &self.film.topology
     }
@@ -384,6 +382,10 @@ impl Surface for Sized<'_> {
     fn topology_mut(&mut self) -> &mut Topology {
         &mut self.film.topology
     }
+}
+
+impl Surface for Sized<'_> {
+    type Place = DVec3;
 
     fn add_middle(&mut self, h: u32) -> Option<u32> {
         let Self { film, size, on_boundary } = self;

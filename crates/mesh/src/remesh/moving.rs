@@ -7,7 +7,7 @@
 //! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
-use super::passes::{Collapse, Surface, collapse_edges, split_edges};
+use super::passes::{Collapse, Connected, Surface, collapse_edges, split_edges};
 use crate::execution::WORK_PER_TRIANGLE;
 use crate::film::Film;
 use crate::measure::double_area_vector;
@@ -388,9 +388,7 @@ impl<'m> Pass<'m> {
     }
 }
 
-impl Surface for Pass<'_> {
-    type Place = DVec3;
-
+impl Connected for Pass<'_> {
     fn topology(&self) -> &Topology {
         &self.moving.film.topology
     }
@@ -398,6 +396,10 @@ impl Surface for Pass<'_> {
     fn topology_mut(&mut self) -> &mut Topology {
         &mut self.moving.film.topology
     }
+}
+
+impl Surface for Pass<'_> {
+    type Place = DVec3;
 
     fn add_middle(&mut self, h: u32) -> Option<u32> {
         let ends = self.ends(h);

@@ -6,18 +6,32 @@
 //! which of two neighbouring edges is changed, and the triangle list is rebuilt once per pass.
 
 use crate::edit::may_collapse;
+use crate::film::Film;
 use crate::topology::{NONE, Topology};
 
-/// A mesh whose vertices stand on a surface, as the passes see it.
-pub trait Surface {
-    /// A place on the surface at which a vertex may stand.
-    type Place;
-
+/// A mesh whose connectivity may be changed.
+pub trait Connected {
     /// The connectivity.
     fn topology(&self) -> &Topology;
 
-    /// The connectivity, which the passes change.
+    /// The connectivity, to be changed.
     fn topology_mut(&mut self) -> &mut Topology;
+}
+
+impl Connected for Film {
+    fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    fn topology_mut(&mut self) -> &mut Topology {
+        &mut self.topology
+    }
+}
+
+/// A mesh whose vertices stand on a surface, as the passes see it.
+pub trait Surface: Connected {
+    /// A place on the surface at which a vertex may stand.
+    type Place;
 
     /// Adds a vertex on the surface half way along an edge, and returns its number, which is the number of vertices
     /// before. `None`, without a new vertex, if the edge is not to be split.

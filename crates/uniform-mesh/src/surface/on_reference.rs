@@ -205,8 +205,10 @@ pub(crate) fn mesh<'a>(
             return Ok((best, interrupted));
         }
         net.put_all(&here.parameters);
-        if !mend(&mut net, OUT) {
-            break;
+        match mend(&mut net, OUT, execution) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(interruption) => return Ok((best, Some(interruption))),
         }
     }
     let mut interrupted = move_nodes(&mut best, reference.effort().rounds, ROUNDS);
@@ -216,8 +218,10 @@ pub(crate) fn mesh<'a>(
             break;
         }
         of_best.put_all(&best.parameters);
-        if !mend(&mut of_best, FAR) {
-            break;
+        match mend(&mut of_best, FAR, execution) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(interruption) => return Ok((best, Some(interruption))),
         }
         let mut here = match nodes(&mut of_best, objective, execution) {
             Ok(here) => here,
@@ -363,7 +367,10 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
 
 /// Splits members that are longer than the given range, collapses shorter ones, and flips edges. Returns whether the
 /// triangles changed.
-fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
+///
+/// # Errors
+/// The interruption.
+fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64), execution: &Execution<'_>) -> Result<bool, Interruption> {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;
     let before = net.topology.triangles().to_vec();
     let seen_wide = |h: u32| {
@@ -381,6 +388,6 @@ fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     short.sort_by(|&a, &b| net.length(a).total_cmp(&net.length(b)).then(a.cmp(&b)));
     short.truncate(short.len().min(net.places.len() / 50 + 1));
     net.collapse_edges(&short, Meeting::Middle, 1.9);
-    net.flip_to_delaunay();
-    net.topology.triangles() != before
+    net.flip_to_delaunay(execution)?;
+    Ok(net.topology.triangles() != before)
 }

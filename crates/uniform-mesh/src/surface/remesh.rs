@@ -11,7 +11,8 @@ use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
 use plateau_mesh::execution::{Execution, Interruption, WORK_PER_TRIANGLE};
 use plateau_mesh::measure::{self, double_area_vector};
-use plateau_mesh::remesh::passes::{self, Collapse, Surface};
+use plateau_mesh::remesh::flips::flip_where;
+use plateau_mesh::remesh::passes::{self, Collapse, Connected, Surface};
 use plateau_mesh::topology::{NONE, Topology, edge_key};
 
 /// Constants of the remeshing.
@@ -36,8 +37,6 @@ struct Remeshing {
     thinnest: f64,
     /// An edge flips if its opposite angles add up to more than 180° plus this angle, radians.
     flat: f64,
-    /// Maximum number of sweeps of flips over all edges.
-    flip_sweeps: usize,
 }
 
 const REMESHING: Remeshing = Remeshing {
@@ -50,7 +49,6 @@ const REMESHING: Remeshing = Remeshing {
     upright: 0.1,
     thinnest: 1e-3,
     flat: 1e-6,
-    flip_sweeps: 10,
 };
 
 /// The target edge length at each place: a constant, or a smaller length where the surface is strongly curved.
@@ -279,25 +277,18 @@ impl<'a> Net<'a> {
     }
 
     /// Flips every edge whose opposite angles add up to more than 180°, where that keeps the triangles upright.
-    pub fn flip_to_delaunay(&mut self) {
-        for _ in 0..REMESHING.flip_sweeps {
-            let mut flips = 0;
-            for h in 0..self.topology.twin.len() as u32 {
-                if self.topology.twin[h as usize] < h {
-                    continue;
-                }
-                let Some(hinge) = self.topology.hinge(h) else { continue };
-                let [a, b, c, d] = hinge.map(|v| self.positions[v as usize]);
+    ///
+    /// # Errors
+    /// The interruption. The net is valid in that case too.
+    pub fn flip_to_delaunay(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
+        let wants = |net: &Self, h: u32| {
+            net.topology.hinge(h).is_some_and(|hinge| {
+                let [a, b, c, d] = hinge.map(|v| net.positions[v as usize]);
                 let angle = |at: DVec3| measure::angle(a - at, b - at);
-                if angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && self.can_flip(h) {
-                    self.topology.flip(h);
-                    flips += 1;
-                }
-            }
-            if flips == 0 {
-                break;
-            }
-        }
+                angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && net.can_flip(h)
+            })
+        };
+        flip_where(self, wants, execution).map(|_| ())
     }
 
     /// Moves every free node towards the area-weighted mean of the centres of its triangles, and every node on a curve
@@ -403,7 +394,7 @@ impl<'a> Net<'a> {
             execution.look(4 * self.places.len() as u64)?;
             let before = self.places.len() as f64;
             let removed = self.collapse(Meeting::End) as f64;
-            self.flip_to_delaunay();
+            self.flip_to_delaunay(execution)?;
             if pass % 2 == 1 {
                 self.relax(1);
             }
@@ -415,11 +406,21 @@ impl<'a> Net<'a> {
             execution.look(WORK_PER_TRIANGLE * self.topology.triangles().len() as u64)?;
             self.split();
             self.collapse(Meeting::Middle);
-            self.flip_to_delaunay();
+            self.flip_to_delaunay(execution)?;
             self.relax(REMESHING.sweeps);
-            self.flip_to_delaunay();
+            self.flip_to_delaunay(execution)?;
         }
         Ok(())
+    }
+}
+
+impl Connected for Net<'_> {
+    fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    fn topology_mut(&mut self) -> &mut Topology {
+        &mut self.topology
     }
 }
 
@@ -458,9 +459,7 @@ impl Pass<'_, '_> {
     }
 }
 
-impl Surface for Pass<'_, '_> {
-    type Place = NodeLocation;
-
+impl Connected for Pass<'_, '_> {
     fn topology(&self) -> &Topology {
         &self.net.topology
     }
@@ -468,6 +467,10 @@ impl Surface for Pass<'_, '_> {
     fn topology_mut(&mut self) -> &mut Topology {
         &mut self.net.topology
     }
+}
+
+impl Surface for Pass<'_, '_> {
+    type Place = NodeLocation;
 
     /// An edge is not split if one of the new triangles would not be upright.
     fn add_middle(&mut self, h: u32) -> Option<u32> {
