@@ -299,7 +299,9 @@ fn with_one_host(url: &str) -> Cow<'_, str> {
     let (authority, database) = path.split_once('/').unwrap_or((path, ""));
     let (user, host) = authority.rsplit_once('@').map_or((None, authority), |(user, host)| (Some(user), host));
     let user = user.map(|user| format!("{user}@")).unwrap_or_default();
-    let port = host.rsplit_once(':').map(|(_, port)| port).filter(|_| !query.contains("port="));
+    // An IPv6 address without a port ends with a bracket.
+    let is_port = |port: &&str| !port.ends_with(']') && !query.contains("port=");
+    let port = host.rsplit_once(':').map(|(_, port)| port).filter(is_port);
     let port = port.map(|port| format!("&port={port}")).unwrap_or_default();
     Cow::Owned(format!("{scheme}://{user}/{database}?{query}{port}"))
 }
@@ -337,13 +339,18 @@ fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
 
 /// Returns `url` without its passwords, for logs and errors.
 #[must_use]
-pub fn redacted(url: &str) -> Cow<'_, str> {
+pub fn redacted(url: &str) -> String {
     const PARAMETER: &str = "password=";
-    if let Some(start) = url.find(PARAMETER).map(|at| at + PARAMETER.len()) {
-        let end = url[start..].find('&').map_or(url.len(), |length| start + length);
-        return Cow::Owned(format!("{}***{}", without_user_password(&url[..start]), &url[end..]));
+    let mut parts = url.split(PARAMETER);
+    let before = without_user_password(parts.next().unwrap_or_default());
+    let mut text = before.into_owned();
+    for part in parts {
+        let end = part.find('&').unwrap_or(part.len());
+        text.push_str(PARAMETER);
+        text.push_str("***");
+        text.push_str(&part[end..]);
     }
-    without_user_password(url)
+    text
 }
 
 fn without_user_password(url: &str) -> Cow<'_, str> {
@@ -364,6 +371,10 @@ mod tests {
         assert_eq!(redacted("postgres://me:a@b@db/plateau"), "postgres://me:***@db/plateau");
         assert_eq!(redacted("postgres://db/plateau?user=a:b@c"), "postgres://db/plateau?user=a:b@c");
         assert_eq!(redacted("postgres://a:b@db/x?password=c&host=d"), "postgres://a:***@db/x?password=***&host=d");
+        assert_eq!(
+            redacted("postgres://db/x?password=a&password=b&user=c"),
+            "postgres://db/x?password=***&password=***&user=c"
+        );
         assert_eq!(redacted("sqlite:///data/plateau.db"), "sqlite:///data/plateau.db");
     }
 
@@ -374,6 +385,8 @@ mod tests {
             ("postgres://me@db:6000/plateau", Host::Tcp("db".into()), Some(6000)),
             ("postgres://me@localhost/plateau?host=/run/pg", Host::Unix("/run/pg".into()), None),
             ("postgres://me@localhost:6000/plateau?host=%2Frun%2Fpg", Host::Unix("/run/pg".into()), Some(6000)),
+            ("postgres://me@[::1]/plateau?host=/run/pg", Host::Unix("/run/pg".into()), None),
+            ("postgres://me@[::1]:6000/plateau?host=/run/pg", Host::Unix("/run/pg".into()), Some(6000)),
             ("postgresql://me@a:1/plateau?port=2&host=b", Host::Tcp("b".into()), Some(2)),
         ] {
             let config = config(url).unwrap();

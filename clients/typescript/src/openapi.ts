@@ -865,8 +865,8 @@ export interface components {
             scope: string;
             /**
              * Format: double
-             * @description Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
-             *     on every machine.
+             * @description Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the
+             *     same on every machine.
              */
             seconds: number;
             /** @description The result in words. */
@@ -885,8 +885,8 @@ export interface components {
             gap?: number;
             /**
              * Format: double
-             * @description Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
-             *     the same request gives the same result on every machine. Default: `2.0`.
+             * @description Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so
+             *     that the same request gives the same result on every machine. Default: `2.0`.
              */
             seconds?: number;
         };
@@ -1005,8 +1005,8 @@ export interface components {
             outcome: components["schemas"]["DeliveryOutcome"];
         };
         /**
-         * @description How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
-         *     will be repeated, and `given_up` if it was the last.
+         * @description How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
+         *     attempt will be repeated, and `given_up` if it was the last.
          * @enum {string}
          */
         DeliveryOutcome: "delivered" | "unwanted" | "failed" | "given_up";
@@ -1028,8 +1028,8 @@ export interface components {
             nurbs?: components["schemas"]["Nurbs"];
             /**
              * @description A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
-             *     plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
-             *     `projected`.
+             *     plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
+             *     warning `projected`.
              */
             polygon?: components["schemas"]["Point"][];
         };
@@ -1155,7 +1155,8 @@ export interface components {
             min: number;
         };
         /**
-         * @description Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area.
+         * @description Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of
+         *     area.
          * @enum {string}
          */
         ForceUnit: "N" | "kN" | "MN" | "lbf" | "kip";
@@ -1167,11 +1168,11 @@ export interface components {
          */
         GivenMesh: {
             /**
-             * @description The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
-             *     scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
-             *     lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
-             *     points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
-             *     no other file and no extension.
+             * @description The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its
+             *     default scene are read with their nodes' transforms, from metres with y up to the request's unit and axis.
+             *     Points and lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit
+             *     numbers from points of `boundaries` take their places, and boundary vertices between them move onto the segment.
+             *     The file needs no other file and no extension.
              */
             glb?: string;
             /** @description Vertex indices of each triangle, counted from 0. */
@@ -1323,8 +1324,8 @@ export interface components {
             code: string;
             detail: string;
             /**
-             * @description Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
-             *     are in the request's unit.
+             * @description Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
+             *     lengths are in the request's unit.
              */
             values: {
                 [key: string]: number;
@@ -1428,8 +1429,8 @@ export interface components {
             /** @description Largest size of a request's body in bytes. */
             body_bytes: number;
             /**
-             * @description Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
-             *     lose their oldest ones. 0 means no limit.
+             * @description Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest
+             *     results lose their oldest ones. 0 means no limit.
              */
             bytes_kept: number;
             /** @description Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached. */
@@ -1450,7 +1451,10 @@ export interface components {
             queue_length_per_key: number;
             /** @description Time in seconds after its end at which a job is removed with its mesh. 0 means never. */
             retention_s: number;
-            /** @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net. */
+            /**
+             * @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable
+             *     net.
+             */
             triangles: number;
             /** @description Longest wait that `Prefer: wait` can ask for, in seconds. */
             wait_max_s: number;
@@ -1480,8 +1484,8 @@ export interface components {
         Links: {
             cancel: string;
             /**
-             * @description Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal surfaces
-             *     do, if their request has `certify`.
+             * @description Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
+             *     surfaces do, if their request has `certify`.
              */
             certificate?: string | null;
             events: string;
@@ -1600,8 +1604,8 @@ export interface components {
             /** @description Straight lines whose ends are no vertices of the mesh, such as those of `reactions`: two points each. */
             arrows: components["schemas"]["Point"][][];
             /**
-             * @description `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
-             *     the cable's name, such as `cables ridge`.
+             * @description `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables`
+             *     with the cable's name, such as `cables ridge`.
              */
             name: string;
             /** @description Each line as the vertices along it. A closed line ends with its first vertex. */
@@ -2305,8 +2309,8 @@ export interface components {
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
             /**
-             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-             *     most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
              */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
@@ -2376,8 +2380,8 @@ export interface components {
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
             /**
-             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-             *     most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
              */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
@@ -2539,8 +2543,8 @@ export interface components {
             films_cross: boolean | null;
             /**
              * Format: double
-             * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-             *     Null if nothing is proven.
+             * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this
+             *     boundary. Null if nothing is proven.
              */
             gap: number | null;
             stability: components["schemas"]["Stability"] | null;
@@ -2730,8 +2734,8 @@ export interface components {
              */
             distance_max: number;
             /**
-             * @description `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
-             *     it cannot be laid into the plane with a bounded distortion.
+             * @description `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself,
+             *     because it cannot be laid into the plane with a bounded distortion.
              */
             method: string;
             /**
@@ -2798,8 +2802,8 @@ export interface components {
             /** @description The chambers. The space below a single film with a pressure is one. */
             chambers: components["schemas"]["ChamberState"][];
             /**
-             * @description Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
-             *     Null without such an edge.
+             * @description Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their
+             *     left. Null without such an edge.
              */
             contact_angle_deg: components["schemas"]["AngleRange"] | null;
             converged: boolean;
@@ -2947,7 +2951,10 @@ export interface components {
              *     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             pressure?: number | null;
-            /** @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more. */
+            /**
+             * @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+             *     are more.
+             */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];
@@ -3034,7 +3041,10 @@ export interface components {
              *     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             pressure?: number | null;
-            /** @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more. */
+            /**
+             * @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+             *     are more.
+             */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];
@@ -3235,8 +3245,9 @@ export interface components {
         UniformStatistics: {
             angles_deg: components["schemas"]["AngleRange"];
             /**
-             * @description False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
-             *     off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
+             * @description False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the
+             *     area is off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged`
+             *     says by how much.
              */
             converged: boolean;
             distinct_lengths: number;
@@ -3271,8 +3282,8 @@ export interface components {
                 [key: string]: number;
             };
             /**
-             * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
-             *     Null if not all pairs were looked at.
+             * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+             *     mesh. Null if not all pairs were looked at.
              */
             self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */

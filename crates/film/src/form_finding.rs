@@ -1,18 +1,17 @@
 //! The driver of all form finding, from a start that may be far away to a shape in equilibrium.
 //!
-//! Films, films with junctions and tensile structures find their shapes by the same three steps, which [`find`] repeats
-//! until a shape is accepted or given up:
+//! Films, films with junctions and tensile structures find their shapes by the same three steps, which the function
+//! `find` repeats until a shape is accepted or given up:
 //!
 //! 1. *Settle*: rounds of simple solves, each on better triangles than the one before. They accept any start, and end
 //!    near the equilibrium.
-//! 2. *Newton*: Newton's method on the mesh that the rounds have left
-//!    ([`newton::iterate`](crate::equilibrium::newton::iterate)).
+//! 2. *Newton*: Newton's method (`equilibrium::newton::iterate`) on the mesh that the rounds have left.
 //! 3. *Judge*: a shape whose residual is at the tolerance and of which no triangle is flipped is accepted. An accepted
 //!    shape may still have to go on, because its mesh is to become finer or because it is unstable. Any other shape
 //!    settles again, until the form finding gives up.
 //!
-//! Each kind of body says how it settles, which equations Newton's method solves, and how often it returns
-//! ([`FormFinding`]).
+//! Each kind of body implements the trait `FormFinding`: how the body settles, which equations Newton's method solves,
+//! and how often the body settles again.
 
 use crate::equilibrium::Outcome;
 use plateau_mesh::Interruption;

@@ -38,15 +38,16 @@ warning `projected`."""
 Certify = Union[bool, "CertifyOptions"]
 """Whether and how to prove a lower bound of the area."""
 DeliveryOutcome = Literal['delivered', 'unwanted', 'failed', 'given_up']
-"""How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
-will be repeated, and `given_up` if it was the last."""
+"""How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
+attempt will be repeated, and `given_up` if it was the last."""
 Direction = Literal['as_given', 'auto']
 """Whether a directrix may be run through backwards.
 
 - `as_given`: Each directrix runs as given.
 - `auto`: Each directrix but the first is reversed where it runs against the one before it."""
 ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
-"""Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area."""
+"""Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of
+area."""
 Goal = Union["RuledSurfaceObjective", "WeightedSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
@@ -443,8 +444,8 @@ class Certificate(TypedDict):
     scope: str
     """The surfaces for which the bound holds."""
     seconds: float
-    """Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
-    on every machine."""
+    """Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the
+    same on every machine."""
     statement: str
     """The result in words."""
     tetrahedra: int
@@ -456,8 +457,8 @@ class CertifyOptions(TypedDict):
     gap: NotRequired[float]
     """The search ends once the film's area is at most this fraction above the bound. Default: `0.005`."""
     seconds: NotRequired[float]
-    """Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
-    the same request gives the same result on every machine. Default: `2.0`."""
+    """Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so
+    that the same request gives the same result on every machine. Default: `2.0`."""
 
 
 class Chamber(TypedDict):
@@ -551,8 +552,8 @@ class Domain(TypedDict):
     nurbs: NotRequired[Nurbs]
     polygon: NotRequired[Sequence[Point]]
     """A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
-    plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
-    `projected`."""
+    plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
+    warning `projected`."""
 
 
 class EdgeReaction(TypedDict):
@@ -659,11 +660,11 @@ class GivenMesh(TypedDict):
     triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
     `resolution` has no effect in either case."""
     glb: NotRequired[str]
-    """The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its default
-    scene are read with their nodes' transforms, from metres with y up to the request's unit and axis. Points and
-    lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit numbers from
-    points of `boundaries` take their places, and boundary vertices between them move onto the segment. The file needs
-    no other file and no extension."""
+    """The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its
+    default scene are read with their nodes' transforms, from metres with y up to the request's unit and axis.
+    Points and lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit
+    numbers from points of `boundaries` take their places, and boundary vertices between them move onto the segment.
+    The file needs no other file and no extension."""
     triangles: NotRequired[Sequence[Sequence[int]]]
     """Vertex indices of each triangle, counted from 0."""
     vertices: NotRequired[Polygon]
@@ -794,8 +795,8 @@ class JobWarning(TypedDict):
     - `unstable`: The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided."""
     detail: str
     values: Dict[str, float]
-    """Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and lengths
-    are in the request's unit."""
+    """Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
+    lengths are in the request's unit."""
 
 
 class Junctions(TypedDict):
@@ -859,8 +860,8 @@ class Limits(TypedDict):
     body_bytes: int
     """Largest size of a request's body in bytes."""
     bytes_kept: int
-    """Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
-    lose their oldest ones. 0 means no limit."""
+    """Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest
+    results lose their oldest ones. 0 means no limit."""
     deadline_ms: int
     """Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached."""
     grid_cells: int
@@ -880,7 +881,8 @@ class Limits(TypedDict):
     retention_s: int
     """Time in seconds after its end at which a job is removed with its mesh. 0 means never."""
     triangles: int
-    """Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net."""
+    """Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable
+    net."""
     wait_max_s: int
     """Longest wait that `Prefer: wait` can ask for, in seconds."""
     webhooks: bool
@@ -904,8 +906,8 @@ class Links(TypedDict):
     """Addresses that belong to a job."""
     cancel: str
     certificate: NotRequired[Optional[str]]
-    """Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal surfaces
-    do, if their request has `certify`."""
+    """Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
+    surfaces do, if their request has `certify`."""
     events: str
     mesh: NotRequired[Optional[str]]
     """Address of the mesh. Absent from failed and cancelled jobs."""
@@ -985,8 +987,8 @@ class MeshLines(TypedDict):
     arrows: List[List[Point]]
     """Straight lines whose ends are no vertices of the mesh, such as those of `reactions`: two points each."""
     name: str
-    """`boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
-    the cable's name, such as `cables ridge`."""
+    """`boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables`
+    with the cable's name, such as `cables ridge`."""
     paths: List[List[int]]
     """Each line as the vertices along it. A closed line ends with its first vertex."""
     values: Optional[LineValues]
@@ -1482,8 +1484,8 @@ class RuledSurfaceRequest(TypedDict):
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
-    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: NotRequired[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: NotRequired[float]
@@ -1537,8 +1539,8 @@ class RuledSurfaceRequestWithKind(TypedDict):
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
-    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: NotRequired[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: NotRequired[float]
@@ -1638,8 +1640,8 @@ class SpanningTopology(TypedDict):
     """Whether its films pass through each other or through themselves. No soap film has such a shape, so these
     topologies follow those whose films do not cross. Null if the time was up before a crossing was found."""
     gap: Optional[float]
-    """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    Null if nothing is proven."""
+    """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this
+    boundary. Null if nothing is proven."""
     stability: Optional[Stability]
 
 
@@ -1754,8 +1756,8 @@ class SurfaceFit(TypedDict):
     distance_max: float
     """Largest distance from the middle of a triangle to the surface."""
     method: str
-    """`flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
-    it cannot be laid into the plane with a bounded distortion."""
+    """`flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself,
+    because it cannot be laid into the plane with a bounded distortion."""
     normal_deviation_max_deg: float
     """Largest angle between the normals of a triangle and of the surface below its middle."""
 
@@ -1796,8 +1798,8 @@ class TensileStatistics(TypedDict):
     chambers: List[ChamberState]
     """The chambers. The space below a single film with a pressure is one."""
     contact_angle_deg: Optional[AngleRange]
-    """Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
-    Null without such an edge."""
+    """Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their
+    left. Null without such an edge."""
     converged: bool
     degenerate_triangles: int
     edge_lengths: Spread
@@ -1911,7 +1913,8 @@ class TensileStructureRequest(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: NotRequired[Resolution]
-    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+    are more."""
     rings: NotRequired[Sequence[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -1973,7 +1976,8 @@ class TensileStructureRequestWithKind(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: NotRequired[Resolution]
-    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+    are more."""
     rings: NotRequired[List[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -2116,8 +2120,9 @@ class UniformStatistics(TypedDict):
     """Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees."""
     angles_deg: AngleRange
     converged: bool
-    """False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
-    off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much."""
+    """False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the
+    area is off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged`
+    says by how much."""
     distinct_lengths: int
     edge_lengths: Spread
     edges: int
@@ -2143,8 +2148,8 @@ class UniformStatistics(TypedDict):
     out_of_range_reasons: Dict[str, int]
     """Number of members that are out of range, for each reason."""
     self_intersections: Optional[int]
-    """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
-    Null if not all pairs were looked at."""
+    """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    mesh. Null if not all pairs were looked at."""
     self_intersections_skipped: Optional[str]
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shared_lengths: List[SharedLengths]
@@ -2226,8 +2231,8 @@ class RuledSurfaceOptions(TypedDict, total=False):
     cancel_on_disconnect: bool
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: Caps
-    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
-    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: bool
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: float
@@ -2396,7 +2401,8 @@ class TensileStructureOptions(TypedDict, total=False):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: Resolution
-    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
+    are more."""
     rings: Sequence[Ring]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: Optional[str]
