@@ -29,11 +29,12 @@ pub(crate) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[
 }
 
 /// Fills `matrix` with the cotangent Laplacian L of the free vertices, and `right_hand_side` with -L_free,fixed
-/// p_fixed, where p_fixed are the positions of the fixed vertices. The right-hand side lists x of all free vertices,
-/// then y, then z.
+/// p_fixed. The angles are measured on `domain`, and p_fixed are the positions of the fixed vertices in `image`. The
+/// right-hand side lists x of all free vertices, then y, then z.
 pub(crate) fn laplacian(
     pattern: &Pattern,
-    vertices: &[DVec3],
+    domain: &[DVec3],
+    image: &[DVec3],
     triangles: &[[u32; 3]],
     matrix: &mut SymmetricMatrix,
     right_hand_side: &mut Vec<f64>,
@@ -43,7 +44,7 @@ pub(crate) fn laplacian(
     right_hand_side.clear();
     right_hand_side.resize(3 * n, 0.0);
     for (triangle, slots) in triangles.iter().zip(&pattern.slots) {
-        let facet = Facet::of(vertices, triangle);
+        let facet = Facet::of(domain, triangle);
         let scale = 0.5 / facet.double_area;
         for k in 0..3 {
             let (from, to) = (k, (k + 1) % 3);
@@ -55,7 +56,7 @@ pub(crate) fn laplacian(
                 matrix.values[slots[3 + k] as usize] += weight;
             } else if row != other {
                 let (free, fixed) = if row == FIXED { (other, triangle[from]) } else { (row, triangle[to]) };
-                let force = -weight * vertices[fixed as usize];
+                let force = -weight * image[fixed as usize];
                 for (axis, force) in force.to_array().into_iter().enumerate() {
                     right_hand_side[axis * n + free as usize] += force;
                 }
@@ -78,7 +79,7 @@ mod tests {
         let (vertices, triangles, fixed) = saddle();
         let pattern = Pattern::new(&triangles, &fixed);
         let (mut matrix, mut right_hand_side) = (pattern.matrix(), Vec::new());
-        laplacian(&pattern, &vertices, &triangles, &mut matrix, &mut right_hand_side);
+        laplacian(&pattern, &vertices, &vertices, &triangles, &mut matrix, &mut right_hand_side);
         let n = pattern.free.vertex.len();
         for axis in 0..3 {
             let direction = vec![DVec3::AXES[axis]; vertices.len()];
@@ -97,7 +98,7 @@ mod tests {
         let (domain, triangles, fixed) = saddle();
         let pattern = Pattern::new(&triangles, &fixed);
         let (mut matrix, mut right_hand_side) = (pattern.matrix(), Vec::new());
-        laplacian(&pattern, &domain, &triangles, &mut matrix, &mut right_hand_side);
+        laplacian(&pattern, &domain, &domain, &triangles, &mut matrix, &mut right_hand_side);
         let image: Vec<DVec3> = domain.iter().map(|p| DVec3::new(p.y, p.x * p.y, p.z - p.x)).collect();
         // The energy is quadratic, so that differences of any step are exact up to rounding.
         let energy = |moves: &[(u32, f64)], axis: usize| {

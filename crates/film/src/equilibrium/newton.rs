@@ -339,7 +339,14 @@ mod tests {
     fn harmonic_step(film: &mut Film) {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         let (mut matrix, mut image) = (pattern.matrix(), Vec::new());
-        crate::energy::dirichlet::laplacian(&pattern, &film.vertices, film.triangles(), &mut matrix, &mut image);
+        crate::energy::dirichlet::laplacian(
+            &pattern,
+            &film.vertices,
+            &film.vertices,
+            film.triangles(),
+            &mut matrix,
+            &mut image,
+        );
         Symbolic::analyse(&matrix, None).unwrap().factorise(&matrix).unwrap().solve(&mut image).unwrap();
         let n = pattern.free.vertex.len();
         for (row, &v) in pattern.free.vertex.iter().enumerate() {

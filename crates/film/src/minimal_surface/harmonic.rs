@@ -43,7 +43,13 @@ impl Dirichlet {
     /// # Errors
     /// [`LinearError::TooLarge`].
     pub fn new(film: &Film) -> Result<Self, LinearError> {
-        Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
+        Self::of(film.triangles(), &film.fixed)
+    }
+
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub fn of(triangles: &[[u32; 3]], fixed: &[bool]) -> Result<Self, LinearError> {
+        Self::of_pattern(Pattern::new(triangles, fixed))
     }
 
     /// Does the same as [`new`](Self::new) for a mesh in which more than two triangles may share an edge.
@@ -74,19 +80,41 @@ impl Dirichlet {
     /// # Errors
     /// The errors of [`step`](Self::step).
     pub fn move_to_minimum(&mut self, vertices: &mut [DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
-        laplacian(&self.pattern, vertices, triangles, &mut self.matrix, &mut self.right_hand_side);
+        self.solve(vertices, vertices, triangles)?;
+        self.place(vertices);
+        Ok(())
+    }
+
+    /// Moves the free vertices of `image` so that the map from `domain` is harmonic: all coordinates of the image are
+    /// discrete harmonic functions on the domain. On an error the image stays as it was.
+    ///
+    /// # Errors
+    /// The errors of [`step`](Self::step).
+    pub fn map(&mut self, domain: &[DVec3], image: &mut [DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
+        self.solve(domain, image, triangles)?;
+        self.place(image);
+        Ok(())
+    }
+
+    /// Computes the minimum of the energy among the maps from `domain` that keep the fixed vertices of `image`, and
+    /// leaves the coordinates of the free vertices in `right_hand_side`.
+    fn solve(&mut self, domain: &[DVec3], image: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
+        laplacian(&self.pattern, domain, image, triangles, &mut self.matrix, &mut self.right_hand_side);
         let factorisation = self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage))?;
         if !factorisation.inertia().is_positive_definite() {
             return Err(LinearError::Singular);
         }
         factorisation.solve(&mut self.right_hand_side)?;
         self.storage = factorisation.into_storage();
-        let n = self.pattern.free.vertex.len();
+        Ok(())
+    }
+
+    /// Puts the free vertices to the coordinates in `right_hand_side`.
+    fn place(&self, vertices: &mut [DVec3]) {
+        let (n, x) = (self.pattern.free.vertex.len(), &self.right_hand_side);
         for (row, &vertex) in self.pattern.free.vertex.iter().enumerate() {
-            let x = &self.right_hand_side;
             vertices[vertex as usize] = DVec3::new(x[row], x[n + row], x[2 * n + row]);
         }
-        Ok(())
     }
 
     /// Does the same as [`step`](Self::step) by conjugate gradients from the present positions. If one of the three
@@ -100,7 +128,8 @@ impl Dirichlet {
         film: &mut Film,
         exec: &Execution,
     ) -> Result<Result<Elimination, LinearError>, Interruption> {
-        laplacian(&self.pattern, &film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
+        let at = &film.vertices;
+        laplacian(&self.pattern, at, at, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
         let n = self.pattern.free.vertex.len();
         let mut image = vec![DVec3::ZERO; n];
         for (axis, b) in self.right_hand_side.chunks_exact(n).enumerate() {

@@ -268,7 +268,14 @@ fn places(mesh: &Mesh, loops: &[Vec<u32>], boundaries: &[Vec<DVec3>]) -> Option<
 /// Returns the cotangent Laplacian of the free vertices, and its entries between free and fixed vertices.
 fn laplacian(pattern: &Pattern, film: &Film) -> (SymmetricMatrix, Vec<(u32, u32, f64)>) {
     let (mut matrix, mut right_hand_side) = (pattern.matrix(), Vec::new());
-    crate::energy::dirichlet::laplacian(pattern, &film.vertices, film.triangles(), &mut matrix, &mut right_hand_side);
+    crate::energy::dirichlet::laplacian(
+        pattern,
+        &film.vertices,
+        &film.vertices,
+        film.triangles(),
+        &mut matrix,
+        &mut right_hand_side,
+    );
     let mut couplings = Vec::new();
     for triangle in film.triangles() {
         let facet = Facet::of(&film.vertices, triangle);

@@ -112,7 +112,7 @@ impl StressField {
         self.anchors.iter().for_each(|&v| fixed[v as usize] = true);
         let pattern = Pattern::of_complex(triangles, &fixed);
         let (mut matrix, mut unused) = (pattern.matrix(), Vec::new());
-        laplacian(&pattern, at, triangles, &mut matrix, &mut unused);
+        laplacian(&pattern, at, at, triangles, &mut matrix, &mut unused);
         let mut change = vec![0.0; pattern.free.vertex.len()];
         for (triangle, facet) in triangles.iter().zip(&facets) {
             let known: Vec<DVec3> = triangle
