@@ -2,6 +2,7 @@
 //! edges stay, and no triangle turns over.
 
 use super::flips::flip_where;
+use super::passes::Connected;
 use crate::film::Film;
 use crate::measure::double_area_vector;
 use crate::{DVec3, Execution, Interruption};
@@ -52,10 +53,50 @@ fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> boo
         && may(film, hinge)
 }
 
-/// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
-///
-/// The vertices move one after the other, in the order of their numbers. A step must not turn a triangle of the ring
-/// over or take nearly all of its area. Otherwise the step is halved up to twice, and then left out.
+/// A mesh whose vertices slide along its surface one by one.
+pub trait Relaxed: Connected {
+    /// The position of a vertex.
+    fn position(&self, v: u32) -> DVec3;
+
+    /// The unit normal of the surface at a vertex. `None` stands for that of the triangles around the vertex.
+    fn normal(&self, _v: u32) -> Option<DVec3> {
+        None
+    }
+
+    /// Upper bound of a step of a vertex.
+    fn longest_step(&self, _v: u32) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Moves a vertex along the surface by a step in its tangent plane, and returns whether the triangles around it keep
+    /// their shape. If they do not, the vertex stays.
+    fn try_step(&mut self, v: u32, step: DVec3) -> bool;
+}
+
+impl Relaxed for Film {
+    fn position(&self, v: u32) -> DVec3 {
+        self.vertices[v as usize]
+    }
+
+    /// A step must not turn a triangle over or take nearly all of its area.
+    fn try_step(&mut self, v: u32, step: DVec3) -> bool {
+        let here = self.vertices[v as usize];
+        let moved = here + step;
+        let keeps = self.topology.outgoing_half_edges(v).all(|h| {
+            let (j, k) = ring_edge(self, h);
+            let (before, after) = (double_area_vector([here, j, k]), double_area_vector([moved, j, k]));
+            // At least a twentieth of the area is left.
+            after.dot(before) > 0.05 * before.length_squared()
+        });
+        if keeps {
+            self.vertices[v as usize] = moved;
+        }
+        keeps
+    }
+}
+
+/// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times. The
+/// vertices move one after the other, in the order of their numbers.
 pub fn tangential_relaxation(film: &mut Film, rounds: u32) {
     for _ in 0..rounds {
         for v in 0..film.vertices.len() as u32 {
@@ -66,33 +107,28 @@ pub fn tangential_relaxation(film: &mut Film, rounds: u32) {
     }
 }
 
-fn relax(film: &mut Film, v: u32) {
-    let here = film.vertices[v as usize];
+/// Moves a vertex within its tangent plane towards the area-weighted centroid of its ring. A step after which the
+/// triangles of the ring do not keep their shape is halved up to twice, and then left out.
+pub fn relax<M: Relaxed>(mesh: &mut M, v: u32) {
+    let here = mesh.position(v);
     let (mut normal, mut centroid, mut weight) = (DVec3::ZERO, DVec3::ZERO, 0.0);
-    for h in film.topology.outgoing_half_edges(v) {
-        let (j, k) = ring_edge(film, h);
+    for h in mesh.topology().outgoing_half_edges(v) {
+        let (j, k) = ring_edge(mesh, h);
         let double_area = (j - here).cross(k - here);
         let area = double_area.length();
         normal += double_area;
         centroid += area * ((j - here) + (k - here)) / 3.0;
         weight += area;
     }
-    let normal = normal.normalize_or_zero();
+    let normal = mesh.normal(v).unwrap_or(normal.normalize_or_zero());
     if weight == 0.0 || normal == DVec3::ZERO {
         return;
     }
     let mut step = centroid / weight;
     step -= step.dot(normal) * normal;
+    step = step.clamp_length_max(mesh.longest_step(v));
     for _ in 0..3 {
-        let keeps = film.topology.outgoing_half_edges(v).all(|h| {
-            let (j, k) = ring_edge(film, h);
-            let moved = here + step;
-            let (before, after) = (double_area_vector([here, j, k]), double_area_vector([moved, j, k]));
-            // The triangle must not turn over, and must keep at least a twentieth of its area.
-            after.dot(before) > 0.05 * before.length_squared()
-        });
-        if keeps {
-            film.vertices[v as usize] = here + step;
+        if mesh.try_step(v, step) {
             return;
         }
         step *= 0.5;
@@ -100,8 +136,8 @@ fn relax(film: &mut Film, v: u32) {
 }
 
 /// In the triangle of an outgoing half-edge, the ends of the edge opposite the start of the half-edge.
-fn ring_edge(film: &Film, h: u32) -> (DVec3, DVec3) {
-    (film.vertices[film.topology.to(h) as usize], film.vertices[film.topology.opposite(h) as usize])
+fn ring_edge<M: Relaxed>(mesh: &M, h: u32) -> (DVec3, DVec3) {
+    (mesh.position(mesh.topology().to(h)), mesh.position(mesh.topology().opposite(h)))
 }
 
 #[cfg(test)]

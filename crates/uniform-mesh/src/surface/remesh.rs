@@ -11,6 +11,7 @@ use super::reference::{Bond, NodeLocation, Reference};
 use plateau_mesh::DVec3;
 use plateau_mesh::execution::{Execution, Interruption, WORK_PER_TRIANGLE};
 use plateau_mesh::measure::{self, double_area_vector};
+use plateau_mesh::remesh::delaunay::{Relaxed, relax};
 use plateau_mesh::remesh::flips::flip_where;
 use plateau_mesh::remesh::passes::{self, Collapse, Connected, Surface};
 use plateau_mesh::topology::{NONE, Topology, edge_key};
@@ -297,43 +298,12 @@ impl<'a> Net<'a> {
         for _ in 0..sweeps {
             for v in 0..self.places.len() as u32 {
                 match self.places[v as usize].bond {
-                    Bond::Free => self.relax_free(v),
+                    Bond::Free => relax(self, v),
                     Bond::Curve { curve, at } => self.relax_on_curve(v, curve, at),
                     Bond::Fixed(_) => {}
                 }
             }
         }
-    }
-
-    fn relax_free(&mut self, v: u32) {
-        let here = self.positions[v as usize];
-        let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
-        let mut nearest = f64::INFINITY;
-        for h in self.topology.outgoing_half_edges(v) {
-            let [p, q] = [self.topology.to(h), self.topology.opposite(h)].map(|v| self.positions[v as usize]);
-            let area = double_area_vector([here, p, q]).length();
-            sum += (here + p + q) * (area / 3.0);
-            weight += area;
-            nearest = nearest.min(here.distance(p));
-        }
-        if weight <= 0.0 {
-            return;
-        }
-        let normal = self.normals[v as usize];
-        let mut step = (sum / weight - here).reject_from_normalized(normal);
-        let most = 0.5 * nearest;
-        if step.length() > most {
-            step *= most / step.length();
-        }
-        let before = self.places[v as usize];
-        for part in [1.0, 0.4] {
-            let spot = self.reference.walk(before.spot, step * part);
-            self.put(v, NodeLocation { spot, bond: Bond::Free });
-            if self.star_is_upright(v) {
-                return;
-            }
-        }
-        self.put(v, before);
     }
 
     fn relax_on_curve(&mut self, v: u32, curve: u32, at: f64) {
@@ -421,6 +391,34 @@ impl Connected for Net<'_> {
 
     fn topology_mut(&mut self) -> &mut Topology {
         &mut self.topology
+    }
+}
+
+impl Relaxed for Net<'_> {
+    fn position(&self, v: u32) -> DVec3 {
+        self.positions[v as usize]
+    }
+
+    fn normal(&self, v: u32) -> Option<DVec3> {
+        Some(self.normals[v as usize])
+    }
+
+    /// Half the distance to the nearest neighbour.
+    fn longest_step(&self, v: u32) -> f64 {
+        let here = self.positions[v as usize];
+        let distances = self.topology.neighbours(v).map(|w| self.positions[w as usize].distance(here));
+        0.5 * distances.fold(f64::INFINITY, f64::min)
+    }
+
+    fn try_step(&mut self, v: u32, step: DVec3) -> bool {
+        let before = self.places[v as usize];
+        let spot = self.reference.walk(before.spot, step);
+        self.put(v, NodeLocation { spot, bond: Bond::Free });
+        let keeps = self.star_is_upright(v);
+        if !keeps {
+            self.put(v, before);
+        }
+        keeps
     }
 }
 
