@@ -1028,7 +1028,8 @@ async fn a_lease_from_a_clock_that_was_set_back_has_run_out(database: Database) 
     let store = database.open(StoreOptions::default()).await;
     create(&store, job(1)).await;
     let held = store.claim("before", LEASE).await.unwrap().unwrap();
-    // A step back by less than the lease's length changes nothing.
+    // Adding to the stored times has the same effect as setting the clock back. The first step, 50 s, is less than the
+    // lease of 60 s, so the lease still holds. The second step is a day longer, so the lease has run out.
     database.execute("UPDATE jobs SET lease_until = lease_until + 50000, started_at = started_at + 50000").await;
     assert_eq!(store.claim("after", LEASE).await.unwrap(), None);
     database.execute("UPDATE jobs SET lease_until = lease_until + 86400000, started_at = started_at + 86400000").await;

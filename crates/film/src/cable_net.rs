@@ -67,8 +67,9 @@ pub struct CableNet {
     pub residual_force: f64,
     /// The load path Σ |F| L.
     pub load_path: f64,
-    /// The weighted sum of three parts: the mean squared relative deviations of the forces and of the lengths from
-    /// their targets, and the load path relative to its value at the start. It is 0 without targets.
+    /// The sum of three weighted parts: the mean squared relative deviations of the forces from their targets, the same
+    /// of the lengths, and the load path relative to its value at the start. It is 0 if the net has no targets and the
+    /// load path has no weight.
     pub loss: f64,
     /// The largest derivative of the loss by the logarithm of a force density. For a net with struts also by the
     /// position of a vertex, measured in root mean square edge lengths.

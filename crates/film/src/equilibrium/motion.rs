@@ -11,7 +11,8 @@ use plateau_mesh::sparse::pattern::BlockPattern;
 use plateau_mesh::{DVec3, measure};
 use std::ops::Range;
 
-/// The equations of a body. Each vertex has one unknown for each independent direction in which it may move.
+/// The equations of a body. Each vertex has one unknown for each independent direction in which it may move. The
+/// vertices of a group move together and share one unknown.
 #[derive(Debug)]
 pub(crate) struct Motion<'a> {
     body: &'a Body,

@@ -277,7 +277,8 @@ fn sail(n: usize, sag: f64) -> (Body, Vec<[u32; 2]>) {
         let radius = (25.0 + sag * sag) / (2.0 * sag);
         (radius * radius - (10.0 * t - 5.0) * (10.0 * t - 5.0)).sqrt() - (radius - sag)
     };
-    // Edges interpolated across the square (Coons); the corners stay where they are.
+    // The edges of the square are arcs; inside, the displacements of opposite edges are interpolated (Coons patch). The
+    // displacements vanish at the corners.
     let at = |u: f64, v: f64| {
         let (x, y) = (arc(v) * (1.0 - 2.0 * u), arc(u) * (1.0 - 2.0 * v));
         DVec3::new(10.0 * u + x, 10.0 * v + y, 0.0)

@@ -24,12 +24,13 @@ pub(super) struct JoinedLoops {
 }
 
 impl JoinedLoops {
-    /// Joins boundaries that touch. Returns `None` if the boundaries do not lie in one plane or do not touch, or if the
-    /// options ask for an initial mesh other than `auto` and `planar`.
+    /// Joins boundaries that touch in one plane. Returns `None` if the boundaries do not lie in one plane or do not
+    /// touch, or if the options ask for an initial mesh other than `auto` and `planar`. Also returns `None` if they
+    /// cross and the result may have another topology than the initial mesh.
     ///
     /// # Errors
-    /// `self_intersecting_boundary` if plane boundaries cross or share a piece of a side, and the film has to connect
-    /// them. The interruptions of `exec`.
+    /// `self_intersecting_boundary` if plane boundaries cross or share a piece of a side, and the result must have the
+    /// topology of the initial mesh. The interruptions of `exec`.
     pub fn of(input: &Input, options: &Options, exec: &Execution) -> Result<Option<Self>, Error> {
         let boundaries = &input.centred;
         if boundaries.len() < 2 || !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar) {

@@ -32,7 +32,8 @@ pub(super) struct Model {
     pub layers: Vec<Layer>,
     /// Number of vertices of all layers.
     pub films: usize,
-    /// Vertices of cables in the air, numbered after those of the layers.
+    /// Positions of the vertices of cables and masts that do not lie on a layer. Their numbers follow those of the
+    /// layers' vertices.
     pub air: Vec<DVec3>,
     /// For each vertex in the air whether it is a support.
     pub air_fixed: Vec<bool>,

@@ -29,8 +29,8 @@ pub(crate) fn compare(audit: &mut Audit, surface: &Surface, is_fixed: &[bool], r
             let full = ring.gradient.length() / double_mass;
             let normal = ring.gradient.dot(ring.normal.normalize_or_zero()).abs() / double_mass;
             if ring.is_degenerate {
-                // Every figure at the corner of a triangle without area is determined by rounding. Any stated value
-                // agrees with it.
+                // At the corner of a triangle without area the curvature consists of rounding errors. The infinite
+                // tolerance makes the audit accept any stated value.
                 return AtVertex { full: 0.0, normal: 0.0, tolerance: f64::INFINITY };
             }
             AtVertex { full, normal, tolerance: rounding * ring.steepness * ring.steepness }

@@ -71,8 +71,9 @@ struct Chords {
     steepness: f64,
 }
 
-/// Returns the derivative at the middle of the quadratic through three neighbours, whose parameter is the length of the
-/// chords (Wang-Tang, eq. 13 and 14), as a unit vector.
+/// Returns the unit tangent at a point of a polyline. The polyline is replaced by the quadratic through the point and
+/// its two neighbours, parametrised by chord length (Wang-Tang, eq. 13 and 14). At an end of the polyline the tangent
+/// has the direction of the only chord.
 fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2]) -> DVec3 {
     let tangent = match (before.map(|chord| -chord), after) {
         (Some(before), Some(after)) if a == 0.0 || b == 0.0 => before + after,

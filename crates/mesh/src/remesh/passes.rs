@@ -98,10 +98,10 @@ pub fn split_edges(surface: &mut impl Surface, edges: impl IntoIterator<Item = u
     count
 }
 
-/// Collapses edges in their order, where the neighbourhood of an edge has no vertex in common with that of an edge that
-/// was collapsed before, and where the [link condition](may_collapse) and the shape of the triangles allow it. Each
-/// edge is given by one of its half-edges. Returns the number of collapsed edges. The topology keeps gaps
-/// ([`Topology::without_gaps`]).
+/// Collapses the given edges one after the other. Each edge is given by one of its half-edges. An edge is skipped if
+/// its neighbourhood has a vertex in common with that of an edge collapsed before, or if the
+/// [link condition](may_collapse) or the shape of the triangles forbids the collapse. Returns the number of collapsed
+/// edges. The removed triangles and vertices leave gaps in the topology ([`Topology::without_gaps`] closes them).
 pub fn collapse_edges(surface: &mut impl Surface, edges: impl IntoIterator<Item = u32>) -> usize {
     let mut touched = vec![false; surface.topology().outgoing.len()];
     let mut count = 0;

@@ -35,8 +35,8 @@ pub(crate) fn unroll(
         if b != a {
             direction = (b - a).normalize();
         }
-        // The position of the new point is measured from the end of the bridge where its bank edge begins. The length
-        // of this edge, which usually is the shortest side, is then exact.
+        // The position of the new point is measured from the end of the bridge that lies on the same directrix. The
+        // bank edge between these two points, which usually is the shortest side of the triangle, is then exact.
         let origin = if by_p { from } else { to };
         let (along, height) = split(new - origin, to - from);
         let place = (if by_p { a } else { b }) + direction * along - direction.perp() * height;

@@ -439,7 +439,8 @@ fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface
 /// Runs the checks of the film's solver on the boundaries, before any work.
 ///
 /// # Errors
-/// The errors of [`minimal_surface::check`], with places below /domain.
+/// The errors of [`minimal_surface::check`]. Errors in the boundaries have places below /domain; all others are at
+/// /edge_length, from which the solver's resolution follows.
 pub(crate) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }

@@ -392,8 +392,8 @@ pub(crate) fn refine<S: Sheet>(
             break;
         }
         let mut widened = false;
-        // Only the bounds of rim members are widened. Lattice members have no bounds, so widening theirs would repeat
-        // the attempt.
+        // Only the bounds of rim members are widened. Lattice members have target lengths instead, and their entries in
+        // `bounds` are not used. Widening such an entry would only run the same attempt again.
         let in_rim = |k: &usize| moving.is_bounded(*k);
         for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
             let given = given[k];

@@ -183,9 +183,9 @@ struct Skeleton {
 }
 
 enum Inner {
-    /// The mean of the boundary, for one boundary.
+    /// The mean of the boundary's points, if there is one boundary.
     Centre(DVec3),
-    /// The other boundary, for two.
+    /// The boundary that is not the outer one, if there are two.
     Loop { index: usize, matching: Matching },
 }
 

@@ -71,7 +71,9 @@ pub struct CableNetStatistics {
     /// Middle of the net's bounding box, which files with `origin=local` are relative to.
     pub origin: Point,
     pub objective: &'static str,
-    /// Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets.
+    /// Loss: the weighted sum of the mean squared relative deviations of the forces and of the lengths from their
+    /// targets, and of the load path relative to its value at the start. 0 if there are no targets and the load path
+    /// has no weight.
     pub objective_value: f64,
     /// Unit of the forces.
     pub force_unit: &'static str,
