@@ -794,7 +794,9 @@ export interface components {
             objective: string;
             /**
              * Format: double
-             * @description Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets.
+             * @description Loss: the weighted sum of the mean squared relative deviations of the forces and of the lengths from their
+             *     targets, and of the load path relative to its value at the start. 0 if there are no targets and the load path
+             *     has no weight.
              */
             objective_value: number;
             /** @description Middle of the net's bounding box, which files with `origin=local` are relative to. */

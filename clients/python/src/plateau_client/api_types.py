@@ -405,7 +405,9 @@ class CableNetStatistics(TypedDict):
     """Σ |force| · length."""
     objective: str
     objective_value: float
-    """Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets."""
+    """Loss: the weighted sum of the mean squared relative deviations of the forces and of the lengths from their
+    targets, and of the load path relative to its value at the start. 0 if there are no targets and the load path
+    has no weight."""
     origin: List[float]
     """Middle of the net's bounding box, which files with `origin=local` are relative to."""
     reactions: List[NetReaction]

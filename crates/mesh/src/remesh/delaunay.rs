@@ -68,8 +68,8 @@ pub trait Relaxed: Connected {
         f64::INFINITY
     }
 
-    /// Moves a vertex along the surface by a step in its tangent plane, and returns whether the triangles around it keep
-    /// their shape. If they do not, the vertex stays.
+    /// Moves a vertex along the surface by a step in its tangent plane, and returns whether the triangles around it
+    /// keep their shape. If they do not, the vertex stays.
     fn try_step(&mut self, v: u32, step: DVec3) -> bool;
 }
 
