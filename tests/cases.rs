@@ -322,10 +322,12 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
             longest.set(longest.get().max(now.duration_since(last.replace(now)).as_secs_f64()));
             Signal::Continue
         };
-        let (_, work) = incoming.request.solve_and_count(&signal, &|_| {});
+        let (result, work) = incoming.request.solve_and_count(&signal, &|_| {});
         println!("{name}: {work} between two looks, {:.0} ms at most", 1e3 * longest.get());
         assert!(work <= MOST_WORK, "{name}: {work}");
-        kinds.insert(value["kind"].to_string());
+        if result.is_ok() {
+            kinds.insert(value["kind"].to_string());
+        }
     }
-    assert_eq!(kinds.len(), 5, "{kinds:?}");
+    assert_eq!(kinds.len(), 5, "kinds of which a case was solved: {kinds:?}");
 }
