@@ -138,10 +138,11 @@ pub(crate) trait FormFinding {
 /// See [`FormFinding::Error`].
 pub(crate) fn find<F: FormFinding>(form: &mut F) -> Result<F::End, F::Error> {
     let mut attempt = 0;
-    // Each form finding ends after a bounded number of attempts at most, because it counts its returns and its rounds.
+    // The form finding makes at most as many attempts as it allows itself, because it counts its returns and its
+    // rounds.
     loop {
         form.begin(attempt);
-        // Each form finding settles in a bounded number of rounds at most, because it counts them.
+        // The form finding makes at most as many rounds as it allows itself, because it counts them.
         loop {
             match form.round()? {
                 Round::Moves => {}

@@ -2,8 +2,8 @@
 //! three triangles, and regular subdivision. Cutting a neck is in the module `cut`.
 //!
 //! A removed triangle keeps its number, with [`NONE`] for its corners and its twins. A vertex that is merged into
-//! another vertex keeps its number too, but has no outgoing half-edge. `Film::close_gaps` renumbers the remaining
-//! triangles and vertices.
+//! another vertex keeps its number too, but has no outgoing half-edge. [`Topology::without_gaps`] renumbers the
+//! remaining triangles and vertices.
 
 use crate::topology::{Defect, NONE, Topology, next, previous};
 
@@ -168,8 +168,8 @@ impl Topology {
         }
     }
 
-    /// Returns the connectivity without the triangles that were taken out and without the vertices for which `stays` is
-    /// false. The others are renumbered in the same order.
+    /// Returns the connectivity without the removed triangles and without the vertices for which `stays` is false. The
+    /// others are renumbered in the same order.
     ///
     /// # Errors
     /// The defect, if the remaining triangles form no oriented manifold.

@@ -405,7 +405,7 @@ impl Surface for Sized<'_> {
     }
 
     /// If one end is fixed, the free end moves there. Two free ends meet in the middle.
-    fn collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
+    fn planned_collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
         let (film, a, b) = (&self.film, self.film.topology.from(h), self.film.topology.to(h));
         let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
         let place = if film.fixed[stays as usize] {

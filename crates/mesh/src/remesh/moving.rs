@@ -426,7 +426,7 @@ impl Surface for Pass<'_> {
 
     /// Two vertices inside the film, or two of one stretch, meet in the middle. Otherwise the vertex that may move is
     /// merged into the other one.
-    fn collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
+    fn planned_collapse(&self, h: u32) -> Option<Collapse<DVec3>> {
         let [a, b] = self.ends(h);
         let stretch = self.stretches.get(&edge_key([a, b])).copied();
         let (leaves, stays, in_the_middle) =

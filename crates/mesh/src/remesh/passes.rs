@@ -37,10 +37,10 @@ pub trait Surface: Connected {
     /// before. `None`, without a new vertex, if the edge is not to be split.
     fn add_middle(&mut self, half_edge: u32) -> Option<u32>;
 
-    /// Returns how an edge would collapse. `None` if the edge is not to be collapsed.
-    fn collapse(&self, half_edge: u32) -> Option<Collapse<Self::Place>>;
+    /// Returns how an edge would collapse, without changing anything. `None` if the edge is not to be collapsed.
+    fn planned_collapse(&self, half_edge: u32) -> Option<Collapse<Self::Place>>;
 
-    /// Is told of an edge that would collapse, but whose collapse would change the topology of the mesh.
+    /// Called for an edge whose planned collapse is left out because it would change the topology of the mesh.
     fn cannot_collapse(&mut self, _half_edge: u32) {}
 
     /// Whether the triangles around the ends of an edge keep their shape if the edge collapses like this.
@@ -110,7 +110,7 @@ pub fn collapse_edges(surface: &mut impl Surface, edges: impl IntoIterator<Item 
         if topology.is_removed(h / 3) || [topology.from(h), topology.to(h)].iter().any(|&v| touched[v as usize]) {
             continue;
         }
-        let Some(collapse) = surface.collapse(h) else { continue };
+        let Some(collapse) = surface.planned_collapse(h) else { continue };
         let (leaves, stays) = (collapse.leaves, collapse.stays);
         let beyond = collapse.moves.then(|| topology.neighbours(stays)).into_iter().flatten();
         let near: Vec<u32> = topology.neighbours(leaves).chain(beyond).chain([leaves, stays]).collect();

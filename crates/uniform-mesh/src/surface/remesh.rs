@@ -496,7 +496,7 @@ impl Surface for Pass<'_, '_> {
 
     /// A free node is merged into a node on a curve, and a node on a curve into a corner. Two free nodes, and two nodes
     /// of one curve, meet where [`Meeting`] says.
-    fn collapse(&self, h: u32) -> Option<Collapse<NodeLocation>> {
+    fn planned_collapse(&self, h: u32) -> Option<Collapse<NodeLocation>> {
         let net = &*self.net;
         let (a, b) = (net.topology.from(h), net.topology.to(h));
         let curve = net.curve_of(a, b);
