@@ -92,7 +92,7 @@ pub struct HttpConfig {
     /// the system's folder for temporary files if `store.data` cannot be written. If all of them are being downloaded,
     /// a further file is answered with 503.
     pub files_disk_bytes: u64,
-    /// Whether long answers are compressed with zstd or gzip for clients that accept it. Turn it off if a proxy does
+    /// Whether long answers are compressed with gzip for clients that accept it. Turn it off if a proxy does
     /// it.
     pub compression: bool,
     /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable

@@ -1,4 +1,4 @@
-//! Compresses long answers with zstd or gzip for clients that accept it.
+//! Compresses long answers with gzip for clients that accept it.
 
 use axum::Router;
 use axum::body::Body;

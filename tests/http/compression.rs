@@ -40,8 +40,9 @@ async fn a_mesh_and_the_api_document_are_compressed_for_clients_that_accept_it()
         assert!(read == plain, "{path}");
         assert!(2 * bytes.len() < plain.len(), "{path}: {} of {} bytes", bytes.len(), plain.len());
     }
-    let both = get(&app, &mesh, &[("accept-encoding", "gzip, zstd")]).await;
-    assert_eq!(header(&both, "content-encoding"), "zstd");
+    // zstd is not offered, because building it takes longer than the bytes that it saves are worth.
+    let both = get(&app, &mesh, &[("accept-encoding", "zstd, gzip;q=0.5")]).await;
+    assert_eq!(header(&both, "content-encoding"), "gzip");
     let short = get(&app, "/v1/limits", &[("accept-encoding", "gzip")]).await;
     assert_eq!(header(&short, "content-encoding"), "");
 }
