@@ -36,76 +36,68 @@ pub struct Config {
 pub struct HttpConfig {
     /// Address and port of the listener. Port 0 picks a free port.
     pub listen: SocketAddr,
-    /// Longest wait that `Prefer: wait` can ask for, in seconds. A longer wait is cut to this.
+    /// Longest wait that `Prefer: wait` can ask for. A longer one is cut to it.
     pub wait_max_s: u64,
-    /// Time that a client has to send a request's headers, counted from the moment when the connection is ready for a
-    /// request. After it the connection is closed, so this is also the time for which an unused connection stays open.
+    /// Time from a ready connection to the last header of a request. After it the connection is closed, so an unused
+    /// one stays open for as long.
     pub header_timeout_ms: u64,
-    /// Time that a client has to send a request's body. After it the answer is 408.
+    /// Time for a request's body. After it the answer is 408.
     pub body_timeout_ms: u64,
-    /// Lowest rate at which a request's body may arrive, in bytes per second. A slower body is answered with 408. 0
-    /// means no lowest rate.
+    /// Lowest rate of a request's body. A slower one is answered with 408. 0 means no lowest rate.
     pub body_rate_bytes_per_s: u64,
-    /// Period over which the rate of a body is measured. Each period until the body is complete must bring its share of
-    /// bytes, so this is also the pause that a client may make.
+    /// Period over which the rate of a body is measured, and so the longest pause of a client.
     pub body_rate_grace_ms: u64,
-    /// Lowest rate at which a client may take an answer, in bytes per second. A connection whose client is slower is
-    /// closed. 0 means no lowest rate.
+    /// Lowest rate at which a client may take an answer. The connection of a slower one is closed. 0 means no lowest
+    /// rate.
     pub answer_rate_bytes_per_s: u64,
     /// Period over which the rate of an answer is measured. Only the time counts in which the server waits for the
     /// client.
     pub answer_rate_grace_ms: u64,
-    /// Interval at which a comment is sent on every event stream, so that proxies keep the stream open.
+    /// Interval of the comments that keep event streams open through proxies.
     pub event_keep_alive_ms: u64,
-    /// Time between the moment when readiness goes off and the moment when the listener closes, so that a load balancer
-    /// sees the change while new connections are still served. Set it to the balancer's checking interval.
+    /// Time between the end of readiness and the closing of the listener. Set it to the load balancer's checking
+    /// interval.
     pub shutdown_notice_ms: u64,
-    /// Time that open requests and running jobs have to end after a shutdown was asked for (open requests: after the
-    /// notice).
+    /// Time for running jobs to end after a shutdown was asked for, and for open requests after the notice.
     pub shutdown_grace_ms: u64,
-    /// Number of connections that may be open at once. A further connection replaces the one that has been idle for
-    /// longest. If no connection is idle, requests of the new one wait for a second and are then answered with 503.
-    /// Health checks are always answered.
+    /// Number of connections that may be open at once. A further one replaces the one that has been idle for longest;
+    /// if none is idle, its requests wait for a second and are then answered with 503. Health checks are always
+    /// answered.
     pub connections: usize,
-    /// Share of `connections` that the open requests of one key may take, in percent: event streams, waits, downloads
-    /// and uploads. A further request is answered with 429. On a server without keys it is the share of one client's
-    /// address, or of the proxy that all clients come through.
+    /// Share of `connections` that the open requests of one key may take. Without keys it is the share of one client's
+    /// address, or of the proxy's. A further request is answered with 429.
     pub requests_share_percent: u32,
-    /// Number of bytes that the request bodies of all clients together may take while they are read. The first 16 KiB
-    /// of each body are not counted, so that small bodies never wait.
+    /// Memory for the bodies of all clients while they are read, without the first 16 KiB of each.
     pub bodies_in_flight_bytes: usize,
-    /// Share of `bodies_in_flight_bytes` that the bodies of one key may take, in percent. On a server without keys it
-    /// is the share of one client's address, or of the proxy that all clients come through.
+    /// Share of `bodies_in_flight_bytes` that the bodies of one key may take. Without keys it is the share of one
+    /// client's address, or of the proxy's.
     pub bodies_share_percent: u32,
     /// Host names other than localhost that a server on a loopback address answers to, such as a proxy's upstream name.
     pub hosts: Vec<String>,
-    /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin.
-    /// Requests from pages of other origins cannot change anything on this server.
+    /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin. Pages
+    /// of other origins cannot change anything on this server.
     pub cors_origins: Vec<String>,
-    /// Path below which a proxy serves this server (`/plateau`). Every link begins with it. The proxy may remove it
-    /// from the paths that it passes on or keep it. Workers need the same value: they send links to callback URLs.
+    /// Path below which a proxy serves this server (`/plateau`), which the proxy may remove or keep. Every link begins
+    /// with it, so workers need the same value.
     pub public_base_path: String,
-    /// Number of bytes of memory for a cache of files that were made from results (meshes in a format, flat patterns).
-    /// Files above 256 KiB are on disk and do not count.
+    /// Memory for a cache of files that were made from results, of up to 256 KiB each.
     pub files_kept_bytes: usize,
-    /// Number of bytes that the files above 256 KiB may take on disk. They have no name and are in `store.data`, or in
-    /// the system's folder for temporary files if `store.data` cannot be written. If all of them are being downloaded,
-    /// a further file is answered with 503.
+    /// Disk space in `store.data` for files above 256 KiB that were made from results. If all of them are being
+    /// downloaded, a further one is answered with 503.
     pub files_disk_bytes: u64,
     /// Whether long answers are compressed with gzip for clients that accept it. Turn it off if a proxy does
     /// it.
     pub compression: bool,
-    /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
-    /// HTTP). `plateau mcp` offers the same tools on standard input and output and needs no setting.
+    /// Whether `/mcp` offers this server as tools for language models (Model Context Protocol). `plateau mcp` needs no
+    /// setting.
     pub mcp: bool,
-    /// Whether `/hops` offers components for Hops in Grasshopper, which posts their inputs to `/solve` and
-    /// `/hops/solve`.
+    /// Whether `/hops` offers components for Hops in Grasshopper, which posts to `/solve` and `/hops/solve`.
     pub hops: bool,
-    /// Longest time in seconds for which a component of Hops waits for its job. After it the job is cancelled. Hops
-    /// itself gives up after 100 s.
+    /// Longest time for which a component of Hops waits for its job, which is then cancelled. Hops itself gives up
+    /// after 100 s.
     pub hops_wait_s: u64,
-    /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty,
-    /// `/metrics` is served by the main listener.
+    /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty, the
+    /// main listener serves `/metrics`.
     pub metrics_listen: String,
 }
 
@@ -146,27 +138,23 @@ impl Default for HttpConfig {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct StoreConfig {
-    /// Folder of the embedded store. The server creates it if it does not exist.
+    /// Folder of the embedded store, which is created if it does not exist.
     pub data: PathBuf,
-    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. Its parameters `sslmode` (`disable`,
-    /// `prefer`, `require`, `verify-ca` or `verify-full`) and `sslrootcert` say how connections to PostgreSQL are
-    /// encrypted. If the URL is empty, the server uses SQLite in the data folder.
+    /// URL of the database: `sqlite://PATH`, or `postgres://USER@HOST/DATABASE` with `sslmode` and `sslrootcert` as
+    /// parameters. If empty, SQLite in the data folder.
     pub database: String,
-    /// Storage of results larger than `inline_bytes`: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and
-    /// credentials come from `AWS_…`; needs a program built with the cargo feature `s3`, as the container is). If
-    /// empty, SQLite uses the folder `results` in the data folder, and PostgreSQL keeps large results in the database
-    /// itself. Every process on one database must see the same storage.
+    /// Storage of results larger than `inline_bytes`, the same for every process: a folder, or `s3://BUCKET/PREFIX`
+    /// (needs the cargo feature `s3`). If empty, the folder `results` in the data folder with SQLite, and the database
+    /// itself with PostgreSQL.
     pub results: String,
-    /// Largest size in bytes of a result that is kept in the database.
+    /// Largest result that is kept in the database.
     pub inline_bytes: usize,
-    /// Number of bytes that all results together may take (with SQLite including the database file). If they take more,
-    /// the oldest jobs of the keys with the largest results expire early. 0 means no limit.
+    /// Number of bytes that all results together may take, with SQLite including the database file. Beyond it the
+    /// oldest jobs of the keys with the largest results expire early. 0 means no limit.
     pub max_bytes: u64,
-    /// Number of finished jobs that are kept. If there are more, the oldest jobs of the keys with the most jobs expire
-    /// early, so that a key with few jobs loses none.
+    /// Number of finished jobs that are kept. Beyond it the oldest jobs of the keys with the most jobs expire early.
     pub max_jobs: u64,
-    /// Number of connections to PostgreSQL that one process opens for its statements. The process opens one more to
-    /// listen for notifications.
+    /// Number of connections to PostgreSQL of one process, which opens one more for notifications.
     pub connections: u32,
 }
 
@@ -192,32 +180,31 @@ pub struct JobsConfig {
     /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves no jobs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<usize>,
-    /// Number of further solvers for jobs that need at most 16 MiB of memory, so that these do not wait until a long
-    /// job has ended. If absent, 1 if `jobs.workers` is absent too, and otherwise 0.
+    /// Number of further solvers for jobs of at most 16 MiB of memory, which then do not wait for long jobs. If absent,
+    /// 1 if `jobs.workers` is absent too, and otherwise 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub small_workers: Option<usize>,
-    /// Number of jobs that may wait in the queue. A further submission is answered with 429.
+    /// Number of jobs that may wait. A further submission is answered with 429.
     pub queue_length: usize,
-    /// Time limit of a solver. After it the solver returns the best mesh that it has reached.
+    /// Time limit of a solver, which then returns the best mesh that it has reached.
     pub deadline_ms: u64,
-    /// Time that a solver has to end after a cancel or its deadline. A solver that has not ended by then has a defect:
-    /// its job fails with the type `unresponsive`, and its thread is given up and replaced.
+    /// Time for a solver to end after a cancel or its deadline. After it the job fails as `unresponsive`, and the
+    /// solver's thread is given up and replaced.
     pub unresponsive_ms: u64,
-    /// Number of given-up threads at which the process ends with the exit status 1, so that it is started anew. At
-    /// least 1.
+    /// Number of given-up threads at which the process ends with status 1, so that its supervisor starts it anew.
     pub unresponsive_max: usize,
     /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
     /// Number of workers that may die while they solve one job. After that many the job fails.
     pub attempts_max: u32,
-    /// Shortest interval between two writes of a job's progress to the store.
+    /// Shortest interval between two writes of a job's progress.
     pub progress_interval_ms: u64,
-    /// Number of bytes of memory that all running solvers together may take, by estimate. A job that would exceed it
-    /// stays queued, and up to 16 smaller jobs pass it. If absent, three quarters of the memory limit of the container
-    /// (cgroup), or of the machine's memory if that is less.
+    /// Memory that all running solvers together may take, by estimate. A job that would exceed it stays queued, and up
+    /// to 16 smaller jobs pass it. If absent, three quarters of the memory of the container (cgroup) or of the machine,
+    /// whichever is less.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub memory_bytes: Option<u64>,
-    /// Time in seconds after which a finished job and its mesh are removed. 0 means never.
+    /// Time after which a finished job and its mesh are removed. 0 means never.
     pub retention_s: u64,
 }
 
@@ -244,21 +231,21 @@ impl Default for JobsConfig {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct LimitsConfig {
-    /// Largest size in bytes of a request's body.
+    /// Largest body of a request.
     pub body_bytes: usize,
-    /// Number of points that all polylines of a request together may have.
+    /// Number of points of all polylines of a request.
     pub points: usize,
-    /// Number of triangles that a minimal surface or a uniform mesh may have.
+    /// Number of triangles of a minimal surface or a uniform mesh.
     pub triangles: usize,
-    /// Number of cells that the grids of all strips of a ruled surface together may have. A strip's grid has one cell
-    /// for each pair of a point of one directrix and a point of the next.
+    /// Number of cells of all strips of a ruled surface: one for each pair of a point of one directrix and a point of
+    /// the next.
     pub grid_cells: u64,
-    /// Largest `max_iterations` that a request may ask for.
+    /// Largest `max_iterations` of a request.
     pub iterations: u32,
-    /// Number of bytes of memory that solving one request may take, by estimate. A server with workers accepts no
-    /// request for more than `jobs.memory_bytes`.
+    /// Memory for solving one request, by estimate. A server with workers accepts no request for more than
+    /// `jobs.memory_bytes`.
     pub memory_bytes: u64,
-    /// Number of requests that one batch may have.
+    /// Number of requests of one batch.
     pub batch_requests: usize,
 }
 
@@ -290,15 +277,15 @@ impl LimitsConfig {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
-    /// SHA-256 of each key as 64 hex digits, by the key's name. If there is no key here or in the keys file, every
-    /// client may do everything.
+    /// SHA-256 of each key as 64 hex digits, by the key's name. Without a key here or in the keys file every client may
+    /// do everything.
     pub keys: BTreeMap<String, String>,
-    /// Path of a file with one key on each line, `NAME SHA256`, as `plateau key new NAME` prints it. The file is read
-    /// again within seconds when it changes. If empty, no file is read.
+    /// Path of a file with a line `NAME SHA256` for each key, as `plateau key new NAME` prints it. The file is read
+    /// again within seconds when it changes.
     pub keys_file: PathBuf,
-    /// Number of requests that each key may make in a minute. 0 means no limit.
+    /// Number of requests of each key in a minute. 0 means no limit.
     pub requests_per_minute: u32,
-    /// Share of the queue that the jobs of one key may fill, in percent.
+    /// Share of the queue that the jobs of one key may fill.
     pub queue_share_percent: u32,
     /// Whether a server without keys may listen on an address that is not a loopback address.
     pub open_without_keys: bool,
@@ -328,17 +315,16 @@ impl std::fmt::Debug for AuthConfig {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct WebhooksConfig {
-    /// Path of a file with `whsec_` and 24 to 64 random bytes in base64. Each key's signing secret is derived from it
-    /// (`plateau key webhooks NAME` prints that secret). A second line may have the secret before it, which then signs
-    /// too. If empty, requests may not name a `callback_url`.
+    /// Path of a file with `whsec_` and 24 to 64 random bytes in base64, from which each key's signing secret is
+    /// derived. A second line may have the secret before it. If empty, requests may not name a `callback_url`.
     pub secret_file: PathBuf,
     /// Networks to which messages may be sent although they are not public, such as `10.1.0.0/16`.
     pub allowed_networks: Vec<String>,
-    /// Time limit of one attempt to deliver a message, including the lookup of the host name.
+    /// Time limit of one delivery, including the lookup of the host name.
     pub timeout_ms: u64,
-    /// Pause after the first failed attempt. Each further pause is four times as long, up to one day.
+    /// Pause after the first failed delivery. Each further pause is four times as long, up to a day.
     pub retry_ms: u64,
-    /// Number of attempts after which a message is given up.
+    /// Number of deliveries after which a message is given up.
     pub attempts_max: u32,
 }
 
