@@ -8,7 +8,7 @@
 //!
 //! `benches/minimal_surface_peers.py` runs the same cases with other programs.
 
-#[path = "../tests/boundaries/mod.rs"]
+#[path = "../tests/it/boundaries/mod.rs"]
 mod boundaries;
 
 use criterion::{BenchmarkId, Criterion};

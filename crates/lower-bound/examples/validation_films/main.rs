@@ -6,7 +6,7 @@
 //! budgets) or `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
-#[path = "../../../film/tests/boundaries/mod.rs"]
+#[path = "../../../film/tests/it/boundaries/mod.rs"]
 mod boundaries;
 mod chen_cai_zheng;
 mod liu_wang;
