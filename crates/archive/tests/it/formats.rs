@@ -5,7 +5,7 @@ use crate::skips::skipped;
 use plateau_archive::formats::{Choices, Colors, Error, MeshFormat, Origin, PatternFormat, Quantity, dxf, svg};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, Contents, Lines};
-use plateau_mesh::{DVec3, Mesh};
+use plateau_mesh::DVec3;
 use serde_json::{Value, json};
 
 /// Document and buffer of a GLB file.
