@@ -1,12 +1,13 @@
 //! Tests of lower bounds of the area: they are never above a film's area, they are sharp on plane polygons, and a
 //! separate program confirms them in exact arithmetic.
 
-use plateau_film::minimal_surface::{
-    self, FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
-};
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{LowerBound, Mirror};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Signal};
+use plateau_minimal_surface as minimal_surface;
+use plateau_minimal_surface::{
+    FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
+};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,5 +1,5 @@
 //! Tests of proven lower bounds by the public interface of the crate.
 
-#[path = "../../../film/tests/it/boundaries/mod.rs"]
+#[path = "../../../minimal-surface/tests/it/boundaries/mod.rs"]
 mod boundaries;
 mod lower_bound;

@@ -1,11 +1,11 @@
 //! Regression tests: inputs that gave a wrong result without an error or a warning, and the right result of each.
 
-use plateau_film::minimal_surface::{
+use plateau_mesh::self_intersections::{self, Order};
+use plateau_mesh::{DVec3, Error, Execution, Mesh, measure};
+use plateau_minimal_surface::{
     FreeTopology, InitialMesh, LiuWang, Method, MinimalSurface, Newton, OnUnstable, Options, PinkallPolthier,
     Resolution, TopologyRule, VertexRelaxation, solve,
 };
-use plateau_mesh::self_intersections::{self, Order};
-use plateau_mesh::{DVec3, Error, Execution, Mesh, measure};
 use plateau_uniform_mesh as uniform_mesh;
 use plateau_uniform_mesh::{Domain, Objective};
 use std::f64::consts::{PI, TAU};
