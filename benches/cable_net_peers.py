@@ -1,6 +1,6 @@
 """The cable net by targets beside jax_fdm (PyPI `jax_fdm`), in one run.
 
-    cargo test -p plateau-film --bench cable_net --no-run     (prints the binary)
+    cargo test -p plateau-cable-net --bench cable_net --no-run     (prints the binary)
     PEERS/bin/python benches/cable_net_peers.py [--seconds S] BENCH_BINARY [CELLS ...]     (PEERS: benches/peers)
 
 The net is that of jax_fdm's `cablenet.md`: 10 m, CELLS x CELLS cells (10 without an argument), two opposite corners lifted by

@@ -2,7 +2,7 @@
 """Minimal surfaces beside what people use today, in one run on one core.
 
 Ours: from the raw boundary to the finished statistics with stability, residual <= 1e-8
-(`cargo bench -p plateau-film --bench minimal_surface -- --case ...`, built by this script).
+(`cargo bench -p plateau-minimal-surface --bench minimal_surface -- --case ...`, built by this script).
 Peers, each from a structured mesh of the same size that is handed to them (not timed):
   igl_cholmod   Pinkall and Polthier's iteration with libigl's cotangent matrix and CHOLMOD (scikit-sparse), symbolic
                 factorisation reused, until the residual max|H|R is below --tolerance (1e-3). No stability.
@@ -188,7 +188,7 @@ PROBLEMS = {"helicoid": helicoid, "rings": rings}
 
 def ours(root):
     """Builds our benchmark; returns its binary."""
-    command = ["cargo", "bench", "-p", "plateau-film", "--bench", "minimal_surface", "--no-run", "--message-format=json"]
+    command = ["cargo", "bench", "-p", "plateau-minimal-surface", "--bench", "minimal_surface", "--no-run", "--message-format=json"]
     out = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True).stdout
     targets = [json.loads(line) for line in out.splitlines() if '"executable":"' in line]
     return next(t["executable"] for t in targets if t["target"]["name"] == "minimal_surface")

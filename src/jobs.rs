@@ -29,14 +29,9 @@ use crate::status::Status;
 use crate::store::StoreError;
 use plateau_archive::archive::VERSION;
 use plateau_archive::formats::Error as ExportError;
+use plateau_forms::SOLVER_REVISION;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::{FieldError, Rejection};
-
-/// Revision of everything that makes a result of a request: the solvers, the defaults of requests, the statistics and
-/// the warnings. Raise it by one with every change after which some request has another result, even if
-/// `tests/frozen_examples.txt` does not show it: an existing database then solves the request anew instead of
-/// returning the result that it kept. `tests/frozen_examples.rs` fails if its rows change and the revision does not.
-pub const SOLVER_REVISION: u32 = 12;
 
 /// Version of the code that computes results and of the format that stores them. A kept result is reused only by the
 /// same version.
@@ -125,5 +120,15 @@ impl From<StoreError> for JobsError {
                 Self::Internal("the store failed".into())
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_of_another_revision_are_not_reused() {
+        assert!(result_version().contains(&format!(" solvers {SOLVER_REVISION} ")), "{}", result_version());
     }
 }

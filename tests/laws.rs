@@ -44,11 +44,14 @@ fn code(path: &Path) -> Vec<String> {
 
 /// The crates of the geometry in their order, with the libraries that each may use. A crate may use only crates that
 /// stand before it.
-const GEOMETRY: [(&str, &[&str]); 5] = [
+const GEOMETRY: [(&str, &[&str]); 8] = [
     ("mesh", &["faer", "glam", "libm", "robust", "spade"]),
     ("ruled-surface", &["plateau_mesh", "libm", "robust"]),
-    ("film", &["plateau_mesh", "faer", "glam", "libm"]),
-    ("uniform-mesh", &["plateau_mesh", "plateau_film", "libm"]),
+    ("equilibrium", &["plateau_mesh", "faer", "glam", "libm"]),
+    ("minimal-surface", &["plateau_mesh", "plateau_equilibrium", "glam", "libm"]),
+    ("tensile-structure", &["plateau_mesh", "plateau_equilibrium", "plateau_minimal_surface", "libm"]),
+    ("cable-net", &["plateau_mesh", "glam", "libm"]),
+    ("uniform-mesh", &["plateau_mesh", "plateau_minimal_surface", "libm"]),
     ("lower-bound", &["plateau_mesh", "glam", "libm"]),
 ];
 
@@ -366,7 +369,7 @@ fn know_geometry(files: &[Source]) -> Vec<&str> {
 fn the_service_knows_no_crate_of_the_geometry() {
     let offences = made_up(&[
         ("jobs/worker.rs", "use plateau_forms::kind::Kind;\nuse plateau_mesh::Signal;"),
-        ("cli.rs", "fn f() -> Kind { plateau_film::solve() }"),
+        ("cli.rs", "fn f() -> Kind { plateau_minimal_surface::solve() }"),
         ("jobs/batch.rs", "use plateau_forms::kind::Kind;"),
     ]);
     assert_eq!(know_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);

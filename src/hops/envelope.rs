@@ -64,3 +64,49 @@ pub fn from_json(text: &str, max_points: usize) -> Result<Object, Defect> {
     let bytes = STANDARD.decode(data).map_err(|_| envelope("its data is not base64"))?;
     read::object(&bytes, max_points)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Objects that rhino3dm has encoded, by group and name.
+    fn objects() -> Value {
+        serde_json::from_str(include_str!("../../crates/opennurbs/tests/it/objects.json")).unwrap()
+    }
+
+    #[test]
+    fn every_object_of_rhino3dm_is_that_of_its_bytes_and_is_written_as_rhino3dm_writes_it() {
+        for group in ["curves", "meshes"] {
+            for (name, fixture) in objects()[group].as_object().unwrap() {
+                let object = &fixture["object"];
+                let bytes = STANDARD.decode(object["data"].as_str().unwrap()).unwrap();
+                let read = from_json(&object.to_string(), 20_000);
+                assert!(read.is_ok() && read == read::object(&bytes, 20_000), "{name}: {read:?}");
+                let written: Value = serde_json::from_str(&to_json(&bytes)).unwrap();
+                assert_eq!(written, *object, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_json_around_an_object_is_checked() {
+        let good = objects()["curves"]["line"]["object"].clone();
+        let mut as_text = good.clone();
+        as_text["version"] = "10000".into();
+        as_text["archive3dm"] = "70".into();
+        as_text["opennurbs"] = "-1912162672".into();
+        assert!(from_json(&as_text.to_string(), 2).is_ok());
+        for (field, value, said) in [
+            ("version", Value::from(1), "its version must be 10000"),
+            ("archive3dm", 4.into(), "its archive3dm must be at least 50"),
+            ("data", Value::Null, "it has no data"),
+            ("data", "?".into(), "its data is not base64"),
+        ] {
+            let mut bad = good.clone();
+            bad[field] = value;
+            let error = from_json(&bad.to_string(), 2).unwrap_err().to_string();
+            assert!(error.contains(said), "{error}");
+        }
+        assert!(from_json("[1]", 2).unwrap_err().to_string().starts_with("is not an openNURBS object"));
+    }
+}

@@ -12,3 +12,5 @@ mod outages;
 mod postgres;
 #[path = "../proxy/mod.rs"]
 mod proxy;
+#[path = "../skips/mod.rs"]
+mod skips;

@@ -1,6 +1,7 @@
 //! The hooks for tests (`src/test_hooks.rs`): they hold and delay jobs, and no release build has them.
 
 use crate::app::{MINIMAL, RULED, TestApp, example, root, small_film};
+use crate::skips::skipped;
 use reqwest::Method;
 use serde_json::Value;
 use std::process::Command;
@@ -111,7 +112,7 @@ async fn a_solver_waits_after_each_report_until_it_is_stored() {
 #[tokio::test]
 async fn every_solve_is_delayed() {
     if !cfg!(feature = "test-hooks") {
-        return; // The next test shows that such a build has no hooks.
+        return skipped("hooks for tests", "this build is without the feature test-hooks");
     }
     let app = TestApp::start_with(&[("PLATEAU_TEST_DELAY_MS", "200")]).await;
     for (path, request) in [(MINIMAL, small_film(0.7)), (RULED, example("two-rails"))] {

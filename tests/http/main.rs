@@ -44,6 +44,8 @@ mod restart;
 mod ruled_surfaces;
 mod series;
 mod shutdown;
+#[path = "../skips/mod.rs"]
+mod skips;
 mod slow_uploads;
 mod sources;
 mod studio;

@@ -1,6 +1,6 @@
 //! Pairs of rails with a known direction, from the tests of the geometry crate.
 
-#[path = "../../crates/ruled-surface/tests/ruled/pairs.rs"]
+#[path = "../../crates/ruled-surface/tests/it/ruled/pairs.rs"]
 #[allow(dead_code, reason = "the names of the pairs are for the geometry's own test")]
 mod of_geometry;
 

@@ -2,12 +2,13 @@
 //! starts it with other arguments.
 //!
 //! The programs come from `PLATEAU_POSTGRES_BIN` (a folder, which `scripts/test` sets if it had to fetch them), from
-//! Debian's `/usr/lib/postgresql`, or from the PATH. If none has them, there is no server and the caller skips its
-//! test.
+//! Debian's `/usr/lib/postgresql`, or from the PATH. If none has them, there is no server, and the
+//! skip is recorded.
 
 // Each test binary uses only a part of this module.
 #![allow(dead_code)]
 
+use crate::skips::skipped;
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -28,7 +29,7 @@ pub struct Postgres {
 }
 
 impl Postgres {
-    /// Starts a server. If that is impossible, says why on standard error and returns `None`.
+    /// Starts a server. If PostgreSQL is not installed, records a skip and returns `None`.
     pub fn start() -> Option<Self> {
         Self::start_with(|_| String::new())
     }
@@ -36,9 +37,7 @@ impl Postgres {
     /// Starts a server with further arguments, which `arguments` returns. It may put files into the server's folder.
     pub fn start_with(arguments: impl FnOnce(&Path) -> String) -> Option<Self> {
         let Some(binaries) = binaries() else {
-            eprintln!(
-                "SKIPPED on PostgreSQL: no `initdb` in PLATEAU_POSTGRES_BIN, /usr/lib/postgresql/*/bin or the PATH"
-            );
+            skipped("PostgreSQL", "no `initdb` in PLATEAU_POSTGRES_BIN, /usr/lib/postgresql/*/bin or the PATH");
             return None;
         };
         let folder = tempfile::Builder::new().prefix("plateau-postgres-").tempdir().expect("a temporary folder").keep();

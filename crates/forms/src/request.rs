@@ -175,7 +175,7 @@ impl Request {
     /// # Errors
     /// Fails if the signal is a cancel, or if the memory does not suffice.
     ///
-    /// [`KeptFilm`]: plateau_film::minimal_surface::KeptFilm
+    /// [`KeptFilm`]: plateau_minimal_surface::KeptFilm
     pub fn keep(&self, result: &Archive, signal: &dyn Fn() -> Signal) -> Result<Option<Drag>, Unsolved> {
         let signal = || signal().of_the_solver();
         let kept = self.input.keep(result.contents(), &Execution::new(&signal, &|_| {}))?;

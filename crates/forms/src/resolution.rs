@@ -3,7 +3,7 @@
 use crate::bounds::{MoreThan0, OneOf, Whole, given};
 use crate::limits::{self, Limits};
 use crate::rejection::Rejection;
-use plateau_film::minimal_surface as geometry;
+use plateau_minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,7 @@
 //! The foundation of the other crates: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
 //!
-//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this crate.
-//! Its interface is not stable: it changes whenever one of these four crates needs a change. Parts that only these
-//! crates need are left out of the documentation.
+//! All other crates of the geometry use this crate. Its interface is not stable: it changes whenever one of them needs
+//! a change. Parts that only these crates need are left out of the documentation.
 //!
 //! # Glossary
 //! - *Polyline*: points in order, `&[DVec3]`. A closed polyline does not repeat its first point.

@@ -7,9 +7,9 @@
 //! triangles or more. The check is timed on the finished mesh, and repeated on small meshes, because the clock ticks
 //! only every few milliseconds.
 
-use plateau_film::minimal_surface;
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Execution, Mesh};
+use plateau_minimal_surface as minimal_surface;
 use plateau_ruled_surface as ruled_surface;
 use plateau_uniform_mesh as uniform_mesh;
 use std::f64::consts::TAU;

@@ -24,7 +24,7 @@ pub enum Domain {
     },
     /// An untrimmed NURBS patch.
     Nurbs(Nurbs),
-    /// The minimal surface that spans these closed polygons. See [`plateau_film::minimal_surface`].
+    /// The minimal surface that spans these closed polygons. See [`plateau_minimal_surface`].
     Boundaries(Vec<Vec<DVec3>>),
 }
 

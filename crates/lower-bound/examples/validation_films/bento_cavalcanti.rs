@@ -2,8 +2,8 @@
 
 use super::{Save, rings, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{InitialMesh, Method, Options, PinkallPolthier, Resolution};
 use plateau_mesh::{DVec3, Mesh};
+use plateau_minimal_surface::{InitialMesh, Method, Options, PinkallPolthier, Resolution};
 use std::f64::consts::TAU;
 
 pub fn run_all(save: Save) {

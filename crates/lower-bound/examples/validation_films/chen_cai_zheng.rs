@@ -2,10 +2,10 @@
 
 use super::{Save, boundaries, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{
+use plateau_mesh::DVec3;
+use plateau_minimal_surface::{
     BoundarySampling, InitialMesh, Method, MinimalSurface, Options, Process, Resolution, VertexRelaxation,
 };
-use plateau_mesh::DVec3;
 use std::f64::consts::TAU;
 
 fn relax(triangles: usize, method: VertexRelaxation) -> Options {

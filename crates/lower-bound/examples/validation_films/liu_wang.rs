@@ -2,8 +2,8 @@
 
 use super::{Save, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{InitialMesh, LiuWang, Method, Options, Resolution};
 use plateau_mesh::DVec3;
+use plateau_minimal_surface::{InitialMesh, LiuWang, Method, Options, Resolution};
 use std::f64::consts::{PI, TAU};
 
 fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [nu, nv]: [u32; 2]) -> Vec<DVec3> {

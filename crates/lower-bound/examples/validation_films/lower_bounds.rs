@@ -2,10 +2,10 @@
 //! three budgets. Also a plot of the proven bounds for two rings.
 
 use super::{boundaries, run};
-use plateau_film::minimal_surface::{Method, MinimalSurface, Newton, Options, Resolution, TopologyRule};
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::LowerBound;
 use plateau_mesh::{DVec3, Execution};
+use plateau_minimal_surface::{Method, MinimalSurface, Newton, Options, Resolution, TopologyRule};
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 

@@ -6,7 +6,7 @@
 //! budgets) or `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
-#[path = "../../../film/tests/boundaries/mod.rs"]
+#[path = "../../../minimal-surface/tests/it/boundaries/mod.rs"]
 mod boundaries;
 mod chen_cai_zheng;
 mod liu_wang;
@@ -16,8 +16,8 @@ mod spanning;
 mod triple_junctions;
 
 use picture::{Picture, row};
-use plateau_film::minimal_surface::{MinimalSurface, Options, solve};
 use plateau_mesh::{DVec3, Execution};
+use plateau_minimal_surface::{MinimalSurface, Options, solve};
 use std::f64::consts::TAU;
 
 fn main() {

@@ -2,8 +2,8 @@
 
 use super::{Save, circle, rings, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{FreeTopology, Method, Newton, Options, Resolution, TopologyRule};
 use plateau_mesh::{DVec3, Mesh};
+use plateau_minimal_surface::{FreeTopology, Method, Newton, Options, Resolution, TopologyRule};
 
 fn spanning(topology: TopologyRule, triangles: usize) -> Options {
     let method = Method::Newton(Newton { topology, ..Newton::default() });

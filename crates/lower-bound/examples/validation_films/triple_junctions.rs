@@ -2,8 +2,8 @@
 
 use super::{Save, run};
 use crate::picture::Picture;
-use plateau_film::minimal_surface::{InitialMesh, Options, Resolution};
 use plateau_mesh::{DVec3, Mesh};
+use plateau_minimal_surface::{InitialMesh, Options, Resolution};
 use std::f64::consts::PI;
 
 fn half_discs(azimuths_deg: [f64; 3], m: usize, n: usize, bend: DVec3) -> (Vec<Vec<DVec3>>, Mesh) {

@@ -18,7 +18,6 @@ use crate::edges::{edges, topology};
 use crate::options::Options;
 use crate::plane::mesh::Outline;
 use crate::plane::sides::{Division, Sides, is_sharp, pieces};
-use plateau_film::minimal_surface;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Step, Warning};
 use plateau_mesh::execution::{Execution, Interruption};
@@ -27,6 +26,7 @@ use plateau_mesh::plane::location::Locator;
 use plateau_mesh::polyline::mean;
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec2, DVec3, Mesh};
+use plateau_minimal_surface as minimal_surface;
 
 /// Number of intervals of an auxiliary edge over which the length of a side is summed.
 const SAMPLES: usize = 8;

@@ -14,7 +14,7 @@ use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_film::cable_net as geometry;
+use plateau_cable_net as geometry;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;

@@ -6,7 +6,7 @@ use crate::solved::{self, CoordinateSystem, Draft, archive, generator, reactions
 use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
 use plateau_archive::{Attribute, LineSet, Lines};
-use plateau_film::cable_net;
+use plateau_cable_net as cable_net;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::{Error, Execution, Mesh};

@@ -2,7 +2,7 @@
 
 use crate::common::{ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
-use plateau_film::cable_net as geometry;
+use plateau_cable_net as geometry;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;

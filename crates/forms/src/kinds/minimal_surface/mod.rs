@@ -24,7 +24,7 @@ use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_film::minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
+use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use plateau_mesh::Mesh;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use crate::common::Point;
 use crate::solved::to_json;
 use plateau_archive::Attribute;
 use plateau_archive::archive::LOWER_BOUND_SLACK;
-use plateau_film::minimal_surface::MinimalSurface;
+use plateau_minimal_surface::MinimalSurface;
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{Field, LowerBound};
 use plateau_mesh::codes::{Reason, WarningCode};

@@ -3,7 +3,7 @@
 use super::certificate::Certificate;
 use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, Point};
-use plateau_film::minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
+use plateau_minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
 use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;
 use serde::Serialize;

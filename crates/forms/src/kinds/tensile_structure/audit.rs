@@ -8,7 +8,7 @@ use crate::audit::points;
 use crate::audit::surface::{Sides, Surface, corners};
 use plateau_archive::archive::CABLES;
 use plateau_archive::{Attribute, Lines};
-use plateau_film::tensile_structure::{CableMode, Chamber, FilmPrestress};
+use plateau_tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
 use std::collections::BTreeMap;
 

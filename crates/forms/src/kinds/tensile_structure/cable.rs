@@ -2,7 +2,7 @@
 
 use crate::bounds::{List, NonNegative, Positive, Text, given, is_default};
 use crate::common::{self, Point};
-use plateau_film::tensile_structure as geometry;
+use plateau_tensile_structure as geometry;
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

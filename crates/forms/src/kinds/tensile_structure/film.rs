@@ -3,7 +3,7 @@
 use crate::bounds::{List, NonNegative, OneOf, Positive, Signed, given, given_one};
 use crate::common::{self, Point};
 use crate::rejection::FieldError;
-use plateau_film::tensile_structure::{self as geometry, WeaveHold};
+use plateau_tensile_structure::{self as geometry, WeaveHold};
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

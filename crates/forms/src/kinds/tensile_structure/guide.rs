@@ -2,8 +2,8 @@
 
 use crate::bounds::{List, OneOf, Positive, given};
 use crate::common::{self, Point};
-use plateau_film::equilibrium::Support;
-use plateau_film::equilibrium::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
+use plateau_equilibrium::Support;
+use plateau_equilibrium::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -24,7 +24,7 @@ use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_film::tensile_structure as geometry;
+use plateau_tensile_structure as geometry;
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -9,8 +9,8 @@ use crate::solved::{
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::{ForceUnit, Unit};
 use plateau_archive::{Attribute, LineSet, Lines};
-use plateau_film::form_finding::StopReason;
-use plateau_film::tensile_structure;
+use plateau_equilibrium::form_finding::StopReason;
+use plateau_tensile_structure as tensile_structure;
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 

@@ -3,8 +3,8 @@
 use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
-use plateau_film::equilibrium::Stability;
-use plateau_film::tensile_structure::{self as geometry, Stress};
+use plateau_equilibrium::Stability;
+use plateau_tensile_structure::{self as geometry, Stress};
 use plateau_mesh::measure::Spread;
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -1,0 +1,3 @@
+//! Tests of meshes by the public interface of the crate.
+
+mod self_intersections;

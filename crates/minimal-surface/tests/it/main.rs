@@ -1,0 +1,16 @@
+//! Tests of minimal surfaces by the public interface of the crate.
+
+mod best_of_all_starts;
+mod boundaries;
+mod cornered_boundaries;
+mod first_points;
+mod initial_meshes;
+mod kept_film;
+mod liu_wang;
+mod minimal_closed_forms;
+mod minimal_properties;
+mod random_boundaries;
+mod rings_near_the_limit;
+mod rings_on_a_sphere;
+mod topologies;
+mod vertex_relaxation;

@@ -1,0 +1,3 @@
+//! Tests of the WebAssembly module's functions, called from Rust.
+
+mod drag;
