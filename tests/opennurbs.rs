@@ -4,6 +4,8 @@
 //! `opennurbs/objects.json` was written once with rhino3dm 8.35.0. It has each object with points that rhino3dm finds
 //! on it. `PLATEAU_LONG=1` damages a hundred times as many objects. `PLATEAU_SEED` damages other bytes.
 
+#![allow(unsafe_code, reason = "an allocator that counts is unsafe to implement")]
+
 use plateau::hops::envelope;
 use plateau_mesh::DVec3;
 use plateau_mesh::random::SplitMix64;

@@ -8,6 +8,8 @@
 //!
 //! `benches/minimal_surface_peers.py` runs the same cases with other programs.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "a benchmark")]
+
 #[path = "../tests/boundaries/mod.rs"]
 mod boundaries;
 

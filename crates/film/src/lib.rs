@@ -33,6 +33,7 @@
 //! [`minimal_surface`], [`tensile_structure`], [`cable_net`].
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 pub mod cable_net;

@@ -3,6 +3,8 @@
 //! run. With `PLATEAU_LONG`, 200 configurations run, or the number `PLATEAU_CONFIGURATIONS`, from seed `PLATEAU_FIRST`
 //! on.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, TopologyRule, solve,
 };

@@ -1,5 +1,7 @@
 //! Cable nets: compared with closed forms and published figures, and the inputs that are refused.
 
+#![allow(clippy::disallowed_macros, reason = "this is a test")]
+
 use plateau_film::cable_net::{CableNet, Edge, Net, Options, StopReason, check, solve};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use std::cell::Cell;

@@ -4,6 +4,8 @@
 //! All corners of these boundaries turn by less than 130 degrees in space, so that each leaves room for angles of 20
 //! degrees. With `PLATEAU_LONG=1` the resolutions go up to 768,000 triangles. The table is printed.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Execution, Mesh};
 
@@ -21,6 +23,7 @@ fn around(points: impl Iterator<Item = (f64, f64, f64)>) -> Vec<DVec3> {
         .collect()
 }
 
+#[expect(clippy::too_many_lines, reason = "a list of boundaries")]
 fn boundaries() -> [(&'static str, Vec<Vec<DVec3>>); 10] {
     let t_roof = corners(&[
         [0.0, 2.0, 0.0],

@@ -1,6 +1,8 @@
 //! Cushions: several layers over one boundary with chambers between them. They are compared with closed forms, and
 //! faulty inputs are refused.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
     Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Structure, TensileStructure,

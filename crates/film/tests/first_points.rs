@@ -9,6 +9,8 @@
 //! Each case is a boundary at one resolution, with every choice of the first point. A few cases with some first points
 //! always run. With `PLATEAU_LONG=1`, 60 boundaries run at three resolutions with every first point.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Execution, Mesh};

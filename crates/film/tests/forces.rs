@@ -1,5 +1,7 @@
 //! The forces that are reported for tensile structures: at the ends of cables, at clamped edges, and in every triangle.
 
+#![allow(clippy::disallowed_macros, reason = "this is a test")]
+
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{
     Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Ring, Structure, TensileStructure, WarpDirection,

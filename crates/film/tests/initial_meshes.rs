@@ -1,6 +1,8 @@
 //! Initial meshes: from boundaries alone (plane polygons, four corners, graded spacing), from the client's own mesh,
 //! and with fixed points and curves. Also faulty inputs.
 
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 mod boundaries;
 
 use boundaries::{circle, helicoid, rings, sides};

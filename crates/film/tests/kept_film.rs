@@ -1,5 +1,7 @@
 //! Tests of a solved film that follows its boundary while the user drags the boundary.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{KeptFilm, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Execution};
 

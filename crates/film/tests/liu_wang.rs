@@ -1,6 +1,8 @@
 //! Liu and Wang's examples (their Figs. 6 to 9) with their error formulas. The paper gives no parameter ranges, so the
 //! ranges here are our choice.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{
     InitialMesh, LiuWang, Method, MinimalSurface, Options, Process, Resolution, Solver, VertexRelaxation, solve,
 };

@@ -1,6 +1,8 @@
 //! Tests the default solver: convergence to surfaces that are known in closed form, and the limit areas of the five
 //! reference polygons.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 mod boundaries;
 
 use boundaries::{circle, patch, rings, skew_quadrilateral};

@@ -1,6 +1,8 @@
 //! Invariances of minimal surfaces: under motions and scalings of the boundary, and under another first point or
 //! direction of the boundary's list.
 
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use glam::DQuat;
 use plateau_film::minimal_surface::{Options, Resolution, Statistics, solve};
 use plateau_mesh::{DVec3, Execution};

@@ -1,6 +1,8 @@
 //! Random boundaries of awkward kinds. At least 95% of them must have a film that is converged and right; the others
 //! are refused by name or not converged. Residual, Morse index and crossings of each film are computed here again.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{
     InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution, solve,
 };

@@ -5,6 +5,8 @@
 //! `PLATEAU_SEED` chooses the structures, `PLATEAU_STRUCTURES` their number, and `PLATEAU_FIRST` the number of the
 //! first structure.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use glam::DQuat;
 use plateau_film::equilibrium::Support;
 use plateau_film::equilibrium::support::{Circle, Cylinder, Line, Plane, Sphere};

@@ -5,6 +5,8 @@
 //! limit of the circumscribed circles there is no film, and below the limit of the inscribed circles there is a film.
 //! `PLATEAU_LONG` runs the whole sweep.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::{DVec3, Error, Execution};
 use std::f64::consts::{PI, TAU};

@@ -1,6 +1,8 @@
 //! Three to twelve rings that face outwards on a sphere. Their connected film is compared with the film to which their
 //! convex hull relaxes.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{InitialMesh, MinimalSurface, Options, Resolution, solve};
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::self_intersections::{self, Order};

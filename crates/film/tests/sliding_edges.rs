@@ -1,6 +1,8 @@
 //! Edges that slide on surfaces: contact angles and surfaces given as meshes are compared with closed forms, and wrong
 //! arguments are refused.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::equilibrium::Support;
 use plateau_film::equilibrium::support::{Cylinder, Mesh, Plane, Sphere, Torus};
 use plateau_film::minimal_surface::Resolution;

@@ -1,5 +1,7 @@
 //! Tensile structures: shapes are compared with closed forms, and wrong arguments are refused.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::equilibrium::support::Plane;
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{

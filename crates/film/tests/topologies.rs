@@ -1,6 +1,8 @@
 //! Films that change their topology: under the rule `free` necks may close, and the rule `best` compares every way to
 //! span the boundaries.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::form_finding::StopReason;
 use plateau_film::minimal_surface::{
     BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,

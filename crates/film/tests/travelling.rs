@@ -1,5 +1,7 @@
 //! Structures whose corners and edges end far from where they start.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::equilibrium::support::{Line, Plane};
 use plateau_film::minimal_surface::Resolution;
 use plateau_film::tensile_structure::{

@@ -1,5 +1,7 @@
 //! The examples of Chen, Cai and Zheng, and the properties that their method has on every boundary.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 mod boundaries;
 
 use plateau_film::minimal_surface::{

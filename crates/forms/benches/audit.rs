@@ -6,6 +6,8 @@
 //! cargo bench --package plateau-forms --bench audit
 //! ```
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_types, reason = "this is a benchmark")]
+
 use plateau_forms::limits::Limits;
 use plateau_forms::request::Request;
 use plateau_forms::solved::Signal;

@@ -1,6 +1,8 @@
 //! Tests of lower bounds of the area: they are never above a film's area, they are sharp on plane polygons, and a
 //! separate program confirms them in exact arithmetic.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 #[path = "../../film/tests/boundaries/mod.rs"]
 mod boundaries;
 

@@ -1,6 +1,8 @@
 //! Compares the search for self-intersections with a brute-force method that decides every pair of triangles with exact
 //! fractions.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::self_intersections::{Order, SelfIntersections, self_intersections, surfaces_cross};
 use plateau_mesh::{DVec3, Execution, Interruption, Signal};

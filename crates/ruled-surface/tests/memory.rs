@@ -1,6 +1,8 @@
 //! The memory that a strip takes is below its estimate. A process of its own measures each case, because the peak of a
 //! process never falls.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_mesh::{DVec3, Execution};
 use plateau_ruled_surface::{Options, estimate, solve};
 use std::process::Command;

@@ -1,6 +1,8 @@
 //! The search for a strip of least area within a corridor of the grid finds the same area as a search of the whole
 //! grid.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 mod ruled;
 
 use plateau_mesh::{DVec3, Execution};

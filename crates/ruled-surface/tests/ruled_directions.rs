@@ -1,5 +1,7 @@
 //! Which rails `Direction::Auto` reverses, and when the warning `opposite_directions` is given.
 
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 mod ruled;
 
 use plateau_mesh::random::SplitMix64;

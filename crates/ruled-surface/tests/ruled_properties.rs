@@ -1,6 +1,8 @@
 //! Motions, exchanges and scalings that must not change a ruled strip's values; promises of a solve; and extreme
 //! inputs.
 
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 mod ruled;
 
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};

@@ -1,5 +1,7 @@
 //! Ruled strips whose answer is known by hand.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_mesh::{DVec3, Execution};
 use plateau_ruled_surface::{Direction, Objective, Options, RuledSurface, solve};
 

@@ -7,6 +7,8 @@
 //! triangles or more. The check is timed on the finished mesh, and repeated on small meshes, because the clock ticks
 //! only every few milliseconds.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "an example")]
+
 use plateau_film::minimal_surface;
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Execution, Mesh};

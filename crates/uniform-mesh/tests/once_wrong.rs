@@ -1,5 +1,7 @@
 //! Regression tests: inputs that gave a wrong result without an error or a warning, and the right result of each.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_film::minimal_surface::{
     FreeTopology, InitialMesh, LiuWang, Method, MinimalSurface, Newton, OnUnstable, Options, PinkallPolthier,
     Resolution, TopologyRule, VertexRelaxation, solve,

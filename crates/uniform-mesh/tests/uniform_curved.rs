@@ -4,6 +4,8 @@
 //! The campaign meshes a few random patches and films. With `PLATEAU_LONG=1` it meshes 300 patches and 100 films, with
 //! `PLATEAU_LONG=76..100` only the cases with these numbers.
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_mesh::measure;
 use plateau_mesh::{DVec2, DVec3, Error, Execution};
 use plateau_uniform_mesh::{Domain, Method, Nurbs, Objective, Options, OutOfRange, UniformMesh, Why, solve};

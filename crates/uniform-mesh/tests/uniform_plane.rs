@@ -1,5 +1,7 @@
 //! Uniform meshes of planar polygons: checks every property that can be verified on a result, for random input.
 
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is a test")]
+
 use plateau_mesh::measure;
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec2, DVec3, Error, Execution};

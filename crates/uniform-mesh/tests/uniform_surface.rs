@@ -1,6 +1,8 @@
 //! Uniform meshes of patches and films: checks what must hold on any surface, surfaces with closed forms, and shared
 //! lengths.
 
+#![allow(clippy::disallowed_methods, reason = "this is a test")]
+
 use plateau_mesh::measure;
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Interruption, Signal};
 use plateau_uniform_mesh::{Domain, Nurbs, Objective, Optimise, Options, Transition, UniformMesh, Why, solve};
