@@ -58,6 +58,7 @@ impl Resource {
 
     /// Adds the handlers to a router.
     pub fn route(self, router: Router<App>) -> Router<App> {
+        #[expect(clippy::disallowed_methods, reason = "the resource is the route's entry in the API document")]
         router.route(self.path, self.handlers)
     }
 

@@ -105,6 +105,7 @@ fn mount_below(base: &Arc<str>, routes: Router) -> Router {
         *request.uri_mut() = without_base(&base, request.uri());
         request
     });
+    #[expect(clippy::disallowed_methods, reason = "a redirect is no part of the API")]
     Router::new().route(folder.trim_end_matches('/'), get(Redirect::permanent(&folder))).fallback_service(stripped)
 }
 
@@ -120,6 +121,7 @@ fn without_base(base: &str, uri: &Uri) -> Uri {
 /// Returns the routes of the separate listener for metrics.
 pub fn metrics(jobs: Jobs, handle: PrometheusHandle) -> Router {
     let render = move || async move { health::render(&jobs, &handle).await };
+    #[expect(clippy::disallowed_methods, reason = "this listener has no API document")]
     Router::new().route("/metrics", get(render)).layer(middleware::from_fn_with_state(Arc::from(""), observe::observe))
 }
 

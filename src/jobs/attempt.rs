@@ -7,7 +7,7 @@ use super::{Jobs, sources, view};
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
-use crate::wire::job::failure;
+use crate::wire::job::JobFailure;
 use plateau_archive::Archive;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::Rejection;
@@ -315,7 +315,7 @@ impl Drop for Attempt {
 fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line, share: &mut Share) -> Ended {
     let Some(kind) = Kind::from_name(&claimed.kind) else {
         let detail = "this version does not know this kind of job";
-        return Ended::Unsolved(Unsolved::Failed(failure("unknown-kind", detail, Vec::new())));
+        return Ended::Unsolved(Unsolved::Failed(JobFailure::UnknownKind.error(detail, Vec::new())));
     };
     let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), line);
     let request = match Request::read_stored(kind, &claimed.request, &find, &jobs.config().limits.requests()) {
@@ -383,7 +383,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
                     reusable: solved.reproducible,
                 });
             }
-            Err(defect) => SolveError::new("internal", defect.to_string(), Vec::new()),
+            Err(defect) => SolveError::internal(defect.to_string()),
         },
         Ended::Unsolved(Unsolved::Cancelled) => return None,
         Ended::Unsolved(Unsolved::Failed(error)) => error,
@@ -392,16 +392,16 @@ fn outcome(ended: Ended) -> Option<Outcome> {
                 Rejection::Malformed(detail) => (detail, Vec::new()),
                 Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
             };
-            failure("refused", detail, errors)
+            JobFailure::Refused.error(detail, errors)
         }
         Ended::Unresponsive => {
             let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect \
                 of this server; the request is not the cause";
-            failure("unresponsive", detail, Vec::new())
+            JobFailure::Unresponsive.error(detail, Vec::new())
         }
         Ended::Panicked => {
             let detail = "the solver hit a defect of this server; the request is not the cause";
-            failure("solver-panicked", detail, Vec::new())
+            JobFailure::SolverPanicked.error(detail, Vec::new())
         }
     };
     // Serialization cannot fail because an error has only strings.

@@ -364,3 +364,17 @@ fn workers_lost(count: i64, losses: &str) -> String {
     });
     error.to_string()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::job::JobFailure;
+    use plateau_forms::report::SolveError;
+
+    #[test]
+    fn the_error_of_lost_workers_is_the_one_of_the_catalogue() {
+        let error: SolveError = serde_json::from_str(&workers_lost(3, "first\nsecond")).unwrap();
+        let expected = JobFailure::WorkerLost.error(error.detail.clone(), Vec::new());
+        assert_eq!(error, expected);
+    }
+}

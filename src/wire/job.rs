@@ -1,6 +1,7 @@
 //! Jobs in the form that clients see.
 
 use crate::status::Status;
+use plateau_forms::failure_kinds;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::FieldError;
 use plateau_forms::report::{self, Progress, SolveError, Warning};
@@ -9,30 +10,24 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 use serde_json::{Map, Value};
 
-/// Kinds of failures that have nothing to do with the geometry: the last part of an error's `type`, and its title.
-const FAILURES: &[(&str, &str)] = &[
-    ("refused", "The request exceeds this worker's limits or is unknown to its version"),
-    ("solver-panicked", "The solver failed"),
-    ("unresponsive", "The solver did not answer"),
-    ("unknown-kind", "This version does not know this kind of job"),
-    ("worker-lost", "The workers of this job died"),
-];
+failure_kinds! {
+    /// Failures that have nothing to do with the geometry.
+    JobFailure {
+        Refused = "refused": "The request exceeds this worker's limits or is unknown to its version",
+        SolverPanicked = "solver-panicked": "The solver failed",
+        Unresponsive = "unresponsive": "The solver did not answer",
+        UnknownKind = "unknown-kind": "This version does not know this kind of job",
+        WorkerLost = "worker-lost": "The workers of this job died",
+    }
+}
 
 /// Returns the kinds of failed jobs with their titles, in the order of their names.
 #[must_use]
 pub fn failures() -> Vec<(String, &'static str)> {
-    let own = FAILURES.iter().map(|&(kind, title)| (kind.to_owned(), title));
+    let own = JobFailure::ALL.iter().map(|&(kind, title)| (kind.to_owned(), title));
     let mut failures: Vec<_> = own.chain(report::failures()).collect();
     failures.sort_unstable();
     failures
-}
-
-/// Creates an error of one of the [`failures`].
-#[must_use]
-pub fn failure(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> SolveError {
-    let title = FAILURES.iter().find(|(name, _)| *name == kind).map(|(_, title)| *title);
-    let failure = SolveError::new(kind, detail, errors);
-    SolveError { title: title.map_or(failure.title, str::to_owned), ..failure }
 }
 
 /// Addresses that belong to a job.

@@ -107,6 +107,7 @@ async fn a_film_slides_on_a_ring_beam_and_states_the_force_along_its_edges() {
 }
 
 #[tokio::test]
+#[expect(clippy::too_many_lines, reason = "a list of refused structures")]
 async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let app = TestApp::start().await;
     let cable = |extra: Value| sail(json!({ "cables": [edge(0, extra)] }));

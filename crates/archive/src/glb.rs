@@ -7,8 +7,6 @@
 //! The file is not trusted. The memory used is a small multiple of its size, because every count is compared with the
 //! bytes that are there, and with the caller's limit, before anything is read. No other file is opened.
 
-use std::collections::HashMap;
-
 use gltf::binary::Glb;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::mesh::{Mode, Semantic};
@@ -17,6 +15,10 @@ use gltf::json::{Accessor, Index, Root};
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
 use serde::Deserialize;
+
+/// Numbers of vertices by the keys of their coordinates.
+#[expect(clippy::disallowed_types, reason = "nothing reads its order, and a large file has a million keys")]
+type VertexNumbers = std::collections::HashMap<[u64; 3], u32>;
 
 use crate::units::{Unit, UpAxis};
 
@@ -88,7 +90,7 @@ pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangle
         metres: unit.metres(),
         up,
         mesh: Mesh::default(),
-        vertex_of: HashMap::new(),
+        vertex_of: VertexNumbers::new(),
         vertices_read: 0,
         rounding: 0.0,
     };
@@ -183,7 +185,7 @@ struct Reader<'a> {
     up: UpAxis,
     mesh: Mesh,
     /// Number of the vertex with the coordinates of the key.
-    vertex_of: HashMap<[u64; 3], u32>,
+    vertex_of: VertexNumbers,
     vertices_read: usize,
     rounding: f64,
 }

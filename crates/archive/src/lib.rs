@@ -7,6 +7,7 @@
 //! strips.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 
 pub mod archive;
 pub mod formats;

@@ -5,6 +5,14 @@
 //! fitted once, and its figures are printed as one JSON line. `benches/cable_net_peers.py` compares these figures with
 //! jax_fdm's.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 use criterion::{BenchmarkId, Criterion};
 use plateau_cable_net::{CableNet, Edge, Net, Options, solve};
 use plateau_mesh::{DVec3, Execution};

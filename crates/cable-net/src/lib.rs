@@ -26,6 +26,7 @@
 //! Source: Schek, *The force density method for form finding and computation of general networks* (1974).
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 mod fitted;

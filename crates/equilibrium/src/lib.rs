@@ -43,6 +43,7 @@
 //! The crates of minimal surfaces and tensile structures use the parts that these pages do not show.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 mod body;

@@ -6,6 +6,14 @@
 //! cargo bench --package plateau-forms --bench audit
 //! ```
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 use plateau_forms::limits::Limits;
 use plateau_forms::request::Request;
 use plateau_forms::solved::Signal;

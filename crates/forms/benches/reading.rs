@@ -4,6 +4,14 @@
 //! times and prints the medians as one JSON line. The line also has the times of the first valid and the first invalid
 //! request of the process. The latter includes compiling schemas.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 use criterion::{BenchmarkId, Criterion};
 use plateau_forms::json;
 use plateau_forms::kinds::minimal_surface::KIND;

@@ -2,6 +2,14 @@
 //! check. A cancel takes at most as long as the longest of them. The arguments are a file with a request that names its
 //! kind, and the number of triangles to ask for.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "an example"
+)]
+
 use plateau_forms::limits::Limits;
 use plateau_forms::request::Request;
 use plateau_forms::solved::Signal;

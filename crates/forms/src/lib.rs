@@ -11,6 +11,7 @@
 //! command line and a web page.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 // Code that several kinds or features share is unused in a build with a few of them.
 #![cfg_attr(
     not(all(

@@ -55,34 +55,73 @@ pub struct SolveError {
     pub errors: Vec<FieldError>,
 }
 
-/// Kinds of failures that do not come from a [`Reason`] of a solver: the last part of an error's `type`, and its title.
-const FAILURES: &[(&str, &str)] = &[
-    (SolveError::AUDIT_FAILED, "The figures of the result are not those of its mesh"),
-    ("deadline", "The deadline passed"),
-    ("invalid-geometry", "The geometry is invalid"),
-];
+/// Declares kinds of failures. Every kind is in `ALL`, from which the catalogue is made, so that no error has a kind that
+/// the catalogue does not explain.
+#[macro_export]
+macro_rules! failure_kinds {
+    ($(#[$attribute:meta])* $kinds:ident { $($kind:ident = $name:literal: $title:literal,)+ }) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $kinds {
+            $(#[doc = $title] $kind,)+
+        }
+
+        impl $kinds {
+            /// The last part of an error's `type`, and its title.
+            pub const ALL: &[(&str, &str)] = &[$(($name, $title)),+];
+
+            /// Creates an error of this kind.
+            #[must_use]
+            pub fn error(
+                self,
+                detail: impl Into<String>,
+                errors: Vec<$crate::rejection::FieldError>,
+            ) -> $crate::report::SolveError {
+                let (name, title) = Self::ALL[self as usize];
+                let kind = format!("/problems/{name}");
+                $crate::report::SolveError { kind, title: title.into(), detail: detail.into(), errors }
+            }
+        }
+    };
+}
+
+failure_kinds! {
+    /// Failures that do not come from a [`Reason`] of a solver.
+    Failure {
+        AuditFailed = "audit-failed": "The figures of the result are not those of its mesh",
+        Deadline = "deadline": "The deadline passed",
+        InvalidGeometry = "invalid-geometry": "The geometry is invalid",
+    }
+}
 
 /// Returns every kind of failure: the last part of an error's `type`, and its title.
 pub fn failures() -> impl Iterator<Item = (String, &'static str)> {
-    let of_solvers = Reason::ALL.iter().map(|reason| (reason.name().replace('_', "-"), reason.meaning()));
-    FAILURES.iter().map(|&(kind, title)| (kind.to_owned(), title)).chain(of_solvers)
+    let of_solvers = Reason::ALL.iter().map(|&reason| (name(reason), reason.meaning()));
+    Failure::ALL.iter().map(|&(kind, title)| (kind.to_owned(), title)).chain(of_solvers)
+}
+
+/// Returns the last part of the `type` of a solver's error.
+fn name(reason: Reason) -> String {
+    reason.name().replace('_', "-")
 }
 
 impl SolveError {
-    /// Kind of the failure of a result whose stated figures are not those of its mesh.
-    pub const AUDIT_FAILED: &str = "audit-failed";
-
-    /// Creates an error of one of the kinds of [`failures`].
+    /// Creates the error for a solver that has given up.
     #[must_use]
-    pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
-        let title =
-            failures().find(|(name, _)| *name == kind).map_or("The solver found no valid mesh", |(_, title)| title);
-        Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
+    pub fn of_solver(reason: Reason, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
+        let kind = format!("/problems/{}", name(reason));
+        Self { kind, title: reason.meaning().into(), detail: detail.into(), errors }
+    }
+
+    /// Creates the error for a defect of the server.
+    #[must_use]
+    pub fn internal(detail: impl Into<String>) -> Self {
+        Self::of_solver(Reason::Internal, detail, Vec::new())
     }
 
     /// Returns whether the audit withheld the result.
     #[must_use]
     pub fn is_of_the_audit(&self) -> bool {
-        self.kind.ends_with(Self::AUDIT_FAILED)
+        self.kind == Failure::AuditFailed.error("", Vec::new()).kind
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::audit::comparison::{Audit, Fault};
 use crate::rejection::{FieldError, MAX_ERRORS};
-use crate::report::{Progress, SolveError, Warning};
+use crate::report::{Failure, Progress, SolveError, Warning};
 use plateau_archive::archive::{Contents, middle};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, LineSet, Lines, Polyline};
@@ -64,7 +64,7 @@ impl Draft {
             "the result was withheld because its figures are not those of its mesh: {texts}{more}. This is a defect of \
              the solver; the request is not the cause"
         );
-        Err(Unsolved::Failed(SolveError::new(SolveError::AUDIT_FAILED, detail, Vec::new())))
+        Err(Unsolved::Failed(Failure::AuditFailed.error(detail, Vec::new())))
     }
 }
 
@@ -100,7 +100,7 @@ impl Unsolved {
     #[must_use]
     pub fn deadline() -> Self {
         let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
-        Self::Failed(SolveError::new("deadline", detail, Vec::new()))
+        Self::Failed(Failure::Deadline.error(detail, Vec::new()))
     }
 }
 
@@ -114,11 +114,9 @@ impl From<Error> for Unsolved {
             Error::Interrupted(Interruption::DeadlinePassed) => return Self::deadline(),
             Error::Input(errors) => {
                 let fields = fields(&errors);
-                SolveError::new("invalid-geometry", causes(&fields), fields)
+                Failure::InvalidGeometry.error(causes(&fields), fields)
             }
-            Error::NoResult { reason, detail, places } => {
-                SolveError::new(&reason.name().replace('_', "-"), detail, fields(&places))
-            }
+            Error::NoResult { reason, detail, places } => SolveError::of_solver(reason, detail, fields(&places)),
         })
     }
 }

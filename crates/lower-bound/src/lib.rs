@@ -50,6 +50,7 @@
 //! deadline of the caller only stops the search earlier.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 
 mod bisection;
 mod bound;

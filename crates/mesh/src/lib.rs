@@ -18,6 +18,7 @@
 //! instructions.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 #[doc(hidden)]

@@ -8,6 +8,14 @@
 //!
 //! `benches/minimal_surface_peers.py` runs the same cases with other programs.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 #[path = "../tests/it/boundaries/mod.rs"]
 mod boundaries;
 

@@ -4,6 +4,14 @@
 //! optional arguments follow `--`: the number of points of each loop (default 50,000), and a word that selects the
 //! loops whose name contains it. Times are processor times of this process (on Linux; elsewhere elapsed time).
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "an example"
+)]
+
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec2, DVec3, Execution};
 use plateau_minimal_surface::{BoundarySampling, Options, Resolution, solve};

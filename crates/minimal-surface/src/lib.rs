@@ -47,6 +47,7 @@
 //! The crate [`plateau_equilibrium`] says what a residual, a Morse index and an unstable mode are.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 mod cone;

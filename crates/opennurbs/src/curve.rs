@@ -87,7 +87,7 @@ impl Arc {
         let [from, to] = self.angles;
         (0..=pieces).map(move |number| {
             let angle = from + (to - from) * f64::from(number) / f64::from(pieces);
-            angle.cos() * self.x + angle.sin() * self.y
+            libm::cos(angle) * self.x + libm::sin(angle) * self.y
         })
     }
 }
@@ -177,7 +177,7 @@ impl Sampler {
     /// Adds points at equal angles. The distance of a chord from its arc is r (1 - cos(angle / 2)). A whole circle gets
     /// at least eight chords.
     fn arc(&mut self, arc: &Arc) -> Result<(), Defect> {
-        let angle = 2.0 * (1.0 - (self.tolerance / arc.radius).min(1.0)).acos();
+        let angle = 2.0 * libm::acos(1.0 - (self.tolerance / arc.radius).min(1.0));
         let pieces = ((arc.angles[1] - arc.angles[0]) / angle.min(FRAC_PI_4)).ceil().max(1.0);
         if pieces >= self.max_points as f64 {
             return Err(Defect::TooLarge(self.max_points));

@@ -9,6 +9,7 @@
 //! found in the sources of openNURBS and checked against rhino3dm by `scripts/check_hops.py`.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 
 mod chunk;
 pub mod curve;

@@ -5,6 +5,14 @@
 //! case for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the
 //! same run).
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 use criterion::{BenchmarkId, Criterion};
 use plateau_mesh::{DVec3, Execution};
 use plateau_ruled_surface::{Objective, Strip};

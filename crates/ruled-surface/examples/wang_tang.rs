@@ -4,6 +4,14 @@
 //! - `... -- map` prints the validity map of Fig. 10 for example I as SVG (docs/validation/validity_map.svg);
 //! - `... -- request I` (to `VI`) prints the example as a request of the service (api/examples/).
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "an example"
+)]
+
 use plateau_mesh::{DVec3, Execution};
 use plateau_ruled_surface::{Comparison, Given, Objective, Options, Secondary, Strip, solve};
 use std::f64::consts::{PI, TAU};

@@ -42,6 +42,7 @@
 //! # Ok::<(), plateau_mesh::Error>(())
 //! ```
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 mod graph;

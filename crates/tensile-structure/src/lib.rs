@@ -39,6 +39,7 @@
 //! approach to the form finding of tensile structures by the updated reference strategy* (1999).
 
 #![forbid(unsafe_code)]
+#![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 #![warn(missing_docs)]
 
 mod catenary;

@@ -7,6 +7,14 @@
 //! time in the same run). With `-- --case OBJECTIVE NODES` it makes one mesh and prints its number of nodes;
 //! `benches/uniform_mesh_peers.py` compares the processor time of this with Triangle's.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "a benchmark"
+)]
+
 use criterion::{BenchmarkId, Criterion};
 use plateau_mesh::{DVec3, Execution};
 use plateau_uniform_mesh::{Domain, Objective, Options, UniformMesh, solve};

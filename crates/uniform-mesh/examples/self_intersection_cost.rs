@@ -7,6 +7,14 @@
 //! triangles or more. The check is timed on the finished mesh, and repeated on small meshes, because the clock ticks
 //! only every few milliseconds.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "an example"
+)]
+
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Execution, Mesh};
 use plateau_minimal_surface as minimal_surface;

@@ -209,7 +209,9 @@ mod tests {
     use crate::wire::job::failures;
 
     fn status(kind: &str) -> StatusCode {
-        failed(&SolveError::new(kind, "the detail", Vec::new())).into_response().status()
+        let kind = format!("/problems/{kind}");
+        let error = SolveError { kind, title: "The title".into(), detail: "the detail".into(), errors: Vec::new() };
+        failed(&error).into_response().status()
     }
 
     #[test]

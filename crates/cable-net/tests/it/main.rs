@@ -1,5 +1,13 @@
 //! Tests of cable nets by the public interface of the crate.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+
 mod cable_nets;
 mod memory;
 #[path = "../../../../tests/skips/mod.rs"]

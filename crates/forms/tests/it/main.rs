@@ -1,5 +1,13 @@
 //! Tests of requests from their JSON to their statistics and archives.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+
 mod cases;
 mod closed_forms;
 mod exported_meshes;

@@ -5,6 +5,8 @@
 //! that folder and prints the tables. A word after the folder selects a part: `lower-bounds` (the gaps for three
 //! budgets) or `proven-range` (the plot of two rings).
 
+#![allow(clippy::disallowed_macros, clippy::disallowed_methods, reason = "this is an example")]
+
 mod bento_cavalcanti;
 #[path = "../../../minimal-surface/tests/it/boundaries/mod.rs"]
 mod boundaries;

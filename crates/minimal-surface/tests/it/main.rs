@@ -1,5 +1,13 @@
 //! Tests of minimal surfaces by the public interface of the crate.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+
 mod best_of_all_starts;
 mod boundaries;
 mod cornered_boundaries;

@@ -4,6 +4,15 @@
 //! `objects.json` was written once with rhino3dm 8.35.0. It has each object with points that rhino3dm finds
 //! on it. `PLATEAU_LONG=1` damages a hundred times as many objects. `PLATEAU_SEED` damages other bytes.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+#![allow(unsafe_code, reason = "an allocator that counts is unsafe to implement")]
+
 use plateau_mesh::DVec3;
 use plateau_mesh::random::SplitMix64;
 use plateau_opennurbs::curve::{Curve, Nurbs};

@@ -4,6 +4,8 @@
 //! Every operation is a single correctly rounded IEEE operation on every lane, and no two operations are fused, so all
 //! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
 
+#![allow(unsafe_code, reason = "the instructions for vectors exist on some processors only")]
+
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 /// `WIDTH` numbers. In the skewed sweep lane `r` belongs to row `r` of a band, one column behind lane `r - 1`.

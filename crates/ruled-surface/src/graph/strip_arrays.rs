@@ -126,6 +126,7 @@ impl<V: Lanes, const ROWS: usize> Window<'_, V, ROWS> {
         Vector::new(self.number::<BEFORE>(row), self.number::<BEFORE>(row + 1), self.number::<BEFORE>(row + 2))
     }
 
+    #[allow(unsafe_code, reason = "a check of the bounds in the innermost loop")]
     #[inline(always)]
     fn number<const BEFORE: usize>(&self, row: usize) -> V {
         const { assert!(BEFORE <= 1) };

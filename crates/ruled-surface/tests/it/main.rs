@@ -1,5 +1,13 @@
 //! Tests of ruled strips by the public interface of the crate.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+
 mod memory;
 mod ruled;
 mod ruled_brute_force;

@@ -1,5 +1,13 @@
 //! Tests of tensile structures by the public interface of the crate.
 
+#![allow(
+    clippy::disallowed_macros,
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    clippy::too_many_lines,
+    reason = "tests"
+)]
+
 mod cushions;
 mod forces;
 mod random_structures;

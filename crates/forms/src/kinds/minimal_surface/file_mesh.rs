@@ -12,7 +12,7 @@ use plateau_archive::glb::{self, Refusal, Triangles};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 const POINTER: &str = "/initial_mesh/glb";
 
@@ -83,7 +83,7 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
     }
     let neighbours = boundary_neighbours(&mesh.triangles);
     let cell = |p: DVec3| (p / tolerance).floor();
-    let mut cells: HashMap<[u64; 3], Vec<u32>> = HashMap::new();
+    let mut cells: BTreeMap<[u64; 3], Vec<u32>> = BTreeMap::new();
     for &v in neighbours.keys() {
         cells.entry(position_key(cell(mesh.vertices[v as usize]))).or_default().push(v);
     }
@@ -102,7 +102,7 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
         }
         let distance = |v: u32| mesh.vertices[v as usize].distance(point);
         let free = near.into_iter().filter(|&v| !is_restored[v as usize] && distance(v) <= tolerance);
-        // Of equally near vertices the smallest number is taken, because the order of the hash map is arbitrary.
+        // Of equally near vertices the one with the smallest number is taken.
         if let Some(v) = free.min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b))) {
             mesh.vertices[v as usize] = point;
             is_restored[v as usize] = true;
@@ -114,7 +114,7 @@ fn restore(mesh: &mut Mesh, boundaries: &[Vec<DVec3>], tolerance: f64) -> Result
 
 /// Moves the boundary vertices between two neighbouring restored vertices onto the straight line through both, if they
 /// are within the tolerance.
-fn straighten(mesh: &mut Mesh, neighbours: &HashMap<u32, Vec<u32>>, is_restored: &[bool], tolerance: f64) {
+fn straighten(mesh: &mut Mesh, neighbours: &BTreeMap<u32, Vec<u32>>, is_restored: &[bool], tolerance: f64) {
     let starts: Vec<u32> = (0..is_restored.len() as u32).filter(|&v| is_restored[v as usize]).collect();
     for start in starts {
         for &first in &neighbours[&start] {
@@ -144,11 +144,11 @@ fn straighten(mesh: &mut Mesh, neighbours: &HashMap<u32, Vec<u32>>, is_restored:
 }
 
 /// Returns the vertices on the boundary, each with its neighbours along the edges that have one triangle.
-fn boundary_neighbours(triangles: &[[u32; 3]]) -> HashMap<u32, Vec<u32>> {
+fn boundary_neighbours(triangles: &[[u32; 3]]) -> BTreeMap<u32, Vec<u32>> {
     let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
     let mut edges: Vec<[u32; 2]> = triangles.iter().flat_map(sides).collect();
     edges.sort_unstable();
-    let mut neighbours: HashMap<u32, Vec<u32>> = HashMap::new();
+    let mut neighbours: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for group in edges.chunk_by(|a, b| a == b) {
         if let &[[a, b]] = group {
             neighbours.entry(a).or_default().push(b);
