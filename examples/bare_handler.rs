@@ -13,9 +13,9 @@ use axum::response::IntoResponse;
 use axum::routing::post;
 use plateau::config::LimitsConfig;
 use plateau::wire::incoming::Incoming;
-use plateau_forms::kinds::ruled_surface;
-use plateau_forms::solved::Signal;
-use plateau_forms::source::no_jobs;
+use plateau_engine::kinds::ruled_surface;
+use plateau_engine::solved::Signal;
+use plateau_engine::source::no_jobs;
 use std::error::Error;
 
 /// Answer to every request: a finished job in the form that the service returns.

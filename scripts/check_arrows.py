@@ -20,30 +20,26 @@ LAYERS = {
     "mesh": """
         execution codes error estimate random order disjoint_sets lib axis_box polyline topology measure check complex
         edit cut film structured self_intersections crossing sparse plane remesh""",
-    "film": """
-        energy equilibrium form_finding
-        minimal_surface/options minimal_surface/cone minimal_surface/estimate minimal_surface/initial_mesh/first_point
-        minimal_surface/request minimal_surface/run minimal_surface/curvature minimal_surface/extrapolation
-        minimal_surface/harmonic minimal_surface/initial_mesh minimal_surface/kept_film minimal_surface/solved_film
-        minimal_surface/touching_boundaries minimal_surface/solvers minimal_surface/drivers
-        minimal_surface/junction_statistics minimal_surface/statistics minimal_surface/outcome
-        minimal_surface/triple_junction minimal_surface
-        tensile_structure/options tensile_structure/checks tensile_structure/catenary tensile_structure/weave
-        tensile_structure/mixing tensile_structure/model tensile_structure/remeshing tensile_structure/taut_start
-        tensile_structure/form_finding tensile_structure/travel tensile_structure/ponding tensile_structure/shape
-        tensile_structure/stress tensile_structure/reactions tensile_structure/warnings tensile_structure/outcome
-        tensile_structure
-        cable_net/options cable_net/shape cable_net/loss cable_net/step cable_net/fitted cable_net/fitting
-        cable_net/struts cable_net lib""",
+    "equilibrium": """
+        dense energy support freedom constraint body contact newton residual motion normal_motion stability v_cycle
+        relax settling form_finding lib""",
+    "minimal-surface": """
+        options cone estimate initial_mesh/first_point request run curvature extrapolation harmonic initial_mesh
+        kept_film solved_film touching_boundaries solvers drivers junction_statistics statistics outcome
+        triple_junction lib""",
+    "tensile-structure": """
+        options checks catenary weave mixing model remeshing taut_start form_finding travel ponding shape stress
+        reactions warnings outcome lib""",
+    "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
-    "forms": """
+    "engine": """
         rejection limits json bounds strict common resolution explain report mesh audit solved source checked blocks
         kind kinds components schema request lib""",
     "plateau": """
         status threads test_hooks store config telemetry auth webhook wire hops jobs http app cli lib main""",
 }
 # These have no solvers. The loops of every other crate are read.
-WITHOUT_SOLVERS = {"archive", "forms", "opennurbs", "page", "plateau"}
+WITHOUT_SOLVERS = {"archive", "engine", "opennurbs", "page", "plateau"}
 SUCCESSES = {"OK", "ACCEPTED", "NO_CONTENT", "NOT_MODIFIED", "PARTIAL_CONTENT"}
 NO_CODE = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\bb?r(?P<hashes>#*)".*?"(?P=hashes)|"(?:\\.|[^"\\])*"|'(?:\\.[^']*|[^\\'])'""", re.S)

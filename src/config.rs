@@ -8,7 +8,7 @@
 
 mod memory;
 
-use plateau_forms::limits::Limits;
+use plateau_engine::limits::Limits;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::net::SocketAddr;

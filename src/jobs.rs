@@ -29,9 +29,9 @@ use crate::status::Status;
 use crate::store::StoreError;
 use plateau_archive::archive::VERSION;
 use plateau_archive::formats::Error as ExportError;
-use plateau_forms::SOLVER_REVISION;
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_engine::SOLVER_REVISION;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::{FieldError, Rejection};
 
 /// Version of the code that computes results and of the format that stores them. A kept result is reused only by the
 /// same version.

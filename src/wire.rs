@@ -1,5 +1,5 @@
 //! The JSON of the service itself: jobs, batches, the catalogue, the fields of a request that concern its job, and the
-//! component schemas of the API document. `plateau_forms` has the requests and their results.
+//! component schemas of the API document. `plateau_engine` has the requests and their results.
 
 pub mod batch;
 pub mod callback;

@@ -1,8 +1,8 @@
 //! The components with their inputs and outputs, as Grasshopper shows them.
 
 use base64::Engine as _;
-use plateau_forms::blocks::{self, Block, Input, Preset, Type};
-use plateau_forms::kind::Kind;
+use plateau_engine::blocks::{self, Block, Input, Preset, Type};
+use plateau_engine::kind::Kind;
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 

@@ -4,10 +4,10 @@ use super::Refusal;
 use super::component::Recipe;
 use super::values::{Values, nth};
 use plateau_archive::units::Unit;
-use plateau_forms::blocks::Block;
-use plateau_forms::common::Point;
-use plateau_forms::kind::{Kind, Units};
-use plateau_forms::rejection::FieldError;
+use plateau_engine::blocks::Block;
+use plateau_engine::common::Point;
+use plateau_engine::kind::{Kind, Units};
+use plateau_engine::rejection::FieldError;
 use plateau_opennurbs::Mesh;
 use plateau_opennurbs::curve::Curve;
 use serde_json::{Map, Value, json};
@@ -564,7 +564,7 @@ fn naked_edges(triangles: &[[u32; 3]]) -> Result<Vec<Vec<u32>>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_forms::kinds::minimal_surface;
+    use plateau_engine::kinds::minimal_surface;
     use plateau_mesh::DVec3;
 
     #[test]

@@ -3,8 +3,8 @@
 use super::Refusal;
 use super::component::{Component, find};
 use crate::hops::envelope;
-use plateau_forms::blocks::{Input, Type};
-use plateau_forms::common::Point;
+use plateau_engine::blocks::{Input, Type};
+use plateau_engine::common::Point;
 use plateau_opennurbs::curve::Curve;
 use plateau_opennurbs::{Mesh, Object};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};

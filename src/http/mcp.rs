@@ -19,9 +19,9 @@ use crate::wire::objectives::{self, Limits};
 use axum::http::uri::Authority;
 use base64::Engine as _;
 use plateau_archive::formats::{MeshFormat, picture};
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::schema;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_engine::schema;
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
     PaginatedRequestParams, ServerCapabilities, ServerConfig,

@@ -7,7 +7,7 @@ use crate::wire::job::Problem;
 use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
-use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]

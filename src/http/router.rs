@@ -13,7 +13,7 @@ use axum::middleware;
 use axum::response::Redirect;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
-use plateau_forms::kind::Kind;
+use plateau_engine::kind::Kind;
 use std::sync::Arc;
 use std::time::Duration;
 use tower::util::MapRequest;

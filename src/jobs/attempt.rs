@@ -9,11 +9,11 @@ use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
 use crate::wire::job::JobFailure;
 use plateau_archive::Archive;
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::Rejection;
-use plateau_forms::report::SolveError;
-use plateau_forms::request::Request;
-use plateau_forms::solved::{self, Solved, Unsolved};
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::Rejection;
+use plateau_engine::report::SolveError;
+use plateau_engine::request::Request;
+use plateau_engine::solved::{self, Solved, Unsolved};
 use sha2::{Digest, Sha256};
 use std::pin::Pin;
 use std::sync::Arc;
@@ -333,7 +333,7 @@ fn solve(id: &str, request: &Request, line: &Line) -> Ended {
     let holds =
         crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == solved::Signal::Continue);
     #[cfg(feature = "test-hooks")]
-    let report = |progress: plateau_forms::report::Progress| {
+    let report = |progress: plateau_engine::report::Progress| {
         let fraction = progress.fraction;
         report(progress);
         holds.progress(fraction, || line.is_taken());
@@ -411,7 +411,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_forms::rejection::FieldError;
+    use plateau_engine::rejection::FieldError;
 
     #[test]
     fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {

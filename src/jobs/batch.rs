@@ -264,6 +264,6 @@ mod tests {
         let digest = Sha256::digest(format!("{} glb b\n", result_version()));
         let expected: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(tag("glb", "b", &[]), expected);
-        assert!(result_version().contains(&format!("solvers {}", plateau_forms::SOLVER_REVISION)));
+        assert!(result_version().contains(&format!("solvers {}", plateau_engine::SOLVER_REVISION)));
     }
 }

@@ -11,7 +11,7 @@ use crate::telemetry::metric;
 use crate::webhook::Sender;
 use crate::wire::batch::Batch;
 use crate::wire::job::Job;
-use plateau_forms::kind::Kind;
+use plateau_engine::kind::Kind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};

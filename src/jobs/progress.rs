@@ -1,7 +1,7 @@
 //! Connection between a solver's thread and its attempt: progress goes out, and a cancel goes in.
 
-use plateau_forms::report::Progress;
-use plateau_forms::solved::Signal;
+use plateau_engine::report::Progress;
+use plateau_engine::solved::Signal;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};

@@ -15,10 +15,10 @@ use crate::wire::envelope::Cache;
 use crate::wire::incoming::{Incoming, Waiting};
 use crate::wire::job::Job;
 use bytes::Bytes;
-use plateau_forms::json;
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::request::Request;
+use plateau_engine::json;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_engine::request::Request;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 use std::time::Instant;
@@ -286,8 +286,8 @@ fn new_job(request: Waiting, from: Submitter) -> NewJob {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_forms::kinds::ruled_surface;
-    use plateau_forms::source::no_jobs;
+    use plateau_engine::kinds::ruled_surface;
+    use plateau_engine::source::no_jobs;
 
     fn job(body: &str, key: Option<&str>) -> NewJob {
         let limits = crate::config::LimitsConfig::default();

@@ -369,7 +369,7 @@ fn workers_lost(count: i64, losses: &str) -> String {
 mod tests {
     use super::*;
     use crate::wire::job::JobFailure;
-    use plateau_forms::report::SolveError;
+    use plateau_engine::report::SolveError;
 
     #[test]
     fn the_error_of_lost_workers_is_the_one_of_the_catalogue() {

@@ -5,13 +5,13 @@ use super::incoming::{Incoming, Waiting};
 use super::job::Links;
 use crate::config::LimitsConfig;
 use crate::status::Status;
-use plateau_forms::components::{REQUEST_WITH_KIND, reference};
-use plateau_forms::explain::Schemas;
-use plateau_forms::json;
-use plateau_forms::kind::Kind;
-use plateau_forms::limits::{check_count, refuse_too_many_values};
-use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
-use plateau_forms::source::Find;
+use plateau_engine::components::{REQUEST_WITH_KIND, reference};
+use plateau_engine::explain::Schemas;
+use plateau_engine::json;
+use plateau_engine::kind::Kind;
+use plateau_engine::limits::{check_count, refuse_too_many_values};
+use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_engine::source::Find;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -202,7 +202,7 @@ impl BatchCounts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_forms::source::no_jobs;
+    use plateau_engine::source::no_jobs;
 
     #[test]
     fn the_status_of_a_batch_follows_from_its_jobs() {

@@ -1,11 +1,11 @@
-//! Component schemas of the API document: those of `plateau_forms`, with the fields that concern the job added to each
+//! Component schemas of the API document: those of `plateau_engine`, with the fields that concern the job added to each
 //! request, and those of the answers.
 
 use super::{batch, callback, envelope, job, objectives};
-use plateau_forms::components::{
+use plateau_engine::components::{
     by_kind, only_kind, reference, request_component, rewritten, statistics_component, with_kind_component,
 };
-use plateau_forms::kind::Kind;
+use plateau_engine::kind::Kind;
 use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 #[must_use]
 pub fn components() -> &'static Map<String, Value> {
     static COMPONENTS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
-        let mut components = plateau_forms::components::components().clone();
+        let mut components = plateau_engine::components::components().clone();
         add_envelope(&mut components);
         // Answers contain a field even if it is null, so the schemas list such fields as required.
         components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), answers));
@@ -32,7 +32,7 @@ fn answers(generator: &mut SchemaGenerator) {
     generator.subschema_for::<batch::Batch>();
     generator.subschema_for::<callback::Callbacks>();
     generator.subschema_for::<job::Problem>();
-    generator.subschema_for::<plateau_forms::mesh::Mesh>();
+    generator.subschema_for::<plateau_engine::mesh::Mesh>();
     generator.subschema_for::<objectives::ObjectiveList>();
     generator.subschema_for::<objectives::Limits>();
     generator.subschema_for::<objectives::ExampleList>();
@@ -83,7 +83,7 @@ mod tests {
     /// Requests and answers are made separately. A name that both use must mean the same in both.
     #[test]
     fn every_name_means_one_thing() {
-        let requests = plateau_forms::components::components();
+        let requests = plateau_engine::components::components();
         let of_answers = rewritten(SchemaSettings::draft2020_12().for_serialize(), answers);
         for (name, schema) in requests {
             assert!(of_answers.get(name).is_none_or(|other| other == schema), "{name} is two different types");

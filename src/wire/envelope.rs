@@ -1,11 +1,11 @@
 //! The fields that every request has because they concern the job and not its result. The service reads them, and
-//! `plateau_forms` the rest.
+//! `plateau_engine` the rest.
 
-use plateau_forms::bounds::Text;
-use plateau_forms::components::rewritten;
-use plateau_forms::explain::Schemas;
-use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::strict;
+use plateau_engine::bounds::Text;
+use plateau_engine::components::rewritten;
+use plateau_engine::explain::Schemas;
+use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_engine::strict;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;

@@ -2,12 +2,12 @@
 
 use super::envelope::{Envelope, MEMBERS};
 use crate::config::LimitsConfig;
-use plateau_forms::json;
-use plateau_forms::kind::Kind;
-use plateau_forms::limits::refuse_too_many_values;
-use plateau_forms::rejection::{MAX_ERRORS, Rejection};
-use plateau_forms::request::{Accepted, Request};
-use plateau_forms::source::{Find, no_jobs};
+use plateau_engine::json;
+use plateau_engine::kind::Kind;
+use plateau_engine::limits::refuse_too_many_values;
+use plateau_engine::rejection::{MAX_ERRORS, Rejection};
+use plateau_engine::request::{Accepted, Request};
+use plateau_engine::source::{Find, no_jobs};
 use serde_json::Value;
 
 /// A parsed request with its envelope, the fields that concern the job and not the geometry.

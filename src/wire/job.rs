@@ -1,10 +1,10 @@
 //! Jobs in the form that clients see.
 
 use crate::status::Status;
-use plateau_forms::failure_kinds;
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::FieldError;
-use plateau_forms::report::{self, Progress, SolveError, Warning};
+use plateau_engine::failure_kinds;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::FieldError;
+use plateau_engine::report::{self, Progress, SolveError, Warning};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::value::RawValue;
@@ -93,7 +93,7 @@ pub struct Job {
     pub expires_at: Option<String>,
     pub progress: Progress,
     /// Null until the job has succeeded. The fields depend on the kind.
-    #[schemars(schema_with = "plateau_forms::components::statistics")]
+    #[schemars(schema_with = "plateau_engine::components::statistics")]
     pub statistics: Option<Box<RawValue>>,
     pub warnings: Vec<Warning>,
     /// Null unless the job has failed.

@@ -1,8 +1,8 @@
 //! Catalogue of the service: objectives, limits and example requests.
 
 use crate::config::Config;
-use plateau_forms::kind::{Kind, Objective};
-use plateau_forms::kinds;
+use plateau_engine::kind::{Kind, Objective};
+use plateau_engine::kinds;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::Value;

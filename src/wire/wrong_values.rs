@@ -9,12 +9,12 @@ use super::envelope::Envelope;
 use super::incoming::Incoming;
 use super::objectives;
 use crate::config::LimitsConfig;
-use plateau_forms::components::request_component;
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::request::Request;
-use plateau_forms::schema;
-use plateau_forms::source::no_jobs;
+use plateau_engine::components::request_component;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_engine::request::Request;
+use plateau_engine::schema;
+use plateau_engine::source::no_jobs;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

@@ -8,8 +8,8 @@
 #![allow(unsafe_code)]
 
 use crate::session::{Ending, Session};
-use plateau_forms::report::Progress;
-use plateau_forms::solved::Signal;
+use plateau_engine::report::Progress;
+use plateau_engine::solved::Signal;
 use std::cell::RefCell;
 
 thread_local! {

@@ -1,4 +1,4 @@
-//! The crate `forms` as a WebAssembly module, for web pages and for Node.
+//! The crate `engine` as a WebAssembly module, for web pages and for Node.
 //!
 //! [`session::Session`] solves one request after the other and keeps the last result, from which it makes files. The
 //! functions of the module that JavaScript calls (`exports`) only pass bytes to it. `js/plateau.mjs` calls them.

@@ -3,13 +3,13 @@
 
 use plateau_archive::Archive;
 use plateau_archive::formats::{MeshFormat, PatternFormat};
-use plateau_forms::json;
-use plateau_forms::limits::Limits;
-use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
-use plateau_forms::report::{Progress, SolveError, Warning};
-use plateau_forms::request::{Drag, Request};
-use plateau_forms::solved::{Moved, Signal, Unsolved};
-use plateau_forms::source::no_jobs;
+use plateau_engine::json;
+use plateau_engine::limits::Limits;
+use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_engine::report::{Progress, SolveError, Warning};
+use plateau_engine::request::{Drag, Request};
+use plateau_engine::solved::{Moved, Signal, Unsolved};
+use plateau_engine::source::no_jobs;
 use plateau_mesh::DVec3;
 use serde::Serialize;
 use serde_json::value::RawValue;

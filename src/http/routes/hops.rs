@@ -21,9 +21,9 @@ use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use plateau_forms::kind::Kind;
-use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::report::SolveError;
+use plateau_engine::kind::Kind;
+use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_engine::report::SolveError;
 use serde_json::Value;
 use std::time::Duration;
 

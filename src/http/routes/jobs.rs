@@ -16,7 +16,7 @@ use axum::Json;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use plateau_forms::kind::Kind;
+use plateau_engine::kind::Kind;
 use serde_json::{Value, json};
 use std::time::Duration;
 

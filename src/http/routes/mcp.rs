@@ -14,7 +14,7 @@ use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, Method, Request, Uri, header};
 use axum::response::Response;
 use http_body_util::{BodyExt, Full};
-use plateau_forms::limits::refuse_too_many_values;
+use plateau_engine::limits::refuse_too_many_values;
 use rmcp::transport::streamable_http_server::session::never::NeverSessionManager;
 use rmcp::transport::{StreamableHttpServerConfig, StreamableHttpService};
 use std::sync::Arc;

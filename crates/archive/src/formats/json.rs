@@ -1,5 +1,5 @@
 //! The mesh as JSON in the client's axes and unit, for programs that read no mesh format. Every number reads back as
-//! exactly the same f64. The type `plateau_forms::mesh::Mesh` documents the form.
+//! exactly the same f64. The type `plateau_engine::mesh::Mesh` documents the form.
 
 use plateau_mesh::DVec3;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Tests of a session whose last result moves while the user drags points.
 
-use plateau_forms::solved::Signal;
+use plateau_engine::solved::Signal;
 use plateau_page::session::{Ending, Session};
 use serde_json::Value;
 

@@ -2,14 +2,14 @@
 //! has the results of this test. It is written again by
 //!
 //! ```text
-//! PLATEAU_WRITE=1 cargo test -p plateau-forms --test it closed_forms
+//! PLATEAU_WRITE=1 cargo test -p plateau-engine --test it closed_forms
 //! ```
 //!
 //! The order of a figure is the exponent p for which its error is proportional to the edge length to the power p, from
 //! the first mesh to the third.
 
 use crate::read;
-use plateau_forms::solved::Signal;
+use plateau_engine::solved::Signal;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -293,9 +293,9 @@ fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
     let cases: Vec<Case> = sails().into_iter().chain(heavy_cables()).chain(caps()).chain(catenoids()).collect();
     let mut table = String::from(
         "# Closed forms\n\nFigures of tensile structures at three meshes, beside their closed forms. \
-         `crates/forms/tests/it/closed_forms.rs` has the structures, and fails if an\nerror falls with less than the \
+         `crates/engine/tests/it/closed_forms.rs` has the structures, and fails if an\nerror falls with less than the \
          power 1.8 of the edge length, or 1.6 where the table has a reason. It writes this file anew with \
-         `PLATEAU_WRITE=1 cargo test -p plateau-forms --test it closed_forms`.\nCircles have 32, 64 and 128 points, so \
+         `PLATEAU_WRITE=1 cargo test -p plateau-engine --test it closed_forms`.\nCircles have 32, 64 and 128 points, so \
          that the polygons come nearer to them with the mesh.\n\n| structure | figure | \
          closed form | value | error | | | order |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );

@@ -1,11 +1,11 @@
 //! Regression tests: requests that are known to have given wrong results which looked right. Each is checked against
 //! the right result.
 //!
-//! The requests are in `crates/forms/tests/cases`. References are closed forms, or Surface Evolver's results on the same
+//! The requests are in `crates/engine/tests/cases`. References are closed forms, or Surface Evolver's results on the same
 //! boundary.
 
 use crate::read;
-use plateau_forms::solved::{Signal, Unsolved};
+use plateau_engine::solved::{Signal, Unsolved};
 use serde_json::Value;
 
 fn body(name: &str) -> Vec<u8> {
@@ -244,7 +244,7 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
 }
 
 /// Largest allowed number of elementary operations between two checks of the cancel signal. `cargo bench -p
-/// plateau-forms --bench audit` prints how long the work between two checks takes.
+/// plateau-engine --bench audit` prints how long the work between two checks takes.
 const MOST_WORK: u64 = 2_000_000;
 
 /// Returns hard requests of every kind, in addition to the files of cases.

@@ -1,6 +1,6 @@
 //! Reads valid and invalid requests of 10, 1,000 and 200,000 points.
 //!
-//! `cargo bench -p plateau-forms --bench reading` measures with criterion. With `-- --case` it reads each request a few
+//! `cargo bench -p plateau-engine --bench reading` measures with criterion. With `-- --case` it reads each request a few
 //! times and prints the medians as one JSON line. The line also has the times of the first valid and the first invalid
 //! request of the process. The latter includes compiling schemas.
 
@@ -13,12 +13,12 @@
 )]
 
 use criterion::{BenchmarkId, Criterion};
-use plateau_forms::json;
-use plateau_forms::kinds::minimal_surface::KIND;
-use plateau_forms::limits::Limits;
-use plateau_forms::rejection::Rejection;
-use plateau_forms::request::{Accepted, Request};
-use plateau_forms::source::no_jobs;
+use plateau_engine::json;
+use plateau_engine::kinds::minimal_surface::KIND;
+use plateau_engine::limits::Limits;
+use plateau_engine::rejection::Rejection;
+use plateau_engine::request::{Accepted, Request};
+use plateau_engine::source::no_jobs;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::hint::black_box;

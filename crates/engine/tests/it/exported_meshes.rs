@@ -4,7 +4,7 @@ use crate::sample;
 use plateau_archive::formats::{Choices, MeshFormat, Origin};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Contents, Lines};
-use plateau_forms::mesh::{LineValues, Mesh, MeshLines};
+use plateau_engine::mesh::{LineValues, Mesh, MeshLines};
 use plateau_mesh::DVec3;
 
 fn bits(vertices: &[DVec3]) -> Vec<[u64; 3]> {

@@ -1,11 +1,11 @@
 //! Regression tests: tensile structures that are known to have given a wrong result or error. Each is checked with a
 //! closed form or with statics.
 //!
-//! The requests are in `crates/forms/tests/cases/tensile`.
+//! The requests are in `crates/engine/tests/cases/tensile`.
 
 use crate::read;
-use plateau_forms::rejection::Rejection;
-use plateau_forms::solved::{Signal, Unsolved};
+use plateau_engine::rejection::Rejection;
+use plateau_engine::solved::{Signal, Unsolved};
 use serde_json::{Value, json};
 
 /// How a request ends.

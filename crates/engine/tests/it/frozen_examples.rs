@@ -6,31 +6,31 @@
 //! on, because a fused multiply-add rounds only once. On other machines the solves are skipped, and the skip is
 //! recorded. AVX-512 is not among the instructions, because the examples have the same bits with it and without it.
 //! Its second line has the revision of the solvers and a digest of the rows, so that rows never change within one
-//! revision. If a change is meant to change a row, raise `SOLVER_REVISION` in `crates/forms/src/lib.rs` by one, then
+//! revision. If a change is meant to change a row, raise `SOLVER_REVISION` in `crates/engine/src/lib.rs` by one, then
 //! write the file again with
 //!
 //! ```text
-//! UPDATE_FROZEN=1 cargo test -p plateau-forms --test it frozen_examples
+//! UPDATE_FROZEN=1 cargo test -p plateau-engine --test it frozen_examples
 //! ```
 //!
 //! and say in the commit message which figures changed and by how much. The test prints these changes. After a
 //! conflict in a rebase do the same from the other side's file:
-//! `git checkout --ours crates/forms/tests/frozen_examples.txt` takes the file of the branch that is rebased upon.
+//! `git checkout --ours crates/engine/tests/frozen_examples.txt` takes the file of the branch that is rebased upon.
 //!
 //! A new C library may change the last digits of sines and cosines, and thereby whole rows. In that case write the file
 //! again in a separate commit.
 
 use crate::skips::skipped;
 use crate::{read, root};
-use plateau_forms::SOLVER_REVISION;
-use plateau_forms::solved::{Signal, Solved};
+use plateau_engine::SOLVER_REVISION;
+use plateau_engine::solved::{Signal, Solved};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-const FILE: &str = "crates/forms/tests/frozen_examples.txt";
-const UPDATE: &str = "UPDATE_FROZEN=1 cargo test -p plateau-forms --test it frozen_examples";
+const FILE: &str = "crates/engine/tests/frozen_examples.txt";
+const UPDATE: &str = "UPDATE_FROZEN=1 cargo test -p plateau-engine --test it frozen_examples";
 
 /// Statistics (JSON Pointers) that a line has if the example's kind has them.
 const STATISTICS: [&str; 40] = [
@@ -177,7 +177,7 @@ impl<'a> Frozen<'a> {
         if revision < self.revision || (revision == self.revision && rows != self.rows) {
             return Err(format!(
                 "the results changed, so kept results must not be reused: raise SOLVER_REVISION in \
-                 crates/forms/src/lib.rs to {}, then run {UPDATE}",
+                 crates/engine/src/lib.rs to {}, then run {UPDATE}",
                 self.revision + 1
             ));
         }
@@ -199,7 +199,7 @@ fn the_rows_change_only_with_the_revision_of_the_solvers() {
     let frozen = Frozen::read(&text).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(
         frozen.revision, SOLVER_REVISION,
-        "{FILE} is of another revision than SOLVER_REVISION in crates/forms/src/lib.rs; write it again with {UPDATE}"
+        "{FILE} is of another revision than SOLVER_REVISION in crates/engine/src/lib.rs; write it again with {UPDATE}"
     );
 }
 
@@ -247,7 +247,7 @@ fn every_example_gives_the_committed_mesh_and_statistics() {
     }
     assert!(
         moved.is_empty(),
-        "results changed; if that is intended, raise SOLVER_REVISION in crates/forms/src/lib.rs, run {UPDATE} and give \
+        "results changed; if that is intended, raise SOLVER_REVISION in crates/engine/src/lib.rs, run {UPDATE} and give \
          the changes in the commit message:\n{moved}"
     );
 }
@@ -262,7 +262,7 @@ fn rows_are_not_written_again_within_one_revision() {
         frozen
             .written("# machine", 3, &changed)
             .unwrap_err()
-            .contains("raise SOLVER_REVISION in crates/forms/src/lib.rs to 4")
+            .contains("raise SOLVER_REVISION in crates/engine/src/lib.rs to 4")
     );
     assert!(frozen.written("# machine", 2, &frozen.rows).is_err());
     assert_eq!(frozen.written("# machine", 3, &frozen.rows).unwrap(), text);

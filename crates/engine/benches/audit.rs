@@ -3,7 +3,7 @@
 //! and of the audit are the fastest of several runs.
 //!
 //! ```text
-//! cargo bench --package plateau-forms --bench audit
+//! cargo bench --package plateau-engine --bench audit
 //! ```
 
 #![allow(
@@ -14,10 +14,10 @@
     reason = "a benchmark"
 )]
 
-use plateau_forms::limits::Limits;
-use plateau_forms::request::Request;
-use plateau_forms::solved::Signal;
-use plateau_forms::source::no_jobs;
+use plateau_engine::limits::Limits;
+use plateau_engine::request::Request;
+use plateau_engine::solved::Signal;
+use plateau_engine::source::no_jobs;
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::time::{Duration, Instant};

@@ -19,11 +19,11 @@ mod sample;
 mod skips;
 mod tensile_cases;
 
-use plateau_forms::json;
-use plateau_forms::limits::Limits;
-use plateau_forms::rejection::Rejection;
-use plateau_forms::request::Request;
-use plateau_forms::source::no_jobs;
+use plateau_engine::json;
+use plateau_engine::limits::Limits;
+use plateau_engine::rejection::Rejection;
+use plateau_engine::request::Request;
+use plateau_engine::source::no_jobs;
 use std::path::{Path, PathBuf};
 
 /// Limits of a server with default settings.

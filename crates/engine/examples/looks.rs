@@ -10,9 +10,9 @@
     reason = "an example"
 )]
 
-use plateau_forms::limits::Limits;
-use plateau_forms::request::Request;
-use plateau_forms::solved::Signal;
+use plateau_engine::limits::Limits;
+use plateau_engine::request::Request;
+use plateau_engine::solved::Signal;
 use std::backtrace::Backtrace;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -41,7 +41,7 @@ fn main() {
         iterations: 100_000,
         memory_bytes: 16 << 30,
     };
-    let request = Request::read_with_kind(&value, &plateau_forms::source::no_jobs, &limits).expect("valid").request;
+    let request = Request::read_with_kind(&value, &plateau_engine::source::no_jobs, &limits).expect("valid").request;
     let begun = now();
     let last = Cell::new(begun);
     let phase = RefCell::new(String::new());
