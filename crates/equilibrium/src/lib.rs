@@ -53,10 +53,12 @@ mod dense;
 pub mod energy;
 pub mod form_finding;
 mod freedom;
-mod motion;
+#[doc(hidden)]
+pub mod motion;
 #[doc(hidden)]
 pub mod newton;
-mod normal_motion;
+#[doc(hidden)]
+pub mod normal_motion;
 mod relax;
 #[doc(hidden)]
 pub mod residual;
@@ -78,11 +80,6 @@ pub use newton::{Aim, Outcome, Settings};
 pub use relax::Report;
 pub use stability::Stability;
 pub use support::Support;
-
-#[doc(hidden)]
-pub use motion::{Frame, Motion};
-#[doc(hidden)]
-pub use normal_motion::{FilmState, NormalMotion, film_state};
 
 /// Compiles and runs the example of the README as a doc test.
 #[cfg(doctest)]

@@ -12,8 +12,8 @@
 //!    [`Aim::Stationary`], or where an equation determines a multiplier, the residual must decrease instead of the
 //!    energy.
 //!
-//! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
-//! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
+//! [`NormalMotion`](super::normal_motion::NormalMotion) is the scalar fast path: a film whose vertices move along their
+//! normals. [`Motion`](super::motion::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
 //!
 //! Inside a sheet, vertices move only along their normals. Sliding a vertex within the surface hardly changes the area,
 //! so the full 3n x 3n matrix is nearly singular. Minimising over all coordinates lowers the last digits of the area by
@@ -329,7 +329,8 @@ pub fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{NormalMotion, stability};
+    use crate::normal_motion::NormalMotion;
+    use crate::stability;
     use plateau_mesh::Signal;
     use plateau_mesh::film::Film;
     use plateau_mesh::sparse::pattern::Pattern;

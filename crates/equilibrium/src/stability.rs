@@ -584,8 +584,8 @@ fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NormalMotion;
     use crate::newton::{Aim, Outcome, Settings, iterate};
+    use crate::normal_motion::NormalMotion;
     use plateau_mesh::DVec3;
     use plateau_mesh::film::Film;
     use plateau_mesh::sparse::pattern::Pattern;

@@ -8,6 +8,8 @@ use crate::energy::cable::{Cable, Law};
 use crate::energy::finite_differences::patch as bumpy_patch;
 use crate::energy::length::{self, Stretch};
 use crate::energy::{Length, Term, Volume, Weight};
+use crate::motion::Motion;
+use crate::normal_motion::NormalMotion;
 use glam::DMat3;
 use newton::{Equations, State};
 use plateau_mesh::complex::{Complex, has_junctions};

@@ -1,8 +1,8 @@
 //! Mean curvature and residuals of a film.
 
 use plateau_equilibrium::energy::area;
+use plateau_equilibrium::normal_motion::{FilmState, film_state};
 use plateau_equilibrium::residual::curvature;
-use plateau_equilibrium::{FilmState, film_state};
 use plateau_mesh::DVec3;
 use plateau_mesh::film::Film;
 use plateau_mesh::sparse::pattern::FreeVertices;

@@ -12,8 +12,8 @@
 //! where the theory gives 1.15).
 
 use super::run::ExtrapolatedArea;
-use plateau_equilibrium::NormalMotion;
 use plateau_equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
+use plateau_equilibrium::normal_motion::NormalMotion;
 use plateau_equilibrium::stability::{Margin, stretching};
 use plateau_equilibrium::v_cycle::VCycleSteps;
 use plateau_mesh::film::Film;

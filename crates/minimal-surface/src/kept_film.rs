@@ -14,9 +14,9 @@
 
 use super::harmonic::too_large;
 use super::options::{Constraints, InitialMesh, Method, Newton, Options, TopologyRule};
-use plateau_equilibrium::NormalMotion;
 use plateau_equilibrium::energy::area::Facet;
 use plateau_equilibrium::newton::{Aim, Equations, Outcome, Settings, State, StepSolver, iterate, keeps_orientation};
+use plateau_equilibrium::normal_motion::NormalMotion;
 use plateau_equilibrium::v_cycle::accepts;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::small_angles::smallest_angle;

@@ -73,7 +73,7 @@ pub struct Stability {
 impl Stability {
     /// Returns the stability as the inertia of a factorisation gives it, without a margin.
     pub(crate) fn of(variation: &SecondVariation) -> Self {
-        let plateau_equilibrium::Stability { stable, morse_index, least_index, lowest_eigenvalue } =
+        let plateau_equilibrium::Stability { stable, morse_index, least_index, lowest_eigenvalue, .. } =
             variation.stability();
         Self { stable, morse_index, least_index, lowest_eigenvalue, method: StabilityMethod::Inertia, margin: None }
     }

@@ -24,8 +24,9 @@ use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, W
 use super::weave::StressField;
 use plateau_equilibrium::energy::{PlaneStress, Term};
 use plateau_equilibrium::form_finding::StopReason;
+use plateau_equilibrium::motion::Frame;
 use plateau_equilibrium::newton::{Direct, State, keeps_orientation};
-use plateau_equilibrium::{Aim, Body, Frame, Outcome, Settings, Stability};
+use plateau_equilibrium::{Aim, Body, Outcome, Settings, Stability};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;

@@ -4,8 +4,9 @@ use super::{BALANCE_STEPS, BALANCED, Balance, Found, RENEWED_LOADS, Run, SAME_LO
 use crate::model::{ForceBy, ModelCable, Stage};
 use crate::options::Pressure;
 use plateau_equilibrium::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
+use plateau_equilibrium::motion::Frame;
 use plateau_equilibrium::newton::State;
-use plateau_equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings};
+use plateau_equilibrium::{Aim, Body, Constraint, Determined, Freedom, Outcome, Settings};
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::double_area_vector;
 
