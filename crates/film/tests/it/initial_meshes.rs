@@ -1,7 +1,7 @@
 //! Initial meshes: from boundaries alone (plane polygons, four corners, graded spacing), from the client's own mesh,
 //! and with fixed points and curves. Also faulty inputs.
 
-use crate::boundaries::{circle, helicoid, rings, sides};
+use crate::boundaries::{self, circle, helicoid, rings, sides};
 use plateau_film::minimal_surface::{
     BoundarySampling, Constraints, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution,
     TopologyRule, VertexRelaxation, solve,

@@ -1,6 +1,7 @@
 //! Tests of lower bounds of the area: they are never above a film's area, they are sharp on plane polygons, and a
 //! separate program confirms them in exact arithmetic.
 
+use crate::boundaries;
 use plateau_film::minimal_surface::{
     self, FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
 };
