@@ -1,6 +1,7 @@
 //! Tests of lower bounds of the area: they are never above a film's area, they are sharp on plane polygons, and a
 //! separate program confirms them in exact arithmetic.
 
+use crate::boundaries;
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{LowerBound, Mirror};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Signal};

@@ -1,7 +1,7 @@
 //! Initial meshes: from boundaries alone (plane polygons, four corners, graded spacing), from the client's own mesh,
 //! and with fixed points and curves. Also faulty inputs.
 
-use crate::boundaries::{circle, helicoid, rings, sides};
+use crate::boundaries::{self, circle, helicoid, rings, sides};
 use plateau_mesh::measure;
 use plateau_mesh::polyline::{self, SAME_POINT};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, Signal};

@@ -1,7 +1,7 @@
 //! Tests the default solver: convergence to surfaces that are known in closed form, and the limit areas of the five
 //! reference polygons.
 
-use crate::boundaries::{circle, patch, rings, skew_quadrilateral};
+use crate::boundaries::{self, circle, patch, rings, skew_quadrilateral};
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress, Signal};
 use plateau_minimal_surface::{BoundarySampling, Method, MinimalSurface, Options, Resolution, solve};

@@ -1,5 +1,6 @@
 //! The examples of Chen, Cai and Zheng, and the properties that their method has on every boundary.
 
+use crate::boundaries;
 use plateau_mesh::{DVec3, Execution};
 use plateau_minimal_surface::{
     BoundarySampling, InitialMesh, Method, MinimalSurface, Options, Process, Resolution, VertexRelaxation, solve,

@@ -1,7 +1,7 @@
 //! Motions, exchanges and scalings that must not change a ruled strip's values; promises of a solve; and extreme
 //! inputs.
 
-use crate::ruled::{GOALS, Random, STYLES, Style, random_case};
+use crate::ruled::{self, GOALS, Random, STYLES, Style, random_case};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use plateau_ruled_surface::{
     Caps, Direction, FlatPattern, Objective, Options, RuledSurface, Sampling, Secondary, Strip, Weights, estimate,
