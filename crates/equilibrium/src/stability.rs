@@ -5,7 +5,7 @@
 //! - The Morse index is the number of negative eigenvalues of K, on the tangent space of the constraints if there are
 //!   any. By Sylvester's law it is the number of negative pivots in K = L D Lᵀ, whatever the mass; no eigenvalue needs
 //!   to be computed for it. The pivots belong to a matrix that differs from K by rounding errors. Their count is the
-//!   index if no eigenvalue is as small as a bound on these errors ([`Bordered::is_certain`]). Otherwise the matrices
+//!   index if no eigenvalue is as small as a bound on these errors (`Bordered::is_certain`). Otherwise the matrices
 //!   K + s and K - s are counted for a small s. Equal counts are the index, and different ones are its bounds.
 //! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev,
 //!   *Toward the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or
