@@ -7,9 +7,9 @@ use crate::audit::figure::{Measured, Spread};
 use crate::audit::surface::Surface;
 use crate::audit::{curvature, points, topology};
 use plateau_archive::archive::MEAN_CURVATURE;
-use plateau_minimal_surface::Objective;
 use plateau_mesh::DVec3;
 use plateau_mesh::polyline::{self, position_key};
+use plateau_minimal_surface::Objective;
 use std::collections::BTreeSet;
 
 impl SolverInput {

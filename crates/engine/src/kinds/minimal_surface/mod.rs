@@ -24,8 +24,8 @@ use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use plateau_mesh::Mesh;
+use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

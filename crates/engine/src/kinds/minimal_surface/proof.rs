@@ -6,12 +6,12 @@ use crate::common::Point;
 use crate::solved::to_json;
 use plateau_archive::Attribute;
 use plateau_archive::archive::LOWER_BOUND_SLACK;
-use plateau_minimal_surface::MinimalSurface;
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{Field, LowerBound};
 use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Error, Execution};
+use plateau_minimal_surface::MinimalSurface;
 use serde::Serialize;
 
 /// Returns an estimate of the memory in bytes that the search for a bound takes.

@@ -12,10 +12,10 @@ use crate::solved::{
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_archive::{Attribute, Lines};
 use plateau_equilibrium::form_finding::StopReason;
-use plateau_minimal_surface as minimal_surface;
-use plateau_minimal_surface::{KeptFilm, MovedFilm};
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution, Interruption, polyline};
+use plateau_minimal_surface as minimal_surface;
+use plateau_minimal_surface::{KeptFilm, MovedFilm};
 use std::any::Any;
 
 #[derive(Debug)]

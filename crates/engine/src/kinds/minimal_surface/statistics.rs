@@ -3,8 +3,8 @@
 use super::certificate::Certificate;
 use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, Point};
-use plateau_minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
 use plateau_mesh::measure::Spread;
+use plateau_minimal_surface::{self as geometry, ExtrapolatedArea, HistoryRow, MeanCurvature, Stability};
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -8,8 +8,8 @@ use crate::audit::points;
 use crate::audit::surface::{Sides, Surface, corners};
 use plateau_archive::archive::CABLES;
 use plateau_archive::{Attribute, Lines};
-use plateau_tensile_structure::{CableMode, Chamber, FilmPrestress};
 use plateau_mesh::DVec3;
+use plateau_tensile_structure::{CableMode, Chamber, FilmPrestress};
 use std::collections::BTreeMap;
 
 /// Largest allowed difference between the stated force of a cable and the mean force of its segments, relative to the

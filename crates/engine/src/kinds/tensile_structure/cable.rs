@@ -2,8 +2,8 @@
 
 use crate::bounds::{List, NonNegative, Positive, Text, given, is_default};
 use crate::common::{self, Point};
-use plateau_tensile_structure as geometry;
 use plateau_mesh::DVec3;
+use plateau_tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

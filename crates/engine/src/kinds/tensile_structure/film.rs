@@ -3,8 +3,8 @@
 use crate::bounds::{List, NonNegative, OneOf, Positive, Signed, given, given_one};
 use crate::common::{self, Point};
 use crate::rejection::FieldError;
-use plateau_tensile_structure::{self as geometry, WeaveHold};
 use plateau_mesh::DVec3;
+use plateau_tensile_structure::{self as geometry, WeaveHold};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

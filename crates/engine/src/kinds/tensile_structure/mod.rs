@@ -24,8 +24,8 @@ use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_tensile_structure as geometry;
 use plateau_mesh::DVec3;
+use plateau_tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

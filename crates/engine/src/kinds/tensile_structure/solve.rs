@@ -10,9 +10,9 @@ use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::{ForceUnit, Unit};
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_equilibrium::form_finding::StopReason;
-use plateau_tensile_structure as tensile_structure;
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
+use plateau_tensile_structure as tensile_structure;
 
 /// Name of the line set of the held segments of the boundaries.
 pub(super) const HELD_EDGES: &str = "held edges";

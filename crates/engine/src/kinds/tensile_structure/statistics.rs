@@ -4,8 +4,8 @@ use crate::audit::crossings::Crossings;
 use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
 use plateau_equilibrium::Stability;
-use plateau_tensile_structure::{self as geometry, Stress};
 use plateau_mesh::measure::Spread;
+use plateau_tensile_structure::{self as geometry, Stress};
 use schemars::JsonSchema;
 use serde::Serialize;
 
