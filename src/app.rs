@@ -3,7 +3,7 @@
 use crate::auth::Keys;
 use crate::config::Config;
 use crate::http::budget::Budget;
-use crate::http::seats::Seats;
+use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
 use crate::http::{mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
@@ -100,7 +100,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let (http, limits) = (&config.http, &config.limits);
         let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
-        let seats = Arc::new(Seats::new(config.open_requests()));
+        let seats = Arc::new(OpenRequests::new(config.open_requests()));
         let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
         let document = openapi::served_at;
         let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, document };

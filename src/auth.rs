@@ -131,7 +131,7 @@ pub struct Admitted {
 
 /// Reason for refusing a request.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
+pub enum AuthError {
     /// The server requires a key, and the request carries no known key.
     Unknown,
     /// The key has used up its requests. One more will be available after this number of seconds.
@@ -236,21 +236,21 @@ impl Keys {
     /// Takes one request from the allowance of the presented key.
     ///
     /// # Errors
-    /// Returns a [`Refusal`].
-    pub fn admit(&self, presented: Option<&str>) -> Result<Admitted, Refusal> {
+    /// Returns a [`AuthError`].
+    pub fn admit(&self, presented: Option<&str>) -> Result<Admitted, AuthError> {
         let key = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
             if !known.required {
                 return Ok(Admitted { name: None, left: None });
             }
-            presented.and_then(|presented| known.find(presented)).ok_or(Refusal::Unknown)?
+            presented.and_then(|presented| known.find(presented)).ok_or(AuthError::Unknown)?
         };
         let per_minute = self.config.requests_per_minute;
         let mut left = None;
         if per_minute > 0 {
             let mut allowance = key.allowance.lock().unwrap_or_else(PoisonError::into_inner);
             let taken = allowance.take(f64::from(per_minute), Instant::now());
-            left = Some(taken.map_err(|wait_s| Refusal::TooMany { wait_s })?);
+            left = Some(taken.map_err(|wait_s| AuthError::TooMany { wait_s })?);
         }
         Ok(Admitted { name: Some(key.name.clone()), left })
     }
@@ -338,9 +338,9 @@ mod tests {
         assert_eq!(admitted(&key).as_deref(), Some("me"));
         assert_eq!(admitted(&other).as_deref(), Some("you"));
         for wrong in [digest.clone(), format!("{key}0"), String::new()] {
-            assert_eq!(known.admit(Some(&wrong)), Err(Refusal::Unknown), "{wrong}");
+            assert_eq!(known.admit(Some(&wrong)), Err(AuthError::Unknown), "{wrong}");
         }
-        assert_eq!(known.admit(None), Err(Refusal::Unknown));
+        assert_eq!(known.admit(None), Err(AuthError::Unknown));
         assert!(!format!("{known:?}").contains(&digest[..8]));
     }
 
@@ -394,7 +394,7 @@ mod tests {
         assert!(keys.replace("me 12").is_err());
         assert!(keys.admit(Some(&key)).unwrap().name.is_some());
         keys.replace("").unwrap();
-        assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(Refusal::Unknown), Err(Refusal::Unknown)));
+        assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(AuthError::Unknown), Err(AuthError::Unknown)));
     }
 
     #[tokio::test]
@@ -432,6 +432,6 @@ mod tests {
         keys.replace(&format!("me {digest}")).unwrap();
         assert!(keys.admit(Some(&key)).is_ok());
         keys.replace(&format!("me {digest}\n# a comment\n")).unwrap();
-        assert!(matches!(keys.admit(Some(&key)), Err(Refusal::TooMany { .. })));
+        assert!(matches!(keys.admit(Some(&key)), Err(AuthError::TooMany { .. })));
     }
 }

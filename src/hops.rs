@@ -16,7 +16,7 @@ pub mod values;
 
 /// Reason why a message of Hops is not a request of a component. Each line names an input.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refusal {
+pub enum HopsError {
     /// The body is not a message of Hops.
     Malformed(String),
     /// No component has this name.

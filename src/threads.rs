@@ -27,7 +27,7 @@ struct Running<S> {
 
 /// Reason for which work has no result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lost {
+pub enum WorkFailure {
     Panicked,
     Closed,
 }
@@ -56,7 +56,10 @@ impl<S: Default + 'static> Threads<S> {
 
     /// Runs `work` on a free thread. The work is completed even if the caller goes away. If it panics, the thread gets
     /// a new state.
-    pub async fn run<T: Send + 'static>(&self, work: impl FnOnce(&mut S) -> T + Send + 'static) -> Result<T, Lost> {
+    pub async fn run<T: Send + 'static>(
+        &self,
+        work: impl FnOnce(&mut S) -> T + Send + 'static,
+    ) -> Result<T, WorkFailure> {
         let (answer, answered) = oneshot::channel();
         let run = move |state: &mut S| {
             let done = catch_unwind(AssertUnwindSafe(|| work(state)));
@@ -67,10 +70,10 @@ impl<S: Default + 'static> Threads<S> {
             let _ = answer.send(done);
         };
         match &*self.running() {
-            Some(running) => running.work.send(Box::new(run)).map_err(|_| Lost::Closed)?,
-            None => return Err(Lost::Closed),
+            Some(running) => running.work.send(Box::new(run)).map_err(|_| WorkFailure::Closed)?,
+            None => return Err(WorkFailure::Closed),
         }
-        answered.await.map_err(|_| Lost::Closed)?.map_err(|_| Lost::Panicked)
+        answered.await.map_err(|_| WorkFailure::Closed)?.map_err(|_| WorkFailure::Panicked)
     }
 
     /// Waits for running work and ends the threads. Later work is lost.
@@ -110,9 +113,9 @@ mod tests {
             *state
         };
         assert_eq!((threads.run(count).await, threads.run(count).await), (Ok(1), Ok(2)));
-        assert_eq!(threads.run(|_| panic!("as asked")).await, Err::<(), _>(Lost::Panicked));
+        assert_eq!(threads.run(|_| panic!("as asked")).await, Err::<(), _>(WorkFailure::Panicked));
         assert_eq!(threads.run(count).await, Ok(1));
         threads.close().await;
-        assert_eq!(threads.run(count).await, Err(Lost::Closed));
+        assert_eq!(threads.run(count).await, Err(WorkFailure::Closed));
     }
 }

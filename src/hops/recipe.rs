@@ -1,6 +1,6 @@
 //! Builds an API request from the inputs of a Hops component, and states which input each field comes from.
 
-use super::Refusal;
+use super::HopsError;
 use super::component::Recipe;
 use super::values::{Values, nth};
 use plateau_archive::units::Unit;
@@ -21,7 +21,7 @@ const ON_BOUNDARY: f64 = 1e-3;
 
 /// A request that has not been checked yet.
 #[derive(Debug)]
-pub struct Draft {
+pub struct UncheckedRequest {
     pub kind: Kind,
     request: Map<String, Value>,
     /// Name of the input that each field was made from, by the field's JSON Pointer.
@@ -31,21 +31,21 @@ pub struct Draft {
 /// Builds a request from the values of a component's inputs. Curves become polylines of at most `max_points` points.
 ///
 /// # Errors
-/// Returns [`Refusal::Invalid`] with a line for each input that cannot be used. The service's own checks come later.
-pub fn draft(recipe: Recipe, values: &Values, max_points: usize) -> Result<Draft, Refusal> {
+/// Returns [`HopsError::Invalid`] with a line for each input that cannot be used. The service's own checks come later.
+pub fn draft(recipe: Recipe, values: &Values, max_points: usize) -> Result<UncheckedRequest, HopsError> {
     let mut maker = Maker {
         values,
         max_points,
         errors: Vec::new(),
-        draft: Draft { kind: recipe.kind, request: Map::new(), places: BTreeMap::new() },
+        draft: UncheckedRequest { kind: recipe.kind, request: Map::new(), places: BTreeMap::new() },
     };
     maker.make(recipe.block);
     maker.add_options();
     maker.add_document_unit();
-    if maker.errors.is_empty() { Ok(maker.draft) } else { Err(Refusal::Invalid(maker.errors)) }
+    if maker.errors.is_empty() { Ok(maker.draft) } else { Err(HopsError::Invalid(maker.errors)) }
 }
 
-impl Draft {
+impl UncheckedRequest {
     /// Returns the request's body.
     #[must_use]
     pub fn body(&self) -> Vec<u8> {
@@ -80,7 +80,7 @@ struct Maker<'a> {
     values: &'a Values,
     max_points: usize,
     errors: Vec<String>,
-    draft: Draft,
+    draft: UncheckedRequest,
 }
 
 /// Converts those inputs of a block that a request cannot take unchanged, such as curves.
@@ -569,7 +569,7 @@ mod tests {
 
     #[test]
     fn errors_name_inputs_and_points() {
-        let mut draft = Draft { kind: minimal_surface::KIND, request: Map::new(), places: BTreeMap::new() };
+        let mut draft = UncheckedRequest { kind: minimal_surface::KIND, request: Map::new(), places: BTreeMap::new() };
         for (pointer, input) in [
             ("/boundaries", "Boundaries"),
             ("/boundaries/1", "Boundaries[1]"),

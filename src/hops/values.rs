@@ -1,6 +1,6 @@
 //! Reads the message in which Hops sends the values of a component's inputs.
 
-use super::Refusal;
+use super::HopsError;
 use super::component::{Component, find};
 use crate::hops::envelope;
 use plateau_engine::blocks::{Input, Type};
@@ -107,12 +107,12 @@ pub struct Named {
 /// Reads a message and finds the component that it names. The values of its inputs are read later, by [`read`].
 ///
 /// # Errors
-/// Returns [`Refusal::Malformed`] or [`Refusal::Unknown`].
-pub fn message(body: &[u8]) -> Result<Named, Refusal> {
+/// Returns [`HopsError::Malformed`] or [`HopsError::Unknown`].
+pub fn message(body: &[u8]) -> Result<Named, HopsError> {
     let message: Message = serde_json::from_slice(body)
-        .map_err(|error| Refusal::Malformed(format!("the body is not a message of Hops: {error}")))?;
+        .map_err(|error| HopsError::Malformed(format!("the body is not a message of Hops: {error}")))?;
     let component = find(&message.pointer.unwrap_or_default())
-        .ok_or_else(|| Refusal::Unknown("the pointer names no component of this server; see GET /hops".into()))?;
+        .ok_or_else(|| HopsError::Unknown("the pointer names no component of this server; see GET /hops".into()))?;
     let document_tolerance = message.absolutetolerance.filter(|tolerance| *tolerance > 0.0).unwrap_or(0.0);
     let document_unit = shortened(&message.modelunits.unwrap_or_default());
     Ok(Named { component, values: message.values, document_tolerance, document_unit })
@@ -121,8 +121,8 @@ pub fn message(body: &[u8]) -> Result<Named, Refusal> {
 /// Reads the values of a component's inputs. Curves and meshes may have at most `max_points` points.
 ///
 /// # Errors
-/// Returns [`Refusal::Outdated`] or [`Refusal::Invalid`], with a line for each input that cannot be used.
-pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
+/// Returns [`HopsError::Outdated`] or [`HopsError::Invalid`], with a line for each input that cannot be used.
+pub fn read(message: &Named, max_points: usize) -> Result<Values, HopsError> {
     let Named { component, values, document_tolerance, document_unit } = message;
     let mut sent: BTreeMap<&str, &[Item]> = BTreeMap::new();
     let mut outdated = Vec::new();
@@ -136,7 +136,7 @@ pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
     let missing = component.inputs.iter().filter(|input| input.default.is_none() && !sent.contains_key(input.name));
     outdated.extend(missing.map(|input| format!("{}: is required", input.name)));
     if !outdated.is_empty() {
-        return Err(Refusal::Outdated(outdated));
+        return Err(HopsError::Outdated(outdated));
     }
     let mut given = BTreeMap::new();
     let mut errors = Vec::new();
@@ -147,7 +147,7 @@ pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
         }
     }
     if !errors.is_empty() {
-        return Err(Refusal::Invalid(errors));
+        return Err(HopsError::Invalid(errors));
     }
     Ok(Values { given, document_tolerance: *document_tolerance, document_unit: document_unit.clone() })
 }

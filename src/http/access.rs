@@ -1,10 +1,10 @@
 //! Access checks: the host, the origin of the page and the API key.
 
-use crate::auth::{Left, Refusal};
+use crate::auth::{AuthError, Left};
 use crate::config::HttpConfig;
 use crate::hops;
+use crate::http::open_requests::{self, NoConnection};
 use crate::http::problem::Failure;
-use crate::http::seats::{self, NoConnection};
 use crate::http::state::App;
 use axum::extract::{FromRequestParts, Request, State};
 use axum::http::request::Parts;
@@ -81,7 +81,7 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
         return next.run(request).await;
     }
     if is_public(request.uri().path()) {
-        let client = seats::address(request.extensions());
+        let client = open_requests::address(request.extensions());
         return seated(&app, &client, request, next).await;
     }
     let presented = presented_key(request.headers(), request.uri().path());
@@ -93,7 +93,7 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
             }
             let response = match admitted.name {
                 None => {
-                    let client = seats::address(request.extensions());
+                    let client = open_requests::address(request.extensions());
                     seated(&app, &client, request, next).await
                 }
                 Some(name) => {
@@ -112,10 +112,10 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
                 None => response,
             }
         }
-        Err(Refusal::Unknown) => {
+        Err(AuthError::Unknown) => {
             Failure::unauthorized("send Authorization: Bearer with a key of this server").into_response()
         }
-        Err(Refusal::TooMany { wait_s }) => {
+        Err(AuthError::TooMany { wait_s }) => {
             let wait_s = wait_s.ceil() as u64;
             let refused = Failure::rate_limited(format!("a key may make {per_minute} requests a minute"))
                 .with_header(header::RETRY_AFTER, HeaderValue::from(wait_s))

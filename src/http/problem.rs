@@ -104,14 +104,14 @@ impl Failure {
 
     /// Returns the failure for a refused message of Hops, and the lines of text that Hops shows for it.
     #[must_use]
-    pub fn of_hops(refusal: hops::Refusal) -> (Self, Vec<String>) {
+    pub fn of_hops(refusal: hops::HopsError) -> (Self, Vec<String>) {
         match refusal {
-            hops::Refusal::Malformed(line) => (Self::malformed(""), vec![line]),
-            hops::Refusal::Unknown(line) => (Self::not_found(""), vec![line]),
-            hops::Refusal::Invalid(lines) => (Self::invalid(""), lines),
+            hops::HopsError::Malformed(line) => (Self::malformed(""), vec![line]),
+            hops::HopsError::Unknown(line) => (Self::not_found(""), vec![line]),
+            hops::HopsError::Invalid(lines) => (Self::invalid(""), lines),
             // Hops asks for the description again if the status is 500 and the first line has this text. It then shows
             // the component with its present inputs.
-            hops::Refusal::Outdated(mut lines) => {
+            hops::HopsError::Outdated(mut lines) => {
                 lines.insert(0, BAD_INPUTS.into());
                 (Self::internal(""), lines)
             }

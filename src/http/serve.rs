@@ -8,8 +8,8 @@
 use crate::auth::Removal;
 use crate::config::HttpConfig;
 use crate::http::access::is_health;
+use crate::http::open_requests::{NoConnection, OpenRequest};
 use crate::http::pace::Paced;
-use crate::http::seats::{NoConnection, Seat};
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::ConnectInfo;
@@ -333,7 +333,7 @@ struct Answering {
     rest: Bytes,
     /// Completes when the client's key is removed. The body then ends with an error.
     removal: Option<Removal>,
-    _seat: Option<Arc<Seat>>,
+    _seat: Option<Arc<OpenRequest>>,
     _busy: Busy,
 }
 

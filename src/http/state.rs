@@ -3,7 +3,7 @@
 use crate::auth::Keys;
 use crate::config::Config;
 use crate::http::budget::Budget;
-use crate::http::seats::Seats;
+use crate::http::open_requests::OpenRequests;
 use crate::jobs::Jobs;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ pub struct App {
     /// Budget for request bodies that are being read.
     pub bodies: Arc<Budget>,
     /// Limits of the requests that each client has open.
-    pub seats: Arc<Seats>,
+    pub seats: Arc<OpenRequests>,
     pub keys: Arc<Keys>,
     /// Returns the API document as a server below a base path serves it. The document is made at the first call,
     /// because making its schemas takes longer than everything else at the start of the process.

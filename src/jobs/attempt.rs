@@ -2,7 +2,7 @@
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
 use super::memory::Share;
-use super::progress::Line;
+use super::progress::SolverLink;
 use super::{Jobs, sources, view};
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
@@ -40,14 +40,14 @@ pub(super) struct Attempt {
     kind: String,
     number: i64,
     started: Instant,
-    line: Arc<Line>,
+    link: Arc<SolverLink>,
     span: Span,
     /// Permit that makes a shutdown wait for this attempt.
     _under_way: Option<OwnedSemaphorePermit>,
 }
 
 /// How an attempt ended.
-pub(super) enum End {
+pub(super) enum AttemptEnd {
     Finished(Status),
     /// The job was cancelled, deleted or taken over, so the outcome is not stored.
     Dropped,
@@ -55,9 +55,9 @@ pub(super) enum End {
 }
 
 /// Reason why the wait for a solver ended.
-enum Waited {
+enum WaitEnd {
     /// The solver ended. There is no outcome if the job was cancelled.
-    Ended(Option<Outcome>),
+    SolverEnded(Option<Outcome>),
     /// The solver did not end within [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms).
     Unresponsive,
     /// The shutdown's grace time is over.
@@ -65,7 +65,7 @@ enum Waited {
 }
 
 /// How a solver ended.
-enum Ended {
+enum SolverEnd {
     Solved(Box<Solved>),
     Unsolved(Unsolved),
     Rejected(Rejection),
@@ -99,8 +99,8 @@ pub(super) async fn hand_back(jobs: &Jobs, claimed: &Claimed) {
 
 impl Attempt {
     pub(super) fn begin(jobs: &Jobs, id: &str, kind: &str, number: i64, waited_ms: i64) -> Self {
-        let line = Arc::new(Line::new(Duration::from_millis(jobs.config().jobs.deadline_ms)));
-        jobs.running().insert(id, line.clone());
+        let link = Arc::new(SolverLink::new(Duration::from_millis(jobs.config().jobs.deadline_ms)));
+        jobs.running().insert(id, link.clone());
         metrics::gauge!(metric::RUNNING).increment(1.0);
         let waited_s = waited_ms as f64 / 1e3;
         metrics::histogram!(metric::WAIT_SECONDS, "kind" => kind.to_owned()).record(waited_s);
@@ -112,21 +112,21 @@ impl Attempt {
             kind: kind.to_owned(),
             number,
             started: Instant::now(),
-            line,
+            link,
             span,
             _under_way: jobs.under_way(),
         }
     }
 
-    pub(super) fn end(self, end: End) {
+    pub(super) fn end(self, end: AttemptEnd) {
         let status = match end {
-            End::HandedBack => return,
+            AttemptEnd::HandedBack => return,
             // A cancelled job was counted by its cancel. A job that another worker took over is counted by that worker.
-            End::Dropped => {
+            AttemptEnd::Dropped => {
                 self.span.in_scope(|| tracing::info!("ended without a result"));
                 return;
             }
-            End::Finished(status) => status.name(),
+            AttemptEnd::Finished(status) => status.name(),
         };
         let elapsed = self.started.elapsed();
         self.span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "ended"));
@@ -137,17 +137,17 @@ impl Attempt {
     /// Solves the request on this thread. The request must be `quick`, because its memory is not reserved.
     pub(super) fn solve(&self, request: &Request, request_hash: &[u8; 32]) -> Option<Outcome> {
         let _entered = self.span.enter();
-        let ended = guarded(|| solve(&self.id, request, &self.line));
+        let ended = guarded(|| solve(&self.id, request, &self.link));
         note_audit(&ended, &self.kind, || *request_hash);
         outcome(ended)
     }
 
     fn spawn_solver(&self, claimed: Claimed, mut share: Share) -> Solver {
         let (sender, receiver) = oneshot::channel();
-        let (jobs, line, span) = (self.jobs.clone(), self.line.clone(), self.span.clone());
+        let (jobs, link, span) = (self.jobs.clone(), self.link.clone(), self.span.clone());
         let run = move || {
             let _entered = span.enter();
-            let ended = guarded(|| read_and_solve(&jobs, &claimed, &line, &mut share));
+            let ended = guarded(|| read_and_solve(&jobs, &claimed, &link, &mut share));
             note_audit(&ended, &claimed.kind, || Sha256::digest(&claimed.request).into());
             drop(share);
             // The receiver is gone if this solver was given up.
@@ -163,21 +163,21 @@ impl Attempt {
     }
 
     /// Renews the claim until the solver ends, and then stores the outcome.
-    async fn supervise(&self, mut solver: Solver, slot: OwnedSemaphorePermit) -> End {
+    async fn supervise(&self, mut solver: Solver, slot: OwnedSemaphorePermit) -> AttemptEnd {
         let grace = async {
             self.jobs.shutdown().await;
             tokio::time::sleep(Duration::from_millis(self.jobs.config().http.shutdown_grace_ms)).await;
         };
         let mut grace: Pin<&mut (dyn Future<Output = ()> + Send)> = std::pin::pin!(grace);
         let ended = match self.renew_until_solved(&mut solver, &mut grace).await {
-            Waited::Ended(outcome) => outcome,
-            Waited::Unresponsive => self.give_up(solver),
-            Waited::ShutDown => {
-                self.line.stop();
+            WaitEnd::SolverEnded(outcome) => outcome,
+            WaitEnd::Unresponsive => self.give_up(solver),
+            WaitEnd::ShutDown => {
+                self.link.stop();
                 let ended = tokio::time::timeout(STOP_PATIENCE, &mut solver).await.is_ok();
                 // A solver that checked the signal recently is not defective: a long factorisation may run for seconds
                 // between two checks.
-                if ended || self.line.not_looked_for() < self.patience() {
+                if ended || self.link.not_looked_for() < self.patience() {
                     return self.hand_back().await;
                 }
                 self.give_up(solver)
@@ -187,7 +187,7 @@ impl Attempt {
         drop(slot);
         match ended {
             Some(outcome) => self.store_outcome(outcome, &mut grace).await,
-            None => End::Dropped,
+            None => AttemptEnd::Dropped,
         }
     }
 
@@ -199,9 +199,9 @@ impl Attempt {
             self.jobs.solver_came_back();
             return outcome;
         }
-        let not_looked_for_ms = self.line.not_looked_for().as_millis() as u64;
+        let not_looked_for_ms = self.link.not_looked_for().as_millis() as u64;
         tracing::error!(not_looked_for_ms, "the solver does not answer, and is given up");
-        outcome(Ended::Unresponsive)
+        outcome(SolverEnd::Unresponsive)
     }
 
     /// Time limit for a solver to end after it was asked to end.
@@ -210,7 +210,7 @@ impl Attempt {
     }
 
     /// Renews the lease and stores progress until the solver has ended, also during an outage of the store.
-    async fn renew_until_solved(&self, solver: &mut Solver, grace: &mut (impl Future<Output = ()> + Unpin)) -> Waited {
+    async fn renew_until_solved(&self, solver: &mut Solver, grace: &mut (impl Future<Output = ()> + Unpin)) -> WaitEnd {
         let (store, lease) = (self.jobs.store(), self.lease());
         let mut renewal = tokio::time::interval_at(tokio::time::Instant::now() + lease / 3, lease / 3);
         let tick = Duration::from_millis(self.jobs.config().jobs.progress_interval_ms.max(10));
@@ -218,10 +218,10 @@ impl Attempt {
         progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
         loop {
             let renewed = tokio::select! {
-                ended = &mut *solver => return Waited::Ended(ended.unwrap_or_else(|_| outcome(Ended::Panicked))),
-                _ = progress.tick() => match self.line.take() {
-                    _ if self.line.asked_to_end_for().is_some_and(|time| time > self.patience()) => {
-                        return Waited::Unresponsive;
+                ended = &mut *solver => return WaitEnd::SolverEnded(ended.unwrap_or_else(|_| outcome(SolverEnd::Panicked))),
+                _ = progress.tick() => match self.link.take() {
+                    _ if self.link.asked_to_end_for().is_some_and(|time| time > self.patience()) => {
+                        return WaitEnd::Unresponsive;
                     }
                     Some(progress) => {
                         // Serialization cannot fail because a progress has only strings and finite numbers.
@@ -231,11 +231,11 @@ impl Attempt {
                     None => continue,
                 },
                 _ = renewal.tick() => store.renew(&self.id, self.number, lease).await,
-                () = &mut *grace => return Waited::ShutDown,
+                () = &mut *grace => return WaitEnd::ShutDown,
             };
             match renewed {
                 Ok(Renewed::Held) => {}
-                Ok(Renewed::Cancelled | Renewed::Lost) => self.line.stop(),
+                Ok(Renewed::Cancelled | Renewed::Lost) => self.link.stop(),
                 // The solver goes on even if the lease runs out, because the outage may affect all processes, so that
                 // none takes the job over. If one has taken it over, the next renewal says so.
                 Err(error) => tracing::warn!(%error, "cannot reach the store"),
@@ -246,20 +246,20 @@ impl Attempt {
     /// Stores an outcome. If the store cannot be written, the attempt holds the outcome, renews the claim and tries
     /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the
     /// attempt's number. The store also says whether an earlier try was stored although its answer was lost.
-    async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> End {
+    async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> AttemptEnd {
         let (store, lease) = (self.jobs.store(), self.lease());
         let status = outcome.status();
         let outcome = Arc::new(outcome);
         let (mut pause, mut defects, mut slot) = (FIRST_PAUSE, 0, None);
         loop {
             match store.finish(&self.id, self.number, outcome.clone()).await {
-                Ok(true) => return End::Finished(status),
-                Ok(false) => return End::Dropped,
+                Ok(true) => return AttemptEnd::Finished(status),
+                Ok(false) => return AttemptEnd::Dropped,
                 Err(error) => {
                     tracing::warn!(%error, "cannot store the outcome; it is held and tried again");
                     defects += usize::from(matches!(error, StoreError::Internal(_)));
                     if defects == DEFECT_TRIES {
-                        return End::Dropped;
+                        return AttemptEnd::Dropped;
                     }
                 }
             }
@@ -283,12 +283,12 @@ impl Attempt {
         }
     }
 
-    async fn hand_back(&self) -> End {
+    async fn hand_back(&self) -> AttemptEnd {
         let given_up = Instant::now() + HAND_BACK_PATIENCE;
         loop {
             match self.jobs.store().hand_back(&self.id, self.number).await {
                 Ok(true) => tracing::info!("handed back"),
-                Ok(false) => return End::Dropped,
+                Ok(false) => return AttemptEnd::Dropped,
                 Err(error) if Instant::now() < given_up => {
                     tracing::warn!(%error, "cannot hand the job back; it is tried again");
                     tokio::time::sleep(FIRST_PAUSE).await;
@@ -296,7 +296,7 @@ impl Attempt {
                 }
                 Err(error) => tracing::warn!(%error, "cannot hand the job back; its lease will run out"),
             }
-            return End::HandedBack;
+            return AttemptEnd::HandedBack;
         }
     }
 
@@ -307,59 +307,59 @@ impl Attempt {
 
 impl Drop for Attempt {
     fn drop(&mut self) {
-        self.jobs.running().remove(&self.id, &self.line);
+        self.jobs.running().remove(&self.id, &self.link);
         metrics::gauge!(metric::RUNNING).decrement(1.0);
     }
 }
 
-fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line, share: &mut Share) -> Ended {
+fn read_and_solve(jobs: &Jobs, claimed: &Claimed, link: &SolverLink, share: &mut Share) -> SolverEnd {
     let Some(kind) = Kind::from_name(&claimed.kind) else {
         let detail = "this version does not know this kind of job";
-        return Ended::Unsolved(Unsolved::Failed(JobFailure::UnknownKind.error(detail, Vec::new())));
+        return SolverEnd::Unsolved(Unsolved::Failed(JobFailure::UnknownKind.error(detail, Vec::new())));
     };
-    let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), line);
+    let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), link);
     let request = match Request::read_stored(kind, &claimed.request, &find, &jobs.config().limits.requests()) {
         Ok(request) => request,
-        Err(rejection) => return Ended::Rejected(rejection),
+        Err(rejection) => return SolverEnd::Rejected(rejection),
     };
     share.raise_to(request.memory_bytes);
-    solve(&claimed.id, &request, line)
+    solve(&claimed.id, &request, link)
 }
 
 #[cfg_attr(not(feature = "test-hooks"), expect(unused_variables, reason = "only the hooks need the identifier"))]
-fn solve(id: &str, request: &Request, line: &Line) -> Ended {
-    let report = |progress| line.report(progress);
+fn solve(id: &str, request: &Request, link: &SolverLink) -> SolverEnd {
+    let report = |progress| link.report(progress);
     #[cfg(feature = "test-hooks")]
     let holds =
-        crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == solved::Signal::Continue);
+        crate::test_hooks::Holds::claimed(id, request.kind().name(), || link.signal() == solved::Signal::Continue);
     #[cfg(feature = "test-hooks")]
     let report = |progress: plateau_engine::report::Progress| {
         let fraction = progress.fraction;
         report(progress);
-        holds.progress(fraction, || line.is_taken());
+        holds.progress(fraction, || link.is_taken());
     };
-    let solved = request.solve(&|| line.signal(), &report);
+    let solved = request.solve(&|| link.signal(), &report);
     #[cfg(feature = "test-hooks")]
     holds.solved();
     match solved {
-        Ok(solved) => Ended::Solved(Box::new(solved)),
-        Err(unsolved) => Ended::Unsolved(unsolved),
+        Ok(solved) => SolverEnd::Solved(Box::new(solved)),
+        Err(unsolved) => SolverEnd::Unsolved(unsolved),
     }
 }
 
 /// Turns a panic of the solver into a failed job, so that the worker survives. Data that the solver touched is not used
 /// afterwards.
-fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
+fn guarded(solve: impl FnOnce() -> SolverEnd) -> SolverEnd {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(solve)).unwrap_or_else(|_| {
         tracing::error!("the solver panicked");
-        Ended::Panicked
+        SolverEnd::Panicked
     })
 }
 
 /// Logs and counts a result that the audit withheld. The log has the hash of the request as the store has it, never the
 /// request itself.
-fn note_audit(ended: &Ended, kind: &str, request_hash: impl FnOnce() -> [u8; 32]) {
-    let Ended::Unsolved(Unsolved::Failed(error)) = ended else { return };
+fn note_audit(ended: &SolverEnd, kind: &str, request_hash: impl FnOnce() -> [u8; 32]) {
+    let SolverEnd::Unsolved(Unsolved::Failed(error)) = ended else { return };
     if !error.is_of_the_audit() {
         return;
     }
@@ -369,9 +369,9 @@ fn note_audit(ended: &Ended, kind: &str, request_hash: impl FnOnce() -> [u8; 32]
 }
 
 /// Returns the outcome to store, or `None` if the job was cancelled.
-fn outcome(ended: Ended) -> Option<Outcome> {
+fn outcome(ended: SolverEnd) -> Option<Outcome> {
     let error = match ended {
-        Ended::Solved(solved) => match solved.archive.to_bytes() {
+        SolverEnd::Solved(solved) => match solved.archive.to_bytes() {
             Ok(artefact) => {
                 return Some(Outcome::Succeeded {
                     summary: view::summary_of(&solved.statistics),
@@ -385,21 +385,21 @@ fn outcome(ended: Ended) -> Option<Outcome> {
             }
             Err(defect) => SolveError::internal(defect.to_string()),
         },
-        Ended::Unsolved(Unsolved::Cancelled) => return None,
-        Ended::Unsolved(Unsolved::Failed(error)) => error,
-        Ended::Rejected(rejection) => {
+        SolverEnd::Unsolved(Unsolved::Cancelled) => return None,
+        SolverEnd::Unsolved(Unsolved::Failed(error)) => error,
+        SolverEnd::Rejected(rejection) => {
             let (detail, errors) = match rejection {
                 Rejection::Malformed(detail) => (detail, Vec::new()),
                 Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
             };
             JobFailure::Refused.error(detail, errors)
         }
-        Ended::Unresponsive => {
+        SolverEnd::Unresponsive => {
             let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect \
                 of this server; the request is not the cause";
             JobFailure::Unresponsive.error(detail, Vec::new())
         }
-        Ended::Panicked => {
+        SolverEnd::Panicked => {
             let detail = "the solver hit a defect of this server; the request is not the cause";
             JobFailure::SolverPanicked.error(detail, Vec::new())
         }
@@ -428,7 +428,7 @@ mod tests {
             (Rejection::Invalid(errors), "/boundaries is too large; one more error is listed in errors"),
             (Rejection::Malformed("the body is UTF-16".into()), "the body is UTF-16"),
         ] {
-            let Some(Outcome::Failed { error }) = outcome(Ended::Rejected(rejection)) else { panic!("failed") };
+            let Some(Outcome::Failed { error }) = outcome(SolverEnd::Rejected(rejection)) else { panic!("failed") };
             let error: SolveError = serde_json::from_str(&error).unwrap();
             assert_eq!((error.kind.as_str(), error.detail.as_str()), ("/problems/refused", detail));
         }
@@ -436,7 +436,7 @@ mod tests {
 
     #[test]
     fn a_cancelled_job_has_no_outcome_and_a_missed_deadline_is_a_failed_one() {
-        assert!(outcome(Ended::Unsolved(Unsolved::Cancelled)).is_none());
-        assert!(matches!(outcome(Ended::Unsolved(Unsolved::deadline())), Some(Outcome::Failed { .. })));
+        assert!(outcome(SolverEnd::Unsolved(Unsolved::Cancelled)).is_none());
+        assert!(matches!(outcome(SolverEnd::Unsolved(Unsolved::deadline())), Some(Outcome::Failed { .. })));
     }
 }

@@ -6,17 +6,17 @@
 //! wait for long work.
 
 use super::JobsError;
-use super::turns::{Turn, Turns};
-use crate::threads::{Lost, STACK_BYTES, Threads};
+use super::fair_permits::{FairPermit, FairPermits};
+use crate::threads::{STACK_BYTES, Threads, WorkFailure};
 use std::io;
 use std::sync::Arc;
 
 #[derive(Debug)]
 pub struct Converters {
     /// Permits of the threads, except for the thread for short work.
-    permits: Arc<Turns>,
+    permits: Arc<FairPermits>,
     /// The permit of the thread for short work.
-    short: Arc<Turns>,
+    short: Arc<FairPermits>,
     threads: Threads<()>,
 }
 
@@ -31,7 +31,7 @@ pub enum Length {
 /// Reservation of one thread, until it is used or dropped.
 #[derive(Debug)]
 pub struct Reservation<'c> {
-    permit: Turn,
+    permit: FairPermit,
     converters: &'c Converters,
 }
 
@@ -41,7 +41,7 @@ impl Converters {
     /// # Errors
     /// Fails if the system cannot start a thread.
     pub fn start(threads: usize) -> io::Result<Self> {
-        let turns = |permits: usize| Arc::new(Turns::new(permits));
+        let turns = |permits: usize| Arc::new(FairPermits::new(permits));
         let started = Threads::start("converter", threads + 1, STACK_BYTES)?;
         Ok(Self { permits: turns(threads), short: turns(1), threads: started })
     }
@@ -77,11 +77,11 @@ impl Reservation<'_> {
             work()
         };
         self.converters.threads.run(run).await.map_err(|lost| match lost {
-            Lost::Panicked => {
+            WorkFailure::Panicked => {
                 tracing::error!("a conversion panicked");
                 JobsError::Internal("a conversion ran into a defect of this server".into())
             }
-            Lost::Closed => ending(),
+            WorkFailure::Closed => ending(),
         })
     }
 }

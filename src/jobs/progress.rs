@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 /// State that a running solver shares with its attempt.
 #[derive(Debug)]
-pub struct Line {
+pub struct SolverLink {
     started: Instant,
     deadline: Instant,
     stopped: OnceLock<Instant>,
@@ -18,7 +18,7 @@ pub struct Line {
     latest: Mutex<Option<Progress>>,
 }
 
-impl Line {
+impl SolverLink {
     #[must_use]
     pub fn new(deadline: Duration) -> Self {
         let started = Instant::now();
@@ -87,29 +87,29 @@ impl Line {
 
 /// Solvers that run in this process, by job identifier.
 #[derive(Debug, Default)]
-pub struct Running(Mutex<HashMap<String, Arc<Line>>>);
+pub struct Running(Mutex<HashMap<String, Arc<SolverLink>>>);
 
 impl Running {
-    fn lines(&self) -> std::sync::MutexGuard<'_, HashMap<String, Arc<Line>>> {
+    fn links(&self) -> std::sync::MutexGuard<'_, HashMap<String, Arc<SolverLink>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    pub fn insert(&self, id: &str, line: Arc<Line>) {
-        self.lines().insert(id.into(), line);
+    pub fn insert(&self, id: &str, link: Arc<SolverLink>) {
+        self.links().insert(id.into(), link);
     }
 
     /// Removes a solver. If another attempt at the same job is registered, it stays.
-    pub fn remove(&self, id: &str, line: &Arc<Line>) {
-        let mut lines = self.lines();
-        if lines.get(id).is_some_and(|current| Arc::ptr_eq(current, line)) {
-            lines.remove(id);
+    pub fn remove(&self, id: &str, link: &Arc<SolverLink>) {
+        let mut links = self.links();
+        if links.get(id).is_some_and(|current| Arc::ptr_eq(current, link)) {
+            links.remove(id);
         }
     }
 
     /// Asks the job's solver to stop, if it runs in this process.
     pub fn cancel(&self, id: &str) {
-        if let Some(line) = self.lines().get(id) {
-            line.stop();
+        if let Some(link) = self.links().get(id) {
+            link.stop();
         }
     }
 }

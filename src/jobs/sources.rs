@@ -4,7 +4,7 @@
 //! the name of its source (`requests.source`), and a result stays stored as long as a request names it. The job can
 //! therefore be solved after the source's job has expired or was deleted.
 
-use super::progress::Line;
+use super::progress::SolverLink;
 use super::{Jobs, JobsError};
 use crate::status::Status;
 use crate::store::{Artefact, Lookup};
@@ -105,12 +105,12 @@ impl Sources {
 ///
 /// # Errors
 /// Returns, as a phrase, the reason why the result cannot be read.
-pub(super) fn claimed(jobs: &Jobs, name: Option<&[u8]>, line: &Line) -> Result<Source, String> {
+pub(super) fn claimed(jobs: &Jobs, name: Option<&[u8]>, link: &SolverLink) -> Result<Source, String> {
     let name = name.ok_or("names a job, and its result was not kept")?;
     loop {
         let read = async { source(jobs, jobs.store().artefact_named(name).await?).await };
         match Handle::current().block_on(read) {
-            Err(JobsError::Unavailable(_)) if line.signal() == Signal::Continue => std::thread::sleep(PAUSE),
+            Err(JobsError::Unavailable(_)) if link.signal() == Signal::Continue => std::thread::sleep(PAUSE),
             read => return read.map_err(|error| reason(&error)),
         }
     }

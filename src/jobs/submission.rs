@@ -5,14 +5,14 @@
 //! yet. If the process dies before the write, the submission leaves no trace, as if the process had died while it read
 //! the body.
 
-use super::attempt::{Attempt, End};
+use super::attempt::{Attempt, AttemptEnd};
 use super::sources::Sources;
 use super::{Jobs, JobsError, view};
 use crate::store::{Addition, BatchAddition, EarlyEnd, NewBatch, NewJob, StoreError};
 use crate::telemetry::metric;
 use crate::wire::batch::{Batch, BatchRequest};
 use crate::wire::envelope::Cache;
-use crate::wire::incoming::{Incoming, Waiting};
+use crate::wire::incoming::{CheckedJob, Incoming};
 use crate::wire::job::Job;
 use bytes::Bytes;
 use plateau_engine::json;
@@ -37,7 +37,7 @@ pub enum Submitted<T> {
 
 /// A job that was submitted, and the options that concern the connection of its client.
 #[derive(Debug)]
-pub struct Accepted {
+pub struct Submission {
     pub submitted: Submitted<Job>,
     /// True if the job must be cancelled when the client goes away while it waits for the end.
     pub cancel_on_disconnect: bool,
@@ -63,11 +63,11 @@ impl Jobs {
         body: Bytes,
         from: Submitter,
         waited_for: bool,
-    ) -> Result<Accepted, JobsError> {
+    ) -> Result<Submission, JobsError> {
         let mut cancel_on_disconnect = false;
         let submitted = read_and_store(self, kind, body, from, waited_for, &mut cancel_on_disconnect).await;
         count(kind.name(), &submitted);
-        Ok(Accepted { submitted: submitted?, cancel_on_disconnect })
+        Ok(Submission { submitted: submitted?, cancel_on_disconnect })
     }
 
     /// Reads a batch's body and stores all of its jobs, or none of them.
@@ -112,7 +112,7 @@ async fn read_and_store(
         let read = Incoming::read(kind, &body, &|id| sources.find(id), &limits);
         let Incoming { request, envelope, text } = read.map_err(|rejection| sources.refused(rejection))?;
         let waits = envelope.cancel_on_disconnect;
-        let job = new_job(Waiting::of(&request, envelope, text), from);
+        let job = new_job(CheckedJob::of(&request, envelope, text), from);
         let job = NewJob { body_hash: body_hash.unwrap_or(job.body_hash), ..job };
         Ok::<_, JobsError>((job, request, waits))
     };
@@ -137,7 +137,7 @@ async fn store(
         let stored = jobs.store().add_ended_job(job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
         let created = matches!(stored, Ok(Addition::Created(..)));
-        attempt.end(if created { End::Finished(status) } else { End::Dropped });
+        attempt.end(if created { AttemptEnd::Finished(status) } else { AttemptEnd::Dropped });
         return answer(jobs, stored);
     }
     answer(jobs, jobs.store().add_job(job).await)
@@ -260,8 +260,8 @@ fn hash(text: &[u8], members: &Map<String, Value>) -> [u8; 32] {
 }
 
 /// Returns the job of a request that was read.
-fn new_job(request: Waiting, from: Submitter) -> NewJob {
-    let Waiting { kind, memory_bytes, source, envelope, text } = request;
+fn new_job(request: CheckedJob, from: Submitter) -> NewJob {
+    let CheckedJob { kind, memory_bytes, source, envelope, text } = request;
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
     let body_hash = if idempotency_key.is_some() { hash(&text, &envelope.members) } else { [0; 32] };
@@ -295,7 +295,7 @@ mod tests {
             Incoming::read(ruled_surface::KIND, body.as_bytes(), &no_jobs, &limits)
                 .unwrap_or_else(|error| panic!("{body}: {error:?}"));
         let from = Submitter { owner: None, idempotency_key: key.map(Into::into) };
-        new_job(Waiting::of(&request, envelope, text), from)
+        new_job(CheckedJob::of(&request, envelope, text), from)
     }
 
     const RAILS: &str = r#""directrices": [[[0, 1, -0.0], [1.5, 2e3, 1e30]], [[0, 5, 0], [4, 5, 1]]]"#;

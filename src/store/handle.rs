@@ -7,10 +7,10 @@ use tokio::sync::watch as signal;
 
 use super::ballast::Ballast;
 use super::changes::Changes;
-use super::contact::Contact;
 use super::engine::Engine;
 use super::files::ResultStorage;
 use super::jobs::Outcome;
+use super::outage::OutageTracker;
 use super::results::{self, Prepared};
 use super::session::Server;
 use super::tx::{AfterCommit, Tx};
@@ -31,7 +31,7 @@ pub(super) struct Inner {
     pub(super) changes: Changes,
     pub(super) files: Option<ResultStorage>,
     pub(super) ballast: Ballast,
-    pub(super) contact: Contact,
+    pub(super) contact: OutageTracker,
     /// Name of this instance among those that share the database.
     pub(super) instance: String,
     /// True if the last write found no space.
@@ -67,7 +67,7 @@ impl Store {
             (Engine::Sqlite(database), ballast)
         };
         let changes = Changes::new(&engine, options.poll_interval)?;
-        let contact = Contact::new(options.lease, !is_postgres);
+        let contact = OutageTracker::new(options.lease, !is_postgres);
         let store = Self {
             inner: Arc::new(Inner {
                 engine,

@@ -6,7 +6,7 @@ use std::time::Duration;
 use tokio::sync::Semaphore;
 
 use super::{Result, StoreError};
-use crate::threads::{Lost, Threads};
+use crate::threads::{Threads, WorkFailure};
 
 type Open<C> = Arc<dyn Fn() -> Result<C> + Send + Sync>;
 
@@ -67,8 +67,8 @@ impl<C: 'static> Pool<C> {
         };
         // After a panic the connection may have an open transaction. The thread closes it, which rolls it back.
         self.threads.run(run).await.unwrap_or_else(|lost| match lost {
-            Lost::Panicked => Err(StoreError::Internal("a statement of the store panicked".into())),
-            Lost::Closed => Err(closed()),
+            WorkFailure::Panicked => Err(StoreError::Internal("a statement of the store panicked".into())),
+            WorkFailure::Closed => Err(closed()),
         })
     }
 

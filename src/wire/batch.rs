@@ -1,7 +1,7 @@
 //! `POST /v1/batches`: many requests at once, each with its `kind`.
 
 use super::envelope::URL_BYTES;
-use super::incoming::{Incoming, Waiting};
+use super::incoming::{CheckedJob, Incoming};
 use super::job::Links;
 use crate::config::LimitsConfig;
 use crate::status::Status;
@@ -23,7 +23,7 @@ pub const BATCH: &str = "BatchRequest";
 /// A batch's body that passed every check before solving.
 #[derive(Debug)]
 pub struct BatchRequest {
-    pub requests: Vec<Waiting>,
+    pub requests: Vec<CheckedJob>,
     pub callback_url: Option<String>,
     /// The whole body.
     pub value: Value,
@@ -66,7 +66,7 @@ impl BatchRequest {
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
         for (index, item) in items.iter().enumerate() {
             match Incoming::from_value(item.clone(), find, limits) {
-                Ok(Incoming { request, envelope, text }) => requests.push(Waiting::of(&request, envelope, text)),
+                Ok(Incoming { request, envelope, text }) => requests.push(CheckedJob::of(&request, envelope, text)),
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }

@@ -6,7 +6,7 @@ use plateau_engine::json;
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::refuse_too_many_values;
 use plateau_engine::rejection::{MAX_ERRORS, Rejection};
-use plateau_engine::request::{Accepted, Request};
+use plateau_engine::request::{CheckedRequest, Request};
 use plateau_engine::source::{Find, no_jobs};
 use serde_json::Value;
 
@@ -15,14 +15,14 @@ use serde_json::Value;
 pub struct Incoming {
     pub request: Request,
     pub envelope: Envelope,
-    /// The request without the members of the envelope, as [`Accepted::text`].
+    /// The request without the members of the envelope, as [`CheckedRequest::text`].
     pub text: Vec<u8>,
 }
 
 /// A request that was read and is to be stored. Data that only the solver needs, such as a whole mesh, are not kept,
 /// because the worker reads the stored request again.
 #[derive(Debug)]
-pub struct Waiting {
+pub struct CheckedJob {
     pub kind: Kind,
     pub memory_bytes: u64,
     /// Key of the result from which the request begins.
@@ -31,7 +31,7 @@ pub struct Waiting {
     pub text: Vec<u8>,
 }
 
-impl Waiting {
+impl CheckedJob {
     #[must_use]
     pub fn of(request: &Request, envelope: Envelope, text: Vec<u8>) -> Self {
         let Request { memory_bytes, source, .. } = request;
@@ -48,7 +48,7 @@ impl Incoming {
     pub fn read(kind: Kind, body: &[u8], find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
         let limits = limits.requests();
         refuse_too_many_values(body, &limits)?;
-        if let Some((Accepted { request, text }, members)) = Request::read(kind, body, &MEMBERS, find, &limits)
+        if let Some((CheckedRequest { request, text }, members)) = Request::read(kind, body, &MEMBERS, find, &limits)
             && let Ok(envelope) = Envelope::of(members)
         {
             return Ok(Self { request, envelope, text });
@@ -74,10 +74,10 @@ impl Incoming {
         Self::of(value, |value| Request::read_with_kind(value, find, &limits))
     }
 
-    fn of(mut value: Value, read: impl FnOnce(&Value) -> Result<Accepted, Rejection>) -> Result<Self, Rejection> {
+    fn of(mut value: Value, read: impl FnOnce(&Value) -> Result<CheckedRequest, Rejection>) -> Result<Self, Rejection> {
         let envelope = Envelope::take(&mut value);
         match (read(&value), envelope) {
-            (Ok(Accepted { request, text }), Ok(envelope)) => Ok(Self { request, envelope, text }),
+            (Ok(CheckedRequest { request, text }), Ok(envelope)) => Ok(Self { request, envelope, text }),
             // The errors of the request and of the envelope are reported together, so that the client can correct all
             // of them at once.
             (Err(Rejection::Invalid(mut errors)), Err(Rejection::Invalid(others))) => {

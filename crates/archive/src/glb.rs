@@ -42,24 +42,24 @@ pub struct Triangles {
 
 /// Reason for refusing a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refusal {
+pub enum GlbError {
     /// The file cannot be used. The text says why, and names the place in the file's document.
     Invalid(String),
     /// The file has more vertices or triangles than the caller allows.
     TooLarge,
 }
 
-fn invalid<T>(detail: impl Into<String>) -> Result<T, Refusal> {
-    Err(Refusal::Invalid(detail.into()))
+fn invalid<T>(detail: impl Into<String>) -> Result<T, GlbError> {
+    Err(GlbError::Invalid(detail.into()))
 }
 
 /// Reads the triangles of a binary glTF file, in this unit and with this axis up. `most` is the largest number of
 /// vertices and of triangles, counted before equal vertices become one.
 ///
 /// # Errors
-/// Returns [`Refusal::Invalid`] for a file that is not binary glTF 2.0, that needs an extension or another file, or
+/// Returns [`GlbError::Invalid`] for a file that is not binary glTF 2.0, that needs an extension or another file, or
 /// that has strips, fans, sparse accessors, numbers that are not finite, or references beyond what is there.
-pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangles, Refusal> {
+pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangles, GlbError> {
     // The gltf crate subtracts the header's length from the length that the file states. A smaller stated length is
     // therefore refused first.
     let stated = file.get(8..HEADER_BYTES).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
@@ -103,7 +103,7 @@ pub fn read(file: &[u8], unit: Unit, up: UpAxis, most: usize) -> Result<Triangle
     Ok(Triangles { mesh: reader.mesh, rounding: reader.rounding })
 }
 
-fn document<'a, T: Deserialize<'a>>(json: &'a [u8]) -> Result<T, Refusal> {
+fn document<'a, T: Deserialize<'a>>(json: &'a [u8]) -> Result<T, GlbError> {
     serde_json::from_slice(json).or_else(|error| invalid(format!("has a document that is not glTF: {error}")))
 }
 
@@ -191,7 +191,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn node(&mut self, number: usize, parent: &Transform, level: usize) -> Result<(), Refusal> {
+    fn node(&mut self, number: usize, parent: &Transform, level: usize) -> Result<(), GlbError> {
         let (Some(node), Some(own)) = (self.root.nodes.get(number), self.transforms.get(number)) else {
             return invalid(format!("names the node {number}, which does not exist"));
         };
@@ -211,7 +211,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn mesh(&mut self, number: usize, transform: &Transform) -> Result<(), Refusal> {
+    fn mesh(&mut self, number: usize, transform: &Transform) -> Result<(), GlbError> {
         let Some(mesh) = self.root.meshes.get(number) else {
             return invalid(format!("names the mesh {number}, which does not exist"));
         };
@@ -240,14 +240,20 @@ impl Reader<'_> {
             }
             self.vertices_read += positions.len();
             if self.vertices_read.max(self.mesh.triangles.len() + corners.len() / 3) > self.most {
-                return Err(Refusal::TooLarge);
+                return Err(GlbError::TooLarge);
             }
             self.add(&positions, &corners, transform, &place)?;
         }
         Ok(())
     }
 
-    fn add(&mut self, positions: &[DVec3], corners: &[u32], transform: &Transform, place: &str) -> Result<(), Refusal> {
+    fn add(
+        &mut self,
+        positions: &[DVec3],
+        corners: &[u32],
+        transform: &Transform,
+        place: &str,
+    ) -> Result<(), GlbError> {
         let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         let stretch: f64 = transform.axes.iter().map(|axis| axis.length()).sum();
         let of_numbers = f64::from(f32::EPSILON) * largest * stretch + f64::EPSILON * transform.origin.length();
@@ -276,7 +282,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn positions(&self, accessor: usize) -> Result<Vec<DVec3>, Refusal> {
+    fn positions(&self, accessor: usize) -> Result<Vec<DVec3>, GlbError> {
         let (component, items) = self.items(accessor, Type::Vec3)?;
         if component != ComponentType::F32 {
             return invalid(format!("has positions in accessor {accessor} that are not f32"));
@@ -287,7 +293,7 @@ impl Reader<'_> {
         Ok(items.map(|item| DVec3::new(number(item, 0), number(item, 1), number(item, 2))).collect())
     }
 
-    fn indices(&self, accessor: usize) -> Result<Vec<u32>, Refusal> {
+    fn indices(&self, accessor: usize) -> Result<Vec<u32>, GlbError> {
         let (component, items) = self.items(accessor, Type::Scalar)?;
         match component {
             ComponentType::U8 => Ok(items.map(|item| item[0].into()).collect()),
@@ -300,7 +306,7 @@ impl Reader<'_> {
     }
 
     /// Returns the type of the numbers of an accessor and the bytes of each of its items.
-    fn items(&self, number: usize, expected: Type) -> Result<(ComponentType, impl Iterator<Item = &[u8]>), Refusal> {
+    fn items(&self, number: usize, expected: Type) -> Result<(ComponentType, impl Iterator<Item = &[u8]>), GlbError> {
         let Some(accessor) = self.root.accessors.get(number) else {
             return invalid(format!("names the accessor {number}, which does not exist"));
         };

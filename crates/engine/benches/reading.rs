@@ -17,7 +17,7 @@ use plateau_engine::json;
 use plateau_engine::kinds::minimal_surface::KIND;
 use plateau_engine::limits::Limits;
 use plateau_engine::rejection::Rejection;
-use plateau_engine::request::{Accepted, Request};
+use plateau_engine::request::{CheckedRequest, Request};
 use plateau_engine::source::no_jobs;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -44,7 +44,7 @@ fn body(points: usize, right: bool) -> String {
     text + if right { "]]}" } else { ",[0,0,\"x\"]]]}" }
 }
 
-fn read(body: &[u8]) -> Result<Accepted, Rejection> {
+fn read(body: &[u8]) -> Result<CheckedRequest, Rejection> {
     match Request::read(KIND, body, &[], &no_jobs, &LIMITS) {
         Some((accepted, _)) => Ok(accepted),
         None => Request::from_value(KIND, &json::parse(body)?, &no_jobs, &LIMITS),

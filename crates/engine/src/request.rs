@@ -29,7 +29,7 @@ pub struct Request {
 
 /// A request that passed every check before solving, and its text.
 #[derive(Debug)]
-pub struct Accepted {
+pub struct CheckedRequest {
     pub request: Request,
     /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members,
     /// and whether they write or omit members with default values. `Request::read_stored` reads the text. It is empty
@@ -62,7 +62,7 @@ impl Request {
         aside: &[&str],
         find: Find<'_>,
         limits: &Limits,
-    ) -> Option<(Accepted, serde_json::Map<String, Value>)> {
+    ) -> Option<(CheckedRequest, serde_json::Map<String, Value>)> {
         let (read, aside) = (kind.types().read)(body, aside, find, limits)?;
         Some((Self::accepted(kind, read, limits).ok()?, aside))
     }
@@ -73,7 +73,7 @@ impl Request {
     /// Returns every value that the schema refuses (with the feature `explain`). If there are none, returns all errors
     /// of the first check that fails: limits, combinations of members, or geometry. There are at most
     /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
-    pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
+    pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<CheckedRequest, Rejection> {
         let read = (kind.types().read_value)(value, find, limits).map_err(|rejection| {
             explained(kind, value).unwrap_or_else(|| match rejection {
                 Some(rejection) => rejection.placed_in(value),
@@ -87,7 +87,7 @@ impl Request {
     ///
     /// # Errors
     /// Returns the errors of [`Request::from_value`]. A missing or unknown `kind` is an error at `/kind`.
-    pub fn read_with_kind(value: &Value, find: Find<'_>, limits: &Limits) -> Result<Accepted, Rejection> {
+    pub fn read_with_kind(value: &Value, find: Find<'_>, limits: &Limits) -> Result<CheckedRequest, Rejection> {
         match value["kind"].as_str().and_then(Kind::from_name) {
             Some(kind) => Self::from_value(kind, value, find, limits),
             None => {
@@ -117,8 +117,8 @@ impl Request {
         (kind.types().read_value)(value, &no_jobs, limits).map(drop)
     }
 
-    fn accepted(kind: Kind, (passed, text): Read, limits: &Limits) -> Result<Accepted, Rejection> {
-        Ok(Accepted { request: Self::new(kind, passed).within(limits)?, text })
+    fn accepted(kind: Kind, (passed, text): Read, limits: &Limits) -> Result<CheckedRequest, Rejection> {
+        Ok(CheckedRequest { request: Self::new(kind, passed).within(limits)?, text })
     }
 
     fn new(kind: Kind, passed: Passed) -> Self {
@@ -194,7 +194,7 @@ impl Request {
 
     /// Returns the solver's result before its audit, with the input that audits it.
     #[cfg(test)]
-    pub(crate) fn draft(&self) -> (solved::Draft, &dyn SolverInput) {
+    pub(crate) fn draft(&self) -> (solved::UnauditedResult, &dyn SolverInput) {
         let draft = self.input.solve(self.coordinates, &Execution::default());
         (draft.unwrap_or_else(|error| panic!("{error:?}")), &*self.input)
     }

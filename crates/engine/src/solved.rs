@@ -31,7 +31,7 @@ struct Audited;
 
 /// A solver's result before its audit.
 #[derive(Debug)]
-pub(crate) struct Draft {
+pub(crate) struct UnauditedResult {
     /// Statistics as JSON text.
     pub statistics: String,
     pub warnings: Vec<Warning>,
@@ -42,7 +42,7 @@ pub(crate) struct Draft {
 /// Maximum number of differing figures that the error of a failed audit lists.
 const NAMED_FAULTS: usize = 5;
 
-impl Draft {
+impl UnauditedResult {
     /// Measures every stated figure again from the arrays of the archive, and compares the two.
     ///
     /// # Errors
@@ -146,7 +146,7 @@ pub(crate) trait SolverInput: std::any::Any + std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// Returns the error of the solver.
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error>;
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error>;
 
     /// Compares every figure that the statistics state with the arrays of the result.
     fn audit(&self, audit: &mut Audit);

@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// The energy E = -τ W of one edge.
 #[derive(Clone, Debug)]
-pub struct Contact {
+pub struct ContactEnergy {
     segments: Vec<[u32; 2]>,
     beside: Arc<dyn AreaBeside>,
     /// τ, a force per length.
@@ -31,7 +31,7 @@ pub struct Contact {
     start: f64,
 }
 
-impl Contact {
+impl ContactEnergy {
     /// Makes the energy of an edge of a film of tension `tension` that meets `on` at `angle`, in radians. The edge is
     /// the chain of vertices `chain`; if `closed`, a segment joins its last vertex to its first. The energy is 0 at the
     /// positions `at`. Returns `None` if the support has no closed form of the area beside an edge.
@@ -61,7 +61,7 @@ impl Contact {
     }
 }
 
-impl Term for Contact {
+impl Term for ContactEnergy {
     fn value(&self, at: &[DVec3]) -> f64 {
         -self.tension * self.area(at)
     }
@@ -93,7 +93,7 @@ impl Term for Contact {
 mod tests {
     use super::*;
     use crate::energy::finite_differences::check;
-    use crate::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
+    use crate::support::{Circle, Cylinder, Mesh, Plane, Sphere, StraightLine, Torus};
     use std::f64::consts::TAU;
 
     const AXIS: DVec3 = DVec3::new(0.6, 0.0, 0.8);
@@ -111,7 +111,7 @@ mod tests {
         for support in [&PLANE as &dyn Support, &SPHERE, &CYLINDER] {
             let on: Vec<DVec3> = places.iter().map(|&p| support.nearest(p)).collect();
             for (closed, chain) in [(true, vec![0, 1, 2, 3, 4, 5, 6]), (false, vec![0, 1, 2, 3])] {
-                let contact = Contact::new(&chain, closed, support, 1.3, 1.0, &on).unwrap();
+                let contact = ContactEnergy::new(&chain, closed, support, 1.3, 1.0, &on).unwrap();
                 assert_eq!(contact.value(&on), 0.0);
                 check(&contact, &on, 1e-7);
                 // Also off the surface, where the term is smooth too.
@@ -148,7 +148,7 @@ mod tests {
                 (circle(radius, 0.4), circle(radius, -0.3), TAU * radius * 0.7)
             };
             let chain: Vec<u32> = (0..count).collect();
-            let contact = Contact::new(&chain, true, support, 1.0, 1.0, &from).unwrap();
+            let contact = ContactEnergy::new(&chain, true, support, 1.0, 1.0, &from).unwrap();
             let area = contact.area(&to);
             assert!((area / exact - 1.0).abs() < 1e-3, "{support:?}: {area} {exact}");
         }
@@ -157,14 +157,14 @@ mod tests {
     #[test]
     fn a_right_angle_has_no_energy_and_a_support_without_the_form_no_area() {
         let at = [DVec3::X, DVec3::Y, DVec3::ZERO];
-        let contact = Contact::new(&[0, 1, 2], true, &PLANE, 2.0, 0.5 * PI, &at).unwrap();
+        let contact = ContactEnergy::new(&[0, 1, 2], true, &PLANE, 2.0, 0.5 * PI, &at).unwrap();
         assert_eq!(contact.tension, 0.0);
-        let line = Line { point: DVec3::ZERO, direction: DVec3::X };
+        let line = StraightLine { point: DVec3::ZERO, direction: DVec3::X };
         let circle = Circle { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0 };
         let torus = Torus { centre: DVec3::ZERO, axis: DVec3::Z, radius: 1.0, tube_radius: 0.2 };
         let mesh = Mesh::new(&at, &[[0, 1, 2]], 0.5).unwrap();
         for support in [&line as &dyn Support, &circle, &torus, &mesh] {
-            assert!(Contact::new(&[0, 1, 2], true, support, 2.0, 1.0, &at).is_none(), "{support:?}");
+            assert!(ContactEnergy::new(&[0, 1, 2], true, support, 2.0, 1.0, &at).is_none(), "{support:?}");
         }
     }
 }

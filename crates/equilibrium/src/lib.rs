@@ -74,7 +74,7 @@ pub mod v_cycle;
 
 pub use body::{Body, BodyDefect};
 pub use constraint::{Constraint, Determined};
-pub use contact::Contact;
+pub use contact::ContactEnergy;
 pub use freedom::Freedom;
 pub use newton::{Aim, Outcome, Settings};
 pub use relax::Report;

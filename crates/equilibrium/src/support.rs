@@ -13,7 +13,7 @@ mod torus;
 
 pub use circle::Circle;
 pub use cylinder::Cylinder;
-pub use line::Line;
+pub use line::StraightLine;
 pub use mesh::Mesh;
 pub use plane::Plane;
 pub use sphere::Sphere;
@@ -78,7 +78,7 @@ pub trait Support: fmt::Debug + Send + Sync {
 }
 
 /// The area on the left of an edge that slides on a surface, as seen from the side to which the surface's normal
-/// points. It is determined up to a constant, as a sum over the segments of the edge ([`Contact`](super::Contact)).
+/// points. It is determined up to a constant, as a sum over the segments of the edge ([`ContactEnergy`](super::ContactEnergy)).
 pub trait AreaBeside: fmt::Debug + Send + Sync {
     /// The part of the area that belongs to the segment from `a` to `b`.
     fn part(&self, a: DVec3, b: DVec3) -> AreaPart;

@@ -1,7 +1,7 @@
 //! Compares bodies with closed forms and with finite differences.
 
 use super::constraint::add_rank_one_products;
-use super::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
+use super::support::{Circle, Cylinder, Mesh, Plane, Sphere, StraightLine, Torus};
 use super::*;
 use crate::energy::area::first_variation;
 use crate::energy::cable::{Cable, Law};
@@ -78,7 +78,7 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     let mut body = Body::new(vertices, &complex, &[1.3]);
     let axis = DVec3::new(0.6, 0.0, 0.8);
     body.supports = vec![
-        Arc::new(Line { point: DVec3::ZERO, direction: axis }),
+        Arc::new(StraightLine { point: DVec3::ZERO, direction: axis }),
         Arc::new(Circle { centre: DVec3::new(-1.0, 0.5, 0.0), axis, radius: 2.0 }),
         Arc::new(Plane { point: DVec3::ZERO, normal: axis }),
         Arc::new(Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 }),
@@ -184,7 +184,7 @@ fn edges_at_given_angles_and_edges_on_meshes_agree_with_finite_differences() {
             let support = &body.supports[freedom.support().unwrap() as usize];
             body.vertices[v] = support.nearest(body.vertices[v]);
         }
-        let contact = Contact::new(&[0, 4, 8, 12], false, &*body.supports[0], 1.3, 0.8, &vertices).unwrap();
+        let contact = ContactEnergy::new(&[0, 4, 8, 12], false, &*body.supports[0], 1.3, 0.8, &vertices).unwrap();
         body.terms.push(Box::new(contact));
         // The second derivatives along a mesh may jump within a step.
         assert_agrees_with_finite_differences(&body, 1e-4);

@@ -29,7 +29,7 @@ use plateau_mesh::error::InputError;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::polygon::contains;
-use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
+use plateau_mesh::polyline::contact::{MeetingSegments, Segments, first_contact};
 use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Interruption, Place};
 use spanning::Spanning;
@@ -325,7 +325,7 @@ fn crossing_places(
     for k in 0..boundaries.len() {
         for l in k..boundaries.len() {
             let count = boundaries[k].len();
-            let apart = |c: &Contact| k != l || (c.first + 1 < c.second && (c.second + 1) % count != c.first);
+            let apart = |c: &MeetingSegments| k != l || (c.first + 1 < c.second && (c.second + 1) % count != c.first);
             if let Some(contact) = first_contact(&segments[k], &segments[l], tolerance, apart, exec)? {
                 let sides = [(k, contact.first), (l, contact.second)];
                 let place = |[(k, i), (l, j)]: [(usize, usize); 2]| {

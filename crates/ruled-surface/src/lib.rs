@@ -63,7 +63,7 @@ pub use strip::statistics::{CoupledValues, Statistics};
 use graph::cell_counter::CellCounter;
 use graph::convexity::ConvexityTest;
 use graph::corridor::corridor;
-use graph::lanes::Widest;
+use graph::lanes::LaneWidth;
 use graph::rails::Rails;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::{Execution, Progress};
@@ -96,14 +96,14 @@ use strip::search::{SolvedStrips, solve_all};
 /// O(m n) time on an open strip (see [`estimate`]), and one to four bits of memory for each bridge. On a closed strip a
 /// single-layer objective takes O(m n log n) time; the other objectives take some more searches.
 pub fn solve(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<RuledSurface, Error> {
-    solve_with(directrices, options, execution, Widest::get())
+    solve_with(directrices, options, execution, LaneWidth::get())
 }
 
 fn solve_with(
     directrices: &[Vec<DVec3>],
     options: &Options,
     execution: &Execution<'_>,
-    lanes: Widest,
+    lanes: LaneWidth,
 ) -> Result<RuledSurface, Error> {
     let mut prepared = prepare(directrices, options, options.sampling, execution)?;
     let meetings = meetings::warnings(&prepared, execution)?;
@@ -265,8 +265,8 @@ mod tests {
                             ..Options::default()
                         };
                         let solve = |lanes| solve_with(&rails, &options, &Execution::default(), lanes).unwrap();
-                        let plain = solve(Widest::Plain);
-                        for wide in Widest::all().split_off(1) {
+                        let plain = solve(LaneWidth::Plain);
+                        for wide in LaneWidth::all().split_off(1) {
                             assert_eq!(plain, solve(wide), "{objective:?} {m} {n} {wide:?}");
                         }
                     }

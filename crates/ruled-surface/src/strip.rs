@@ -7,7 +7,7 @@ pub(crate) mod statistics;
 
 use crate::graph::cell_counter::CellCounter;
 use crate::graph::convexity::{self, ConvexityTest};
-use crate::graph::lanes::Widest;
+use crate::graph::lanes::LaneWidth;
 use crate::graph::rails::{Given, Rails};
 use objective::{Goal, Objective, Secondary};
 use plateau_mesh::error::{Error, Place};
@@ -50,7 +50,7 @@ impl Strip {
         let goal = Goal { objective, secondary };
         let mut counter = CellCounter::new(execution, (self.0.m() * self.0.n()) as u64);
         let test = ConvexityTest::new(convexity_tolerance);
-        let path = search::path_of(&self.0, goal, test, Widest::get(), &mut counter)?;
+        let path = search::path_of(&self.0, goal, test, LaneWidth::get(), &mut counter)?;
         counter.last_look()?;
         Ok(path)
     }
@@ -68,7 +68,7 @@ impl Strip {
     ) -> Result<(Statistics, CoupledValues), Error> {
         self.check_path(path)?;
         let evaluation =
-            statistics::evaluate(&self.0, path, ConvexityTest::new(convexity_tolerance), Widest::get(), execution)?;
+            statistics::evaluate(&self.0, path, ConvexityTest::new(convexity_tolerance), LaneWidth::get(), execution)?;
         let mut statistics = evaluation.statistics;
         statistics.normal_variation = evaluation.normal_variation.map(|[one, other]| one.min(other));
         let coupled = CoupledValues {

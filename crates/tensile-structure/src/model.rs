@@ -18,7 +18,7 @@ use super::weave::StressField;
 use cable_force::{LEAST_ACROSS, Swing, start_force};
 use plateau_equilibrium::energy::cable::Law;
 use plateau_equilibrium::energy::{self, Term, Volume};
-use plateau_equilibrium::{Contact, Freedom, Support};
+use plateau_equilibrium::{ContactEnergy, Freedom, Support};
 use plateau_mesh::error::Warning;
 use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, Mesh};
@@ -55,7 +55,7 @@ pub(super) struct Model {
     /// The vertices that slide, each with its freedom.
     pub sliding: Vec<(u32, Freedom)>,
     /// The energies of the edges that meet their surface at a given contact angle.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<ContactEnergy>,
     /// The vertices of the edges with a contact angle.
     pub at_contacts: BTreeSet<u32>,
     /// Mean edge length of the initial mesh, scaled to that of the final mesh.

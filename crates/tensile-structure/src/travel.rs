@@ -97,7 +97,7 @@ impl Attempt {
 }
 
 /// The state of an attempt between two rounds.
-struct Trip {
+struct TravelState {
     attempt: Attempt,
     settler: Settler,
     /// Number of triangles of the present level.
@@ -118,7 +118,7 @@ struct Trip {
     before: Option<Model>,
 }
 
-impl Trip {
+impl TravelState {
     fn new(attempt: Attempt, level: f64) -> Self {
         Self {
             attempt,
@@ -154,7 +154,7 @@ enum Arrival {
 /// A structure on its way, on meshes that are renewed.
 struct Travelling<'r, 'a> {
     run: &'r mut Run<'a>,
-    trip: Trip,
+    trip: TravelState,
     found: &'r mut Found,
     watch: &'r mut Watch,
 }
@@ -343,7 +343,7 @@ impl Run<'_> {
         found: &mut Found,
         watch: &mut Watch,
     ) -> Result<Option<(Ending, Model)>, Stop> {
-        let trip = Trip::new(attempt, COARSE.min(self.wanted()));
+        let trip = TravelState::new(attempt, COARSE.min(self.wanted()));
         Ok(match form_finding::find(&mut Travelling { run: self, trip, found, watch })? {
             Arrival::Found => None,
             Arrival::Lost(ending) => Some((ending, self.model.clone())),
@@ -351,7 +351,7 @@ impl Run<'_> {
     }
 
     /// Makes one settling round, and remeshes the film if the round has moved it far. Returns the step that follows.
-    fn settle_once(&mut self, trip: &mut Trip, watch: &mut Watch) -> Result<Round<Arrival>, Stop> {
+    fn settle_once(&mut self, trip: &mut TravelState, watch: &mut Watch) -> Result<Round<Arrival>, Stop> {
         let Attempt { pace, tension_rounds, .. } = trip.attempt;
         let is_last = trip.level >= 0.99 * self.wanted();
         trip.is_last = is_last;
@@ -426,7 +426,12 @@ impl Run<'_> {
 
     /// Judges a shape to which Newton's method has converged. `None` if the shape is to go on: it is unstable, or its
     /// mesh is worn or too coarse.
-    fn accept(&mut self, trip: &mut Trip, found: &mut Found, watch: &mut Watch) -> Result<Option<Arrival>, Stop> {
+    fn accept(
+        &mut self,
+        trip: &mut TravelState,
+        found: &mut Found,
+        watch: &mut Watch,
+    ) -> Result<Option<Arrival>, Stop> {
         let (edge, is_last) = (trip.edge, trip.is_last);
         let before = trip.before.take();
         let unstable = found.stability.is_some_and(|stability| stability.least_index > 0);

@@ -12,7 +12,7 @@ use super::surface::auxiliary::Surface;
 use super::surface::move_nodes::OnSurface;
 use plateau_mesh::error::{Error, InputError, Place};
 use plateau_mesh::execution::Execution;
-use plateau_mesh::plane::triangulation::Tangle;
+use plateau_mesh::plane::triangulation::InvalidConstraints;
 use plateau_mesh::{DVec3, Mesh};
 
 /// Meshes a planar polygon and computes the statistics.
@@ -81,15 +81,17 @@ fn planar_error(failure: Failure, polygon: &Polygon) -> Error {
     let crossing = "the polygon crosses or touches itself (or a hole) here";
     match failure {
         Failure::Interrupted(interruption) => Error::Interrupted(interruption),
-        Failure::Tangle(Tangle::Coincident(a, b)) => Error::Input(vec![
+        Failure::InvalidConstraints(InvalidConstraints::Coincident(a, b)) => Error::Input(vec![
             InputError::new(polygon.place_of(a), "coincides with another point: the boundary touches itself"),
             InputError::new(polygon.place_of(b), "coincides with another point: the boundary touches itself"),
         ]),
-        Failure::Tangle(Tangle::Crossing { from, .. }) => Error::input(polygon.place_of(from), crossing),
-        Failure::Tangle(Tangle::WrongSide { from, .. }) => {
+        Failure::InvalidConstraints(InvalidConstraints::Crossing { from, .. }) => {
+            Error::input(polygon.place_of(from), crossing)
+        }
+        Failure::InvalidConstraints(InvalidConstraints::WrongSide { from, .. }) => {
             Error::input(polygon.ring_of(from), "does not lie inside the polygon, clear of the other holes")
         }
-        Failure::Tangle(Tangle::OutOfRange) => {
+        Failure::InvalidConstraints(InvalidConstraints::OutOfRange) => {
             Error::input(Place::field("domain"), "coordinates are too large or too close together for this edge length")
         }
     }

@@ -167,7 +167,7 @@ fn flattened(
         let detail = "the surface folds over itself when it is laid into the plane: split it into several";
         match failure {
             Failure::Interrupted(interruption) => Error::Interrupted(interruption),
-            Failure::Tangle(_) => Error::no_result(Reason::NotFlattenable, detail),
+            Failure::InvalidConstraints(_) => Error::no_result(Reason::NotFlattenable, detail),
         }
     })?;
     let boundary = boundaries.swap_remove(which);

@@ -5,8 +5,8 @@
 
 use crate::hops::answer::{Answer, Parts, geometry};
 use crate::hops::component::{Action, Component, components, poll_name};
-use crate::hops::recipe::{Draft, draft};
-use crate::hops::{Refusal, values};
+use crate::hops::recipe::{UncheckedRequest, draft};
+use crate::hops::{HopsError, values};
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::parameters::checked;
@@ -63,7 +63,7 @@ pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body
         };
         Ok((component, values, made))
     };
-    let read: Result<_, (Option<&Component>, Refusal)> = app.jobs.off_runtime(read).await?;
+    let read: Result<_, (Option<&Component>, HopsError)> = app.jobs.off_runtime(read).await?;
     drop(received);
     let (component, values, made) = match read {
         Ok(read) => read,
@@ -98,7 +98,7 @@ struct Run<'a> {
     caller: &'a Caller,
     component: &'a Component,
     /// The request of a component that begins a job.
-    draft: Option<&'a Draft>,
+    draft: Option<&'a UncheckedRequest>,
 }
 
 impl Run<'_> {

@@ -2,7 +2,7 @@
 //! reason.
 
 use plateau_archive::formats::{Choices, gltf};
-use plateau_archive::glb::{Refusal, Triangles, read};
+use plateau_archive::glb::{GlbError, Triangles, read};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Contents, LineSet, Lines};
 use plateau_mesh::{DVec3, Mesh};
@@ -45,7 +45,7 @@ fn triangle() -> (Value, Vec<u8>) {
 }
 
 /// Reads one triangle after a change of its document, in metres with y up.
-fn changed(change: impl FnOnce(&mut Value)) -> Result<Triangles, Refusal> {
+fn changed(change: impl FnOnce(&mut Value)) -> Result<Triangles, GlbError> {
     let (mut document, bin) = triangle();
     change(&mut document);
     read(&file(&document, &bin), Unit::Metre, UpAxis::Y, 100)
@@ -144,16 +144,16 @@ fn the_reason_for_refusing_a_file_names_the_place() {
         }
         change(&mut document);
         match read(&file(&document, &bin), Unit::Metre, UpAxis::Y, 100) {
-            Err(Refusal::Invalid(detail)) if detail.contains(expected) => {}
+            Err(GlbError::Invalid(detail)) if detail.contains(expected) => {}
             other => panic!("{expected}: {other:?}"),
         }
     }
-    assert_eq!(read(&file(&triangle().0, &triangle().1), Unit::Metre, UpAxis::Y, 2), Err(Refusal::TooLarge));
+    assert_eq!(read(&file(&triangle().0, &triangle().1), Unit::Metre, UpAxis::Y, 2), Err(GlbError::TooLarge));
     let nodes: Vec<Value> = (1..=100).map(|k| json!({ "children": [k] })).chain([json!({ "mesh": 0 })]).collect();
     let deep = changed(|document| document["nodes"] = json!(nodes));
-    assert!(matches!(deep, Err(Refusal::Invalid(detail)) if detail.contains("below more than 64")));
+    assert!(matches!(deep, Err(GlbError::Invalid(detail)) if detail.contains("below more than 64")));
     let wide = changed(|document| document["extras"] = json!(vec![json!({}); 100_000]));
-    assert!(matches!(wide, Err(Refusal::Invalid(detail)) if detail.contains("more than 100000 objects")));
+    assert!(matches!(wide, Err(GlbError::Invalid(detail)) if detail.contains("more than 100000 objects")));
 }
 
 proptest! {

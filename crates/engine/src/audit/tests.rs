@@ -3,7 +3,7 @@
 
 use crate::limits::Limits;
 use crate::request::Request;
-use crate::solved::{Draft, Unsolved, faults as faults_of};
+use crate::solved::{UnauditedResult, Unsolved, faults as faults_of};
 use crate::source::no_jobs;
 use plateau_archive::archive::{BRIDGES, CABLES, Contents};
 use plateau_archive::{Archive, LineSet, Lines};
@@ -24,12 +24,17 @@ fn request(value: &Value) -> Request {
     accepted.unwrap_or_else(|rejection| panic!("refused: {rejection:?}")).request
 }
 
-fn with(draft: &Draft, fault: fn(&mut Contents, &mut Value)) -> Draft {
+fn with(draft: &UnauditedResult, fault: fn(&mut Contents, &mut Value)) -> UnauditedResult {
     let mut contents = draft.archive.contents().clone();
     let mut statistics: Value = serde_json::from_str(&draft.statistics).unwrap();
     fault(&mut contents, &mut statistics);
     let archive = Archive::new(contents).expect("the fault leaves a valid archive");
-    Draft { statistics: statistics.to_string(), warnings: draft.warnings.clone(), archive, reproducible: true }
+    UnauditedResult {
+        statistics: statistics.to_string(),
+        warnings: draft.warnings.clone(),
+        archive,
+        reproducible: true,
+    }
 }
 
 /// Requires that the audit finds no fault in the unchanged result, and finds each fault of the list.
@@ -38,7 +43,7 @@ fn finds(value: &Value, faults: &[Fault]) {
     let (draft, input) = request.draft();
     let exec = Execution::default();
     let faults_of =
-        |draft: &Draft| faults_of(&draft.statistics, &draft.warnings, &draft.archive, input, &exec).unwrap();
+        |draft: &UnauditedResult| faults_of(&draft.statistics, &draft.warnings, &draft.archive, input, &exec).unwrap();
     assert_eq!(faults_of(&draft), [], "{}", value["kind"]);
     for (name, fault) in faults {
         let found = faults_of(&with(&draft, *fault));

@@ -6,14 +6,14 @@ use std::sync::Arc;
 
 /// A straight line. II = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct StraightLine {
     /// A point of the line.
     pub point: DVec3,
     /// Its unit direction.
     pub direction: DVec3,
 }
 
-impl Support for Line {
+impl Support for StraightLine {
     fn is_sound(&self) -> bool {
         self.direction.is_normalized()
     }

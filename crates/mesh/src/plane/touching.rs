@@ -6,7 +6,7 @@
 
 use super::polygon::{contains, doubled_area};
 use crate::execution::{Execution, Interruption};
-use crate::polyline::contact::{Contact, Segments, first_contact};
+use crate::polyline::contact::{MeetingSegments, Segments, first_contact};
 use crate::{DVec2, DVec3};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -104,7 +104,7 @@ impl Contacts {
                 }
                 let found: RefCell<Vec<PointOf>> = RefCell::default();
                 let are_neighbours = |i: usize, j: usize| i + 1 >= j || (j + 1) % count == i;
-                let note = |contact: &Contact| {
+                let note = |contact: &MeetingSegments| {
                     if k != l || !are_neighbours(contact.first, contact.second) {
                         found.borrow_mut().push((contact.first, contact.second));
                     }

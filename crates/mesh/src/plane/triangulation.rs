@@ -49,7 +49,7 @@ pub struct Constraint {
 
 /// Why the constraints do not bound a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tangle {
+pub enum InvalidConstraints {
     /// These two points coincide.
     Coincident(u32, u32),
     /// This constraint crosses another one or runs through a point.
@@ -77,11 +77,11 @@ pub struct Triangulation {
 /// n).
 ///
 /// # Errors
-/// A [`Tangle`] if the constraints bound no region. Outlines must be disjoint simple loops, in any direction and nested
+/// A [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, in any direction and nested
 /// in any way. A loop may visit a place several times if its points there have the same coordinates and it does not
 /// cross itself ([`touching`](super::touching)). Each of these points is a vertex of its own.
 #[inline]
-pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
+pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, InvalidConstraints> {
     if let Some(shared) = SharedPlaces::of(points, constraints)? {
         let mut triangles = triangles_inside(&shared.points, &shared.constraints)?;
         shared.divide(&mut triangles)?;
@@ -92,7 +92,7 @@ pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<
     // An outline edge that lies on another outline, or is given twice, does not separate inside from outside.
     let separates = |c: &&Constraint| is_inside(faces.left_of(c)) != is_inside(faces.right_of(c));
     if let Some(c) = constraints.iter().filter(|c| c.border == Border::Outline).find(|c| !separates(c)) {
-        return Err(Tangle::WrongSide { from: c.from, to: c.to });
+        return Err(InvalidConstraints::WrongSide { from: c.from, to: c.to });
     }
     let inside = faces.cdt.inner_faces().filter(|face| is_inside(faces.label[face.fix().index()]));
     Ok(inside.map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect())
@@ -117,8 +117,8 @@ impl Faces {
     /// Triangulates the points with the constraints, and labels the faces.
     ///
     /// # Errors
-    /// A [`Tangle`]. [`Tangle::WrongSide`] is not detected here.
-    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
+    /// A [`InvalidConstraints`]. [`InvalidConstraints::WrongSide`] is not detected here.
+    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, InvalidConstraints> {
         let mut crossing = None;
         let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
         // Spade refuses coordinates of less than 1e-142, so they become 0.
@@ -126,18 +126,18 @@ impl Faces {
         let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
             crossing.get_or_insert(edge);
         })
-        .map_err(|_| Tangle::OutOfRange)?;
+        .map_err(|_| InvalidConstraints::OutOfRange)?;
         if let Some([from, to]) = crossing {
-            return Err(Tangle::Crossing { from: from as u32, to: to as u32 });
+            return Err(InvalidConstraints::Crossing { from: from as u32, to: to as u32 });
         }
         if cdt.num_vertices() != points.len() {
-            return Err(Tangle::OutOfRange);
+            return Err(InvalidConstraints::OutOfRange);
         }
         // Spade splits a constraint that runs through a point, so that the triangulation does not contain the whole
         // constraint.
         let is_missing = |c: &&Constraint| directed(&cdt, c).is_none_or(|edge| !edge.is_constraint_edge());
         if let Some(c) = constraints.iter().find(is_missing) {
-            return Err(Tangle::Crossing { from: c.from, to: c.to });
+            return Err(InvalidConstraints::Crossing { from: c.from, to: c.to });
         }
         let label = labels(&cdt, constraints);
         Ok(Self { cdt, label })
@@ -227,8 +227,8 @@ impl SharedPlaces {
     /// Merges points with equal coordinates. `None` if all points are distinct.
     ///
     /// # Errors
-    /// [`Tangle::Coincident`] for two equal points if one of them is not on an outline.
-    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Option<Self>, Tangle> {
+    /// [`InvalidConstraints::Coincident`] for two equal points if one of them is not on an outline.
+    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Option<Self>, InvalidConstraints> {
         let mut order: Vec<u32> = (0..points.len() as u32).collect();
         let position = |v: u32| points[v as usize];
         let key = |v: u32| (position(v).x, position(v).y);
@@ -259,7 +259,7 @@ impl SharedPlaces {
                 let [before, after] = [before[point as usize], after[point as usize]];
                 let here = place[point as usize];
                 if [before, after].iter().any(|&v| v == NONE || v == here) || before == after {
-                    return Err(Tangle::Coincident(group[0], group[1]));
+                    return Err(InvalidConstraints::Coincident(group[0], group[1]));
                 }
                 copies.push(FanVertex { place: here, point, before, after });
             }
@@ -272,8 +272,8 @@ impl SharedPlaces {
     /// points at the same place) becomes a corner of the triangles between its two neighbours on its loop.
     ///
     /// # Errors
-    /// [`Tangle::Coincident`] if a copy has no fan of its own, because its loop crosses another one there.
-    fn divide(&self, triangles: &mut [[u32; 3]]) -> Result<(), Tangle> {
+    /// [`InvalidConstraints::Coincident`] if a copy has no fan of its own, because its loop crosses another one there.
+    fn divide(&self, triangles: &mut [[u32; 3]]) -> Result<(), InvalidConstraints> {
         let places: BTreeSet<u32> = self.copies.iter().map(|copy| copy.place).collect();
         // For each edge that starts at a shared place: the triangle on its left, the index of the triangle's corner at
         // the place, and the next corner around the place.
@@ -304,7 +304,7 @@ impl SharedPlaces {
             let crossing = || {
                 let first = self.first[copy.place as usize];
                 let other = self.copies.iter().find(|other| other.place == copy.place && other.point != first);
-                Tangle::Coincident(first, other.map_or(copy.point, |other| other.point))
+                InvalidConstraints::Coincident(first, other.map_or(copy.point, |other| other.point))
             };
             // All triangles of the fan get the same copy as their corner.
             for (t, k, edge) in fan.ok_or_else(crossing)? {
@@ -330,9 +330,9 @@ impl Triangulation {
     /// outside the holes, and outside the lattice. O(n log n).
     ///
     /// # Errors
-    /// A [`Tangle`] if the constraints bound no region. Outlines must be disjoint simple loops, which may touch at
+    /// A [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, which may touch at
     /// points as in [`triangles_inside`].
-    pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
+    pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, InvalidConstraints> {
         if let Some(mut shared) = SharedPlaces::of(&points, constraints)? {
             let mut whole = Self::build(std::mem::take(&mut shared.points), &shared.constraints)?;
             shared.divide(&mut whole.corners)?;
@@ -342,7 +342,7 @@ impl Triangulation {
         let faces = Faces::of(&points, constraints)?;
         let wrong_side = |c: &&Constraint| c.border == Border::Outline && faces.left_of(c).is_none_or(|l| l.depth != 1);
         if let Some(c) = constraints.iter().find(wrong_side) {
-            return Err(Tangle::WrongSide { from: c.from, to: c.to });
+            return Err(InvalidConstraints::WrongSide { from: c.from, to: c.to });
         }
         let cdt = &faces.cdt;
         let inside = |face: usize| faces.label[face] == Some(Label { depth: 1, lattice: false });
@@ -612,8 +612,11 @@ mod tests {
             Triangulation::build(points.iter().map(|&p| DVec2::from(p)).collect(), &constraints).err()
         };
         assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), None);
-        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]), Some(Tangle::Coincident(0, 2)));
-        assert!(matches!(outline(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]), Some(Tangle::Crossing { .. })));
-        assert!(matches!(outline(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]), Some(Tangle::WrongSide { .. })));
+        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]), Some(InvalidConstraints::Coincident(0, 2)));
+        assert!(matches!(
+            outline(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]),
+            Some(InvalidConstraints::Crossing { .. })
+        ));
+        assert!(matches!(outline(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]), Some(InvalidConstraints::WrongSide { .. })));
     }
 }

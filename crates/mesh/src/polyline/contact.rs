@@ -15,7 +15,7 @@ const PAIRS_PER_LOOK: u64 = 4096;
 
 /// Two segments that meet. The number of a segment is that of its first point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct MeetingSegments {
     /// Number of the first segment.
     pub first: usize,
     /// Number of the second segment.
@@ -85,9 +85,9 @@ pub fn first_contact(
     first: &Segments<'_>,
     second: &Segments<'_>,
     tolerance: f64,
-    counts: impl Fn(&Contact) -> bool,
+    counts: impl Fn(&MeetingSegments) -> bool,
     exec: &Execution<'_>,
-) -> Result<Option<Contact>, Interruption> {
+) -> Result<Option<MeetingSegments>, Interruption> {
     let whole = |segments: &Segments<'_>| Run { node: 1, from: 0, to: segments.count };
     let mut pairs = vec![[whole(first), whole(second)]];
     let mut tried = 0;
@@ -113,7 +113,7 @@ pub fn first_contact(
         for k in a.from..a.to {
             for l in b.from..b.to {
                 let [near, far] = nearest(first.segment(k), second.segment(l));
-                let contact = Contact { first: k, second: l, point: near };
+                let contact = MeetingSegments { first: k, second: l, point: near };
                 if near.distance(far) <= tolerance && counts(&contact) {
                     return Ok(Some(contact));
                 }
@@ -150,7 +150,7 @@ mod tests {
         coordinates.iter().copied().map(DVec3::from).collect()
     }
 
-    fn all(_: &Contact) -> bool {
+    fn all(_: &MeetingSegments) -> bool {
         true
     }
 

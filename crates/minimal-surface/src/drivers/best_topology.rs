@@ -321,7 +321,7 @@ fn compare(
 }
 
 /// Result of the search for the largest gap between two boundaries that a connected film spans.
-enum Widest {
+enum LargestGap {
     Full(Box<SolvedFilm>),
     Fraction(f64),
     NotFound,
@@ -376,9 +376,9 @@ impl<'a> SpanningProblem<'a> {
         let whole = (1 << count) - 1;
         if count == 2 && sets.contains(&whole) && parts.films[whole as usize].is_none() && !parts.interrupted {
             match exec.part([0.9, 1.0], |exec| self.widest_gap(exec)) {
-                Ok(Widest::Full(part)) => parts.films[whole as usize] = Some(*part),
-                Ok(Widest::Fraction(fraction)) => parts.largest_gap_fraction = Some(fraction),
-                Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
+                Ok(LargestGap::Full(part)) => parts.films[whole as usize] = Some(*part),
+                Ok(LargestGap::Fraction(fraction)) => parts.largest_gap_fraction = Some(fraction),
+                Ok(LargestGap::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
                 Err(error) => return Err(error),
             }
         }
@@ -498,12 +498,12 @@ impl<'a> SpanningProblem<'a> {
 
     /// Step 4. Only the film over the full gap is refined at its neck. Refining the films on the way too would take
     /// many times as long.
-    fn widest_gap(&self, exec: &Execution) -> Result<Widest, Error> {
-        let [first, second] = self.boundaries else { return Ok(Widest::NotFound) };
+    fn widest_gap(&self, exec: &Execution) -> Result<LargestGap, Error> {
+        let [first, second] = self.boundaries else { return Ok(LargestGap::NotFound) };
         let gap = polyline::mean(second) - polyline::mean(first);
         let size = self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
         if gap.length() <= 1e-9 * size {
-            return Ok(Widest::NotFound);
+            return Ok(LargestGap::NotFound);
         }
         let at = |fraction: f64| -> Vec<Vec<DVec3>> {
             vec![first.clone(), second.iter().map(|&p| p - gap * (1.0 - fraction)).collect()]
@@ -516,12 +516,12 @@ impl<'a> SpanningProblem<'a> {
                     held = Some((fraction, part));
                     break;
                 }
-                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(Widest::NotFound),
+                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(LargestGap::NotFound),
                 Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
                 Err(error) => return Err(error),
             }
         }
-        let Some((mut fraction, mut part)) = held else { return Ok(Widest::NotFound) };
+        let Some((mut fraction, mut part)) = held else { return Ok(LargestGap::NotFound) };
         let mut step = 0.5 * (1.0 - fraction);
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
@@ -541,13 +541,13 @@ impl<'a> SpanningProblem<'a> {
                             loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
                         }
                     }
-                    return Ok(Widest::Full(Box::new(part)));
+                    return Ok(LargestGap::Full(Box::new(part)));
                 }
             } else {
                 step *= 0.5;
             }
         }
-        Ok(Widest::Fraction(fraction))
+        Ok(LargestGap::Fraction(fraction))
     }
 }
 

@@ -5,7 +5,7 @@ use super::graded_lattice::{SizeField, Source};
 use glam::DVec2;
 use plateau_mesh::film::Film;
 use plateau_mesh::plane::polygon::{contains, doubled_area, inside};
-use plateau_mesh::plane::triangulation::{Border, Constraint, Tangle, triangles_inside};
+use plateau_mesh::plane::triangulation::{Border, Constraint, InvalidConstraints, triangles_inside};
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use plateau_mesh::topology::Topology;
 use plateau_mesh::{DVec3, Execution, Interruption};
@@ -225,11 +225,11 @@ impl PlaneRegion {
         let constraints: Vec<Constraint> = edges.iter().enumerate().map(constraint).collect();
         triangles_inside(points, &constraints).map_err(|tangle| {
             PlaneError::NotSimple(match tangle {
-                Tangle::Crossing { from, to } | Tangle::WrongSide { from, to } => [from, to],
-                Tangle::Coincident(a, b) => {
+                InvalidConstraints::Crossing { from, to } | InvalidConstraints::WrongSide { from, to } => [from, to],
+                InvalidConstraints::Coincident(a, b) => {
                     edges.iter().copied().find(|edge| edge.contains(&a) || edge.contains(&b)).unwrap_or(edges[0])
                 }
-                Tangle::OutOfRange => edges[0],
+                InvalidConstraints::OutOfRange => edges[0],
             })
         })
     }

@@ -2,7 +2,7 @@
 //! width.
 //!
 //! Every operation is a single correctly rounded IEEE operation on every lane, and no two operations are fused, so all
-//! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
+//! instances give the same bits. The instance is chosen at run time ([`LaneWidth::get`]).
 
 #![allow(unsafe_code, reason = "the instructions for vectors exist on some processors only")]
 
@@ -118,7 +118,7 @@ impl Lanes for f64 {
 /// The instance of [`Lanes`] to use, with the proof that this processor has its instructions. It is the widest that the
 /// processor has, or a narrower one in tests, which compare all instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Widest {
+pub(crate) enum LaneWidth {
     Plain,
     #[cfg(target_arch = "x86_64")]
     Four(Avx2),
@@ -126,7 +126,7 @@ pub(crate) enum Widest {
     Eight(Avx512),
 }
 
-impl Widest {
+impl LaneWidth {
     pub(crate) fn get() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
@@ -158,18 +158,18 @@ impl Widest {
 macro_rules! with_lanes {
     ($widest:expr, $lanes:ident, $simd:ident => $body:expr) => {
         match $widest {
-            $crate::graph::lanes::Widest::Plain => {
+            $crate::graph::lanes::LaneWidth::Plain => {
                 type $lanes = f64;
                 let $simd = ();
                 $body
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::graph::lanes::Widest::Four($simd) => {
+            $crate::graph::lanes::LaneWidth::Four($simd) => {
                 type $lanes = $crate::graph::lanes::Four;
                 $body
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::graph::lanes::Widest::Eight($simd) => {
+            $crate::graph::lanes::LaneWidth::Eight($simd) => {
                 type $lanes = $crate::graph::lanes::Eight;
                 $body
             }

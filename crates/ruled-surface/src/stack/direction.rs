@@ -14,7 +14,7 @@ use super::options::DirectionCriterion;
 use super::prepare::Prepared;
 use crate::graph::cell_counter::CellCounter;
 use crate::graph::convexity::ConvexityTest;
-use crate::graph::lanes::Widest;
+use crate::graph::lanes::LaneWidth;
 use crate::graph::rails::Rails;
 use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::solve_all;
@@ -39,7 +39,7 @@ pub(crate) fn choose_directions(
     prepared: &mut Prepared,
     goal: Goal,
     test: ConvexityTest,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<(), Error> {
     for k in 1..prepared.directrices.len() {
@@ -72,7 +72,7 @@ pub(crate) fn choose_directions(
 /// only the objective can decide.
 pub(crate) fn evident_direction(
     ways: &[Rails; 2],
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<(bool, DirectionCriterion)>, Error> {
     let [as_given, reversed] = ways;

@@ -6,7 +6,7 @@ use plateau_mesh::DVec3;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::Warning;
 use plateau_mesh::execution::{Execution, Interruption};
-use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
+use plateau_mesh::polyline::contact::{MeetingSegments, Segments, first_contact};
 use plateau_mesh::polyline::{SAME_POINT, radius};
 
 /// Smallest number of points of an open directrix that is taken for a loop.
@@ -80,11 +80,11 @@ fn meeting(
     closed: bool,
     tolerance: f64,
     execution: &Execution<'_>,
-) -> Result<Option<Contact>, Interruption> {
+) -> Result<Option<MeetingSegments>, Interruption> {
     let at_end = |points: &[DVec3], place: DVec3| {
         [points[0], points[points.len() - 1]].into_iter().any(|end| end.distance(place) <= 2.0 * tolerance)
     };
-    let counts = |contact: &Contact| closed || !(at_end(p, contact.point) && at_end(q, contact.point));
+    let counts = |contact: &MeetingSegments| closed || !(at_end(p, contact.point) && at_end(q, contact.point));
     first_contact(&Segments::new(p, closed), &Segments::new(q, closed), tolerance, counts, execution)
 }
 

@@ -3,7 +3,7 @@
 use super::direction::evident_direction;
 use super::options::DirectionCriterion;
 use crate::graph::cell_counter::CellCounter;
-use crate::graph::lanes::Widest;
+use crate::graph::lanes::LaneWidth;
 use crate::graph::rails::Rails;
 use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::{least, least_bending_within};
@@ -37,7 +37,7 @@ pub(crate) fn of_strip(
     path: &[[u32; 2]],
     statistics: &Statistics,
     (goal, as_given): (Goal, bool),
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<Warning>, Error> {
     let mut warnings = Vec::new();

@@ -6,7 +6,7 @@ use crate::graph::cell_counter::CellCounter;
 use crate::graph::closed::{self, FoundPath, KernelSearch, PathSearch};
 use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::corridor::corridor;
-use crate::graph::lanes::{Lanes, Widest, with_lanes};
+use crate::graph::lanes::{LaneWidth, Lanes, with_lanes};
 use crate::graph::layers::{
     Area, Concave, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer, Twist,
 };
@@ -50,7 +50,7 @@ pub(crate) fn solve_all(
     strips: &[Rails],
     goal: Goal,
     test: ConvexityTest,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<SolvedStrips, Error> {
@@ -92,7 +92,7 @@ pub(crate) fn path_of(
     strip: &Rails,
     goal: Goal,
     test: ConvexityTest,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Error> {
     if matches!(goal.objective, Objective::Weighted(_)) || goal.winding_matters() {
@@ -144,7 +144,7 @@ fn normalised(
     strip: &Rails,
     weights: Weights,
     test: ConvexityTest,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Factors, Error> {
@@ -179,7 +179,7 @@ fn normalised(
 pub(crate) fn optimal_path(
     strip: &Rails,
     asked: SearchGoal<'_>,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Interruption> {
     let (m, n) = (strip.m() as u32, strip.n() as u32);
@@ -227,7 +227,7 @@ fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
 pub(crate) fn least(
     strip: &Rails,
     objective: Objective,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<f64, Interruption> {
     let cost = found(strip, SearchGoal::plainly(Goal::single(objective), ConvexityTest::Within(0.0)), lanes, counter)?
@@ -240,7 +240,7 @@ pub(crate) fn least(
 pub(crate) fn least_bending_within(
     strip: &Rails,
     bound: f64,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Option<f64>, Interruption> {
     if strip.closed {
@@ -263,7 +263,7 @@ fn bending_within<V: Lanes>(
 fn found(
     strip: &Rails,
     asked: SearchGoal<'_>,
-    lanes: Widest,
+    lanes: LaneWidth,
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<FoundPath, Interruption> {
     with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, counter))
@@ -352,7 +352,7 @@ mod tests {
         for (m, n) in [(2, 2), (2, 9), (3, 7), (5, 4), (8, 8), (66, 41), (41, 66), (131, 203), (400, 90)] {
             for wave in [0.0, 0.3, 1.0, 2.0] {
                 let strip = strip(m, n, wave);
-                for lanes in Widest::all() {
+                for lanes in LaneWidth::all() {
                     let mut counter = CellCounter::new(&execution, 1);
                     let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut counter).unwrap();
                     for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {
@@ -370,10 +370,10 @@ mod tests {
         let strip = strip(1000, 1000, 1.0);
         let execution = Execution::default();
         let mut counter = CellCounter::new(&execution, 1);
-        let least = least(&strip, Objective::MinimalBendingEnergy, Widest::get(), &mut counter).unwrap();
+        let least = least(&strip, Objective::MinimalBendingEnergy, LaneWidth::get(), &mut counter).unwrap();
         for (factor, share) in [(0.2, 0.1), (0.5, 0.25), (1.0, 0.7)] {
             let before = execution.work();
-            least_bending_within(&strip, factor * least, Widest::get(), &mut counter).unwrap();
+            least_bending_within(&strip, factor * least, LaneWidth::get(), &mut counter).unwrap();
             counter.last_look().unwrap();
             let cells = (execution.work() - before) as f64;
             assert!(cells < share * 1e6, "{factor}: {cells} of 1e6");
@@ -398,12 +398,12 @@ mod tests {
             for objective in [Objective::MinimalArea, Objective::MinimalTwist, Objective::MaximalConvexity] {
                 let asked = SearchGoal::plainly(Goal::single(objective), test);
                 assert!(is_better_exchanged(&strip, asked.goal));
-                let path = optimal_path(&strip, asked, Widest::get(), &mut counter).unwrap();
+                let path = optimal_path(&strip, asked, LaneWidth::get(), &mut counter).unwrap();
                 assert!(path[0][0] == 0 && path[path.len() - 1][0] == m as u32 - 1 && path.len() == m + n);
-                let plain = found(&strip, asked, Widest::get(), &mut counter).unwrap().path;
+                let plain = found(&strip, asked, LaneWidth::get(), &mut counter).unwrap().path;
                 let plain: Vec<[u32; 2]> = plain.into_iter().map(|[i, j]| [i % m as u32, j % n as u32]).collect();
                 let value = |path: &[[u32; 2]]| {
-                    let evaluation = evaluate(&strip, path, test, Widest::get(), &execution).unwrap();
+                    let evaluation = evaluate(&strip, path, test, LaneWidth::get(), &execution).unwrap();
                     figures(&evaluation, asked.goal, None, false, 1.0).objective_value
                 };
                 let (one, other) = (value(&path), value(&plain));
@@ -414,7 +414,7 @@ mod tests {
         counter.last_look().unwrap();
         let before = execution.work();
         let asked = SearchGoal::plainly(Goal::single(Objective::MinimalTwist), test);
-        optimal_path(&strip, asked, Widest::get(), &mut counter).unwrap();
+        optimal_path(&strip, asked, LaneWidth::get(), &mut counter).unwrap();
         counter.last_look().unwrap();
         let cells = execution.work() - before;
         assert!(cells < 100 * 3 * 3000, "{cells}");

@@ -1,7 +1,7 @@
 //! Every quantity of Wang and Tang's Table 1 (and a few more) of one given triangulation of a strip.
 
 use crate::graph::convexity::{self, ConvexityTest};
-use crate::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
+use crate::graph::lanes::{LaneWidth, Lanes, MOST_LANES, Task, Vector, with_lanes};
 use crate::graph::rails::Rails;
 use crate::graph::weight::{self, BridgeTriangle};
 use plateau_mesh::DVec3;
@@ -132,7 +132,7 @@ pub(crate) fn evaluate(
     strip: &Rails,
     path: &[[u32; 2]],
     test: ConvexityTest,
-    lanes: Widest,
+    lanes: LaneWidth,
     execution: &Execution<'_>,
 ) -> Result<Evaluation, Error> {
     let mut sums = Sums::new(path.len());

@@ -7,7 +7,7 @@ use crate::options::{Cable, Course, Options, Sliding, SlidingPart, Structure};
 use crate::weave::StressField;
 use plateau_equilibrium::energy;
 use plateau_equilibrium::energy::cable::Law;
-use plateau_equilibrium::{Contact, Freedom};
+use plateau_equilibrium::{ContactEnergy, Freedom};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, Error, Execution, Mesh, polyline};
@@ -270,7 +270,7 @@ impl Model {
         }
         if let Some(angle) = sliding.contact_angle {
             let at = &self.layers[0].film.vertices;
-            self.contacts.extend(Contact::new(&vertices, closed, &*on, tension, angle, at));
+            self.contacts.extend(ContactEnergy::new(&vertices, closed, &*on, tension, angle, at));
             self.at_contacts.extend(&vertices);
         }
     }

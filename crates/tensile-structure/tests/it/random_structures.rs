@@ -7,7 +7,7 @@
 
 use glam::DQuat;
 use plateau_equilibrium::Support;
-use plateau_equilibrium::support::{Circle, Cylinder, Line, Plane, Sphere};
+use plateau_equilibrium::support::{Circle, Cylinder, Plane, Sphere, StraightLine};
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_minimal_surface::Resolution;
@@ -132,7 +132,9 @@ fn sail(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
                 let along = level.cross(DVec3::Z);
                 let radius = random.between(3.0, 8.0);
                 let on: Arc<dyn Support> = match random.below(5) {
-                    0 => Arc::new(Line { point: here, direction: (along + 0.3 * direction(random)).normalize() }),
+                    0 => {
+                        Arc::new(StraightLine { point: here, direction: (along + 0.3 * direction(random)).normalize() })
+                    }
                     1 => Arc::new(Circle { centre: here + radius * level, axis: DVec3::Z, radius }),
                     2 => Arc::new(Plane { point: here, normal: (outward + 0.2 * direction(random)).normalize() }),
                     3 => Arc::new(Sphere { centre: here + radius * outward, radius }),
@@ -191,7 +193,7 @@ fn curtain(random: &mut Random, displaced: f64) -> (&'static str, Structure) {
     let lower = [DVec3::new(width, y + random.between(0.0, 1.0), 0.0), DVec3::new(0.0, y, 0.0)];
     let boundary = vec![upper[0], upper[1], lower[0], lower[1]];
     let floor = || Arc::new(Plane { point: DVec3::ZERO, normal: DVec3::Z });
-    let rail = |x: f64| Arc::new(Line { point: DVec3::new(x, 0.0, 0.0), direction: DVec3::Y });
+    let rail = |x: f64| Arc::new(StraightLine { point: DVec3::new(x, 0.0, 0.0), direction: DVec3::Y });
     let slide = |part: SlidingPart, on: Arc<dyn Support>| Sliding { part, on, contact_angle: None };
     let point = |point: usize| SlidingPart::Point(BoundaryPoint { boundary: 0, point });
     let sliding = vec![

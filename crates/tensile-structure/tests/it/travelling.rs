@@ -1,6 +1,6 @@
 //! Structures whose corners and edges end far from where they start.
 
-use plateau_equilibrium::support::{Line, Plane};
+use plateau_equilibrium::support::{Plane, StraightLine};
 use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Error, Execution, Progress, Signal};
 use plateau_minimal_surface::Resolution;
@@ -65,7 +65,7 @@ fn stayed(corner: (f64, f64)) -> Structure {
 
 /// A film whose third corner slides on a line and starts at the given x.
 fn corner_on_a_line(x: f64) -> Structure {
-    let on = Arc::new(Line { point: DVec3::new(0.0, 6.0, 0.0), direction: DVec3::X });
+    let on = Arc::new(StraightLine { point: DVec3::new(0.0, 6.0, 0.0), direction: DVec3::X });
     let part = SlidingPart::Point(BoundaryPoint { boundary: 0, point: 2 });
     Structure {
         cables: vec![edge(1, 2, 14.0), edge(2, 0, 11.0)],

@@ -7,7 +7,7 @@ use crate::options::Objective;
 use plateau_mesh::DVec2;
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::plane::polygon;
-use plateau_mesh::plane::triangulation::{Border, Constraint, Tangle, Triangulation};
+use plateau_mesh::plane::triangulation::{Border, Constraint, InvalidConstraints, Triangulation};
 
 /// The boundary nodes and the loops through them. Each loop has the domain on its left.
 #[derive(Clone, Debug, Default)]
@@ -42,13 +42,13 @@ pub(crate) struct PlaneMesh {
 }
 
 pub(crate) enum Failure {
-    Tangle(Tangle),
+    InvalidConstraints(InvalidConstraints),
     Interrupted(Interruption),
 }
 
-impl From<Tangle> for Failure {
-    fn from(tangle: Tangle) -> Self {
-        Self::Tangle(tangle)
+impl From<InvalidConstraints> for Failure {
+    fn from(tangle: InvalidConstraints) -> Self {
+        Self::InvalidConstraints(tangle)
     }
 }
 
@@ -63,7 +63,7 @@ impl From<Interruption> for Failure {
 /// The reported progress runs over `span`.
 ///
 /// # Errors
-/// [`Failure::Tangle`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes after the
+/// [`Failure::InvalidConstraints`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes after the
 /// region has been triangulated, the valid mesh that was reached is returned instead.
 pub(crate) fn mesh(
     outlines: &[&Outline],

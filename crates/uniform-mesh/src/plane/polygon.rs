@@ -10,7 +10,7 @@ use plateau_mesh::plane::flatness::Flatness;
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::plane::polygon::doubled_area;
 use plateau_mesh::plane::touching::{Meeting, PointOf, meeting};
-use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
+use plateau_mesh::polyline::contact::{MeetingSegments, Segments, first_contact};
 use plateau_mesh::polyline::{LARGEST_COORDINATE, Merged, SAME_POINT, mean, merge_near_neighbours};
 use plateau_mesh::{DVec2, DVec3};
 use std::cell::Cell;
@@ -256,7 +256,7 @@ fn without_area(outer: &Merged) -> Error {
     }
     let segments = Segments::new(points, true);
     let are_apart =
-        |contact: &Contact| contact.first + 1 < contact.second && (contact.second + 1) % count != contact.first;
+        |contact: &MeetingSegments| contact.first + 1 < contact.second && (contact.second + 1) % count != contact.first;
     let looks = Cell::new(0);
     let signal = || {
         looks.set(looks.get() + 1);

@@ -2,7 +2,7 @@
 
 use super::{CableNetStatistics, Group};
 use crate::audit::comparison::Audit;
-use crate::solved::{self, CoordinateSystem, Draft, archive, generator, reactions, to_json, warnings};
+use crate::solved::{self, CoordinateSystem, UnauditedResult, archive, generator, reactions, to_json, warnings};
 use plateau_archive::archive::{CABLES, Contents, middle};
 use plateau_archive::units::ForceUnit;
 use plateau_archive::{Attribute, LineSet, Lines};
@@ -23,7 +23,7 @@ pub(super) struct SolverInput {
 const NAMED_EDGES: usize = 10;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { net, options, groups, force } = self;
         let force = *force;
         let found = cable_net::solve(net, options, exec)?;
@@ -52,7 +52,7 @@ impl solved::SolverInput for SolverInput {
             ..Contents::default()
         })?;
         let reproducible = found.stop_reason != cable_net::StopReason::Deadline;
-        Ok(Draft { statistics, warnings, archive, reproducible })
+        Ok(UnauditedResult { statistics, warnings, archive, reproducible })
     }
 
     fn audit(&self, audit: &mut Audit) {

@@ -2,7 +2,7 @@
 
 use crate::audit::comparison::Audit;
 use crate::common::Point;
-use crate::solved::{self, CoordinateSystem, Draft, archive, generator, origin, to_json};
+use crate::solved::{self, CoordinateSystem, UnauditedResult, archive, generator, origin, to_json};
 use crate::source::Source;
 use plateau_archive::archive::Contents;
 use plateau_mesh::{Error, Execution, Mesh};
@@ -30,7 +30,7 @@ pub struct EnlargementStatistics {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { source, factor, stated } = self;
         let given = source.archive().contents();
         exec.look(1)?;
@@ -52,7 +52,7 @@ impl solved::SolverInput for SolverInput {
             statistics: statistics.clone(),
             ..Contents::default()
         })?;
-        Ok(Draft { statistics, warnings: Vec::new(), archive, reproducible: true })
+        Ok(UnauditedResult { statistics, warnings: Vec::new(), archive, reproducible: true })
     }
 
     fn audit(&self, audit: &mut Audit) {

@@ -8,7 +8,7 @@
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
 use base64::Engine as _;
-use plateau_archive::glb::{self, Refusal, Triangles};
+use plateau_archive::glb::{self, GlbError, Triangles};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
@@ -50,8 +50,8 @@ pub(super) fn read(
     let file = file.map_err(|error| invalid(format!("is not base64: {error}")))?;
     let Triangles { mut mesh, rounding } =
         glb::read(&file, unit, up, limits.triangles).map_err(|refusal| match refusal {
-            Refusal::Invalid(detail) => invalid(detail),
-            Refusal::TooLarge => too_large(format!("is larger than is allowed ({} triangles)", limits.triangles)),
+            GlbError::Invalid(detail) => invalid(detail),
+            GlbError::TooLarge => too_large(format!("is larger than is allowed ({} triangles)", limits.triangles)),
         })?;
     restore(&mut mesh, boundaries, ROUNDINGS * rounding).map_err(invalid)?;
     Ok(mesh)

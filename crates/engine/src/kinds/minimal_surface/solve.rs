@@ -7,7 +7,8 @@ use super::proof;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
 use crate::solved::{
-    self, CoordinateSystem, Draft, Kept, Moved, archive, generator, line_set, origin, polylines, to_json, warnings,
+    self, CoordinateSystem, Kept, Moved, UnauditedResult, archive, generator, line_set, origin, polylines, to_json,
+    warnings,
 };
 use plateau_archive::archive::{Contents, MEAN_CURVATURE};
 use plateau_archive::{Attribute, Lines};
@@ -35,7 +36,7 @@ const LEAST_RANGE: f64 = 0.01;
 const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { boundaries, options, certify } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };
         let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
@@ -74,7 +75,7 @@ impl solved::SolverInput for SolverInput {
             proof: proof.document,
             ..Contents::default()
         })?;
-        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible })
+        Ok(UnauditedResult { statistics, warnings: warnings(surface.warnings), archive, reproducible })
     }
 
     fn audit(&self, audit: &mut Audit) {

@@ -4,7 +4,7 @@ use super::RuledStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
 use crate::solved::{
-    self, CoordinateSystem, Draft, archive, generator, line_set, origin, polylines, to_json, warnings,
+    self, CoordinateSystem, UnauditedResult, archive, generator, line_set, origin, polylines, to_json, warnings,
 };
 use plateau_archive::Lines;
 use plateau_archive::archive::BRIDGES;
@@ -25,7 +25,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { directrices, options } = self;
         let mut surface = ruled_surface::solve(directrices, options, exec)?;
         let (mesh, warned) = (&surface.mesh, &mut surface.warnings);
@@ -47,7 +47,12 @@ impl solved::SolverInput for SolverInput {
             unrolls,
             ..Contents::default()
         })?;
-        Ok(Draft { statistics, warnings: warnings(surface.warnings), archive, reproducible: !crossings.cut_short })
+        Ok(UnauditedResult {
+            statistics,
+            warnings: warnings(surface.warnings),
+            archive,
+            reproducible: !crossings.cut_short,
+        })
     }
 
     fn audit(&self, audit: &mut Audit) {

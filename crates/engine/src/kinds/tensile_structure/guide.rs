@@ -3,7 +3,7 @@
 use crate::bounds::{List, OneOf, Positive, given};
 use crate::common::{self, Point};
 use plateau_equilibrium::Support;
-use plateau_equilibrium::support::{Circle, Cylinder, Line, Mesh, Plane, Sphere, Torus};
+use plateau_equilibrium::support::{Circle, Cylinder, Mesh, Plane, Sphere, StraightLine, Torus};
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -134,7 +134,7 @@ impl Guide {
         let place = DVec3::from_array;
         if let Some(LineGuide { point, direction }) = self.line {
             let direction = unit(direction, "line/direction")?;
-            return Ok(Arc::new(Line { point: place(point), direction }));
+            return Ok(Arc::new(StraightLine { point: place(point), direction }));
         }
         if let Some(CircleGuide { centre, axis, radius }) = self.circle {
             return Ok(Arc::new(Circle {

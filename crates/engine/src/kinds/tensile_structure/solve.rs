@@ -4,7 +4,8 @@ use super::TensileStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
 use crate::solved::{
-    self, CoordinateSystem, Draft, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
+    self, CoordinateSystem, UnauditedResult, archive, generator, line_set, origin, polylines, reactions, to_json,
+    warnings,
 };
 use plateau_archive::archive::{CABLES, Contents};
 use plateau_archive::units::{ForceUnit, Unit};
@@ -59,7 +60,7 @@ fn held_edges(of_segments: &[tensile_structure::EdgeForce], force: ForceUnit, le
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { structure, options, force } = self;
         let force = *force;
         let mut found = tensile_structure::solve(structure, options, exec)?;
@@ -95,7 +96,7 @@ impl solved::SolverInput for SolverInput {
             ..Contents::default()
         })?;
         let reproducible = found.statistics.stop_reason != StopReason::Deadline && !crossings.cut_short;
-        Ok(Draft { statistics, warnings: warnings(found.warnings), archive, reproducible })
+        Ok(UnauditedResult { statistics, warnings: warnings(found.warnings), archive, reproducible })
     }
 
     fn audit(&self, audit: &mut Audit) {

@@ -3,7 +3,7 @@
 use super::UniformStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
-use crate::solved::{self, CoordinateSystem, Draft, archive, generator, origin, to_json, warnings};
+use crate::solved::{self, CoordinateSystem, UnauditedResult, archive, generator, origin, to_json, warnings};
 use plateau_archive::archive::Contents;
 use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_mesh::self_intersections::Order;
@@ -17,7 +17,7 @@ pub(super) struct SolverInput {
 }
 
 impl solved::SolverInput for SolverInput {
-    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<Draft, Error> {
+    fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
         let Self { domain, options } = self;
         let mut solved = uniform_mesh::solve(domain, options, exec)?;
         let (mesh, warned) = (&solved.mesh, &mut solved.warnings);
@@ -47,7 +47,7 @@ impl solved::SolverInput for SolverInput {
             ..Contents::default()
         })?;
         let reproducible = solved.converged && !crossings.cut_short;
-        Ok(Draft { statistics, warnings: warnings(solved.warnings), archive, reproducible })
+        Ok(UnauditedResult { statistics, warnings: warnings(solved.warnings), archive, reproducible })
     }
 
     fn audit(&self, audit: &mut Audit) {

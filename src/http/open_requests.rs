@@ -9,15 +9,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Open requests of each client.
 #[derive(Debug)]
-pub struct Seats {
+pub struct OpenRequests {
     most: usize,
     taken: Mutex<HashMap<Arc<str>, usize>>,
 }
 
 /// Counts one open request of a client until it is dropped.
 #[derive(Debug)]
-pub struct Seat {
-    seats: Arc<Seats>,
+pub struct OpenRequest {
+    seats: Arc<OpenRequests>,
     client: Arc<str>,
 }
 
@@ -42,7 +42,7 @@ pub fn address(extensions: &Extensions) -> String {
     }
 }
 
-impl Seats {
+impl OpenRequests {
     /// Creates seats, of which each client may take `most` at once.
     #[must_use]
     pub fn new(most: usize) -> Self {
@@ -60,7 +60,7 @@ impl Seats {
     }
 
     /// Returns a seat for this client, or `None` if the client already holds the maximum number of seats.
-    pub fn take(self: &Arc<Self>, client: &str) -> Option<Seat> {
+    pub fn take(self: &Arc<Self>, client: &str) -> Option<OpenRequest> {
         let client: Arc<str> = client.into();
         let mut taken = self.taken();
         let count = taken.entry(client.clone()).or_default();
@@ -68,11 +68,11 @@ impl Seats {
             return None;
         }
         *count += 1;
-        Some(Seat { seats: self.clone(), client })
+        Some(OpenRequest { seats: self.clone(), client })
     }
 }
 
-impl Drop for Seat {
+impl Drop for OpenRequest {
     fn drop(&mut self) {
         let mut taken = self.seats.taken();
         if let Some(count) = taken.get_mut(&self.client) {
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn a_client_has_its_share_of_seats_and_leaves_the_rest_to_others() {
-        let seats = Arc::new(Seats::new(2));
+        let seats = Arc::new(OpenRequests::new(2));
         let (first, second) = (seats.take("alice"), seats.take("alice"));
         assert!(first.is_some() && second.is_some() && seats.take("alice").is_none());
         assert!(seats.take("bob").is_some());

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use super::StoreError;
 
 #[derive(Debug)]
-pub(super) struct Contact {
+pub(super) struct OutageTracker {
     /// Longest pause between two answers that does not count as a break. A lease is renewed three times in its length,
     /// so every outage that lets a lease run out is longer than half of it.
     pause: Duration,
@@ -29,7 +29,7 @@ struct State {
     broken: bool,
 }
 
-impl Contact {
+impl OutageTracker {
     /// `alone` says that no other process uses the database.
     pub(super) fn new(lease: Duration, alone: bool) -> Self {
         let now = Instant::now();
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_failure_or_a_long_pause_ends_the_contact_and_a_write_begins_it_again() {
-        let contact = Contact::new(Duration::from_secs(10), false);
+        let contact = OutageTracker::new(Duration::from_secs(10), false);
         let start = contact.state().last;
         let at = |s: u64| start + Duration::from_secs(s);
         let unbroken_s = |s: u64| contact.unbroken_at(at(s)).as_secs();
@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_process_that_is_alone_had_no_outage_before_its_start() {
-        let contact = Contact::new(Duration::from_secs(10), true);
+        let contact = OutageTracker::new(Duration::from_secs(10), true);
         let start = contact.state().last;
         assert_eq!(contact.unbroken_at(start + Duration::from_secs(3600)), Duration::MAX);
         contact.note_at(start, Some(&StoreError::NoSpace("full".into())), true);

@@ -7,20 +7,20 @@ use tokio::sync::oneshot;
 /// A number of permits. If several owners wait, they get one permit each in turn, however many permits an owner waits
 /// for.
 #[derive(Debug)]
-pub struct Turns(Mutex<State>);
+pub struct FairPermits(Mutex<State>);
 
 #[derive(Debug)]
 struct State {
     free: usize,
     /// Owners who wait. The first one has the next turn.
-    lines: VecDeque<(String, VecDeque<oneshot::Sender<Turn>>)>,
+    lines: VecDeque<(String, VecDeque<oneshot::Sender<FairPermit>>)>,
 }
 
 /// A permit, which is returned when dropped.
 #[derive(Debug)]
-pub struct Turn(Option<Arc<Turns>>);
+pub struct FairPermit(Option<Arc<FairPermits>>);
 
-impl Turns {
+impl FairPermits {
     #[must_use]
     pub fn new(permits: usize) -> Self {
         Self(Mutex::new(State { free: permits, lines: VecDeque::new() }))
@@ -31,12 +31,12 @@ impl Turns {
     }
 
     /// Waits for a permit. Returns `None` only if the process is ending.
-    pub async fn take(self: &Arc<Self>, owner: &str) -> Option<Turn> {
+    pub async fn take(self: &Arc<Self>, owner: &str) -> Option<FairPermit> {
         let turn = {
             let mut state = self.state();
             if state.free > 0 {
                 state.free -= 1;
-                return Some(Turn(Some(self.clone())));
+                return Some(FairPermit(Some(self.clone())));
             }
             let (waiter, turn) = oneshot::channel();
             match state.lines.iter_mut().find(|(name, _)| name == owner) {
@@ -58,7 +58,7 @@ impl Turns {
             }
             // A permit may reach a waiter that goes away at the same moment. The permit then comes back when it is
             // dropped.
-            match waiter.map(|waiter| waiter.send(Turn(Some(self.clone())))) {
+            match waiter.map(|waiter| waiter.send(FairPermit(Some(self.clone())))) {
                 Some(Ok(())) => return,
                 // The waiter has gone away. Its permit is void, because it must not come back while the state is
                 // locked.
@@ -70,7 +70,7 @@ impl Turns {
     }
 }
 
-impl Drop for Turn {
+impl Drop for FairPermit {
     fn drop(&mut self) {
         if let Some(turns) = self.0.take() {
             turns.pass_on();
@@ -85,7 +85,7 @@ mod tests {
 
     #[tokio::test]
     async fn owners_get_permits_in_turn() {
-        let turns = Arc::new(Turns::new(1));
+        let turns = Arc::new(FairPermits::new(1));
         let mut held = turns.take("alice").await.unwrap();
         let mut waiting: Vec<_> = ["alice", "alice", "alice", "bob", "bob", "carol"]
             .map(|owner| (owner, Box::pin(turns.take(owner))))
@@ -110,7 +110,7 @@ mod tests {
 
     #[tokio::test]
     async fn a_permit_of_a_waiter_that_went_away_is_not_lost() {
-        let turns = Arc::new(Turns::new(1));
+        let turns = Arc::new(FairPermits::new(1));
         let held = turns.take("alice").await.unwrap();
         let mut gone = Box::pin(turns.take("bob"));
         assert!((&mut gone).now_or_never().is_none());
