@@ -1,5 +1,6 @@
 //! Processes are killed at random moments under load. Every accepted job must end exactly once, with the mesh that an
-//! undisturbed server makes of the same request. Each test kills ten times, or a hundred times with `PLATEAU_LONG=1`.
+//! undisturbed server makes of the same request. Each test kills four times in the first tier of
+//! `scripts/test`, ten times in the second, and a hundred times with `PLATEAU_LONG=1`.
 
 use crate::cluster::{self, Cluster, Process};
 use crate::hold::until;
@@ -17,7 +18,11 @@ const CLIENTS: usize = 6;
 const SHAPES: usize = 12;
 
 fn kills() -> usize {
-    if std::env::var_os("PLATEAU_LONG").is_some() { 100 } else { 10 }
+    match (std::env::var_os("PLATEAU_LONG").is_some(), crate::is_full()) {
+        (true, _) => 100,
+        (false, true) => 10,
+        (false, false) => 4,
+    }
 }
 
 /// Returns a small request: a strip or a film. The holds decide in which states a kill finds them.

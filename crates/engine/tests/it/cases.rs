@@ -114,7 +114,10 @@ fn is_connected_film(name: &str, area: f64) {
 fn five_to_eight_rings_that_face_outwards_have_a_connected_film() {
     is_connected_film("loops_bipyr5_0.97_fixed", 3.718);
     is_connected_film("loops_cube_0.97_fixed", 3.760);
-    is_connected_film("loops_octa_0.97_best", 2.140);
+    // This search for the best of eight loops takes half a minute in a debug build.
+    if crate::is_full() {
+        is_connected_film("loops_octa_0.97_best", 2.140);
+    }
 }
 
 #[test]
@@ -293,6 +296,16 @@ fn hard_cases() -> Vec<(String, Value)> {
         .into()
 }
 
+/// Cases that each take seconds and are left to `scripts/test --full`.
+const LONG: [&str; 6] = [
+    "best",
+    "film_T_roof_200000",
+    "film_gps_corr_4000",
+    "loops_bipyr5_0.97_fixed",
+    "loops_cube_0.97_fixed",
+    "loops_octa_0.97_best",
+];
+
 /// A solver cannot be cancelled while it works without a check of the signal.
 #[test]
 fn no_solver_works_for_long_without_a_look_at_the_signal() {
@@ -309,6 +322,9 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
         .collect();
     cases.sort_by(|a, b| a.0.cmp(&b.0));
     cases.extend(hard_cases());
+    if !crate::is_full() {
+        cases.retain(|(name, _)| !LONG.contains(&name.as_str()));
+    }
     let mut kinds = std::collections::BTreeSet::new();
     for (name, value) in cases {
         let body = value.to_string();

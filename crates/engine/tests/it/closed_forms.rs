@@ -290,7 +290,11 @@ fn statistics(case: &Case, level: usize) -> Value {
 
 #[test]
 fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
-    let cases: Vec<Case> = sails().into_iter().chain(heavy_cables()).chain(caps()).chain(catenoids()).collect();
+    let mut cases: Vec<Case> = sails().into_iter().chain(heavy_cables()).chain(caps()).chain(catenoids()).collect();
+    if !crate::is_full() {
+        // One structure in four, so that each kind has one.
+        cases = cases.into_iter().step_by(4).collect();
+    }
     let mut table = String::from(
         "# Closed forms\n\nFigures of tensile structures at three meshes, beside their closed forms. \
          `crates/engine/tests/it/closed_forms.rs` has the structures, and fails if an\nerror falls with less than the \
@@ -334,7 +338,7 @@ fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
     }
     println!("{table}");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(rows >= 30, "{rows} rows");
+    assert!(rows >= if crate::is_full() { 30 } else { 6 }, "{rows} rows");
     let path = crate::root().join("docs/validation/closed-forms.md");
     if std::env::var_os("PLATEAU_WRITE").is_some() {
         std::fs::write(&path, &table).expect("the file can be written");
@@ -345,5 +349,7 @@ fn errors_against_closed_forms_fall_with_the_square_of_the_edge_length() {
         text.lines().filter(|line| line.starts_with('|')).map(row).collect()
     };
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
-    assert_eq!(named(&committed), named(&table), "docs/validation/closed-forms.md has other rows");
+    let (committed, found) = (named(&committed), named(&table));
+    assert!(found.iter().all(|row| committed.contains(row)), "docs/validation/closed-forms.md lacks rows");
+    assert!(!crate::is_full() || committed == found, "docs/validation/closed-forms.md has other rows");
 }

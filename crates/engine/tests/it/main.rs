@@ -44,3 +44,8 @@ fn read(body: &[u8]) -> Result<Request, Rejection> {
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
+
+/// Returns true if more cases are to be run than in the first tier of `scripts/test`.
+fn is_full() -> bool {
+    ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some())
+}

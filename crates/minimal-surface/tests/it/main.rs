@@ -22,3 +22,8 @@ mod rings_near_the_limit;
 mod rings_on_a_sphere;
 mod topologies;
 mod vertex_relaxation;
+
+/// Returns true if more cases are to be run than in the first tier of `scripts/test`.
+fn is_full() -> bool {
+    ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some())
+}

@@ -12,3 +12,8 @@ mod once_wrong;
 mod uniform_curved;
 mod uniform_plane;
 mod uniform_surface;
+
+/// Returns true if more cases are to be run than in the first tier of `scripts/test`.
+fn is_full() -> bool {
+    ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some())
+}

@@ -20,9 +20,14 @@ fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<Unifor
     solve(domain, &Options::new(edge_length, objective), &Execution::default())
 }
 
-/// Number of random cases: `usual`, or ten times as many if PLATEAU_LONG is set.
+/// Number of random cases: `usual`, a quarter of it in the first tier of `scripts/test`, ten times as many if
+/// PLATEAU_LONG is set.
 fn cases(usual: u32) -> u32 {
-    if std::env::var_os("PLATEAU_LONG").is_some() { 10 * usual } else { usual }
+    match (std::env::var_os("PLATEAU_LONG").is_some(), crate::is_full()) {
+        (true, _) => 10 * usual,
+        (false, true) => usual,
+        (false, false) => usual / 4,
+    }
 }
 
 /// A random convex polygon with inner angles of 90° or more and sides in [1, 2]. The turning angles are chosen at
