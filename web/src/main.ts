@@ -1,19 +1,19 @@
 // The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
 // begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, solving,
-// document, opening, arrival, wiring.
+// document, opening, arrival, wiring. The files of `later` stand above document.
 
 import './style.css';
 import { arrive } from './app/arrival';
 import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
-import { comparison } from './app/modes';
+import { comparison, showPanel } from './app/modes';
 import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
 import { preferredTheme, setTheme } from './app/theme';
-import { showPanel, wire } from './app/wiring';
+import { wire } from './app/wiring';
 import { $ } from './dom';
 import type { Vec3 } from './model/request';
 import { isLoaded } from './solvers';

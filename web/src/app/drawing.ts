@@ -103,6 +103,9 @@ function showLine(): void {
   if (document.activeElement !== $('level')) $<HTMLInputElement>('level').value = String(tools.level);
 }
 
+/** Makes a field as wide as its text, so that no digit of a coordinate is cut off. */
+export const widen = (input: HTMLInputElement): void => { input.style.width = `calc(${Math.max(input.value.length, 6)}ch + 24px)`; };
+
 /** The selected point, or what several have in common. */
 export function showPoint(): void {
   const { selection, only } = tools;
@@ -116,11 +119,16 @@ export function showPoint(): void {
     const [value] = values;
     if (document.activeElement === input && input.dataset.dirty) continue;
     input.value = values.size === 1 && value !== undefined && value !== null ? String(value) : '';
+    widen(input);
     input.placeholder = values.size === 1 ? 'none' : 'various';
   }
   const edge = tools.edgeBefore();
   $('edge-field').hidden = !edge;
-  if (edge && document.activeElement !== $('edge')) $<HTMLInputElement>('edge').value = String(Number(edge.length.toPrecision(7)));
+  if (edge && document.activeElement !== $('edge')) {
+    const input = $<HTMLInputElement>('edge');
+    input.value = String(Number(edge.length.toPrecision(7)));
+    widen(input);
+  }
   const onlyMoves = selection.some((ref) => host.lines[ref.line]?.only);
   $<HTMLButtonElement>('insert-point').disabled = !only || onlyMoves;
   for (const id of ['delete-point', 'remove-line']) $<HTMLButtonElement>(id).disabled = onlyMoves;

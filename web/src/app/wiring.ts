@@ -8,11 +8,12 @@ import { changeMode } from '../panels/cable';
 import { typed } from '../text';
 import { arrive } from './arrival';
 import { changed, isLive, load, redo, showRequest, startBlank, undo } from './document';
-import { foundCable, hint, showDock, showPoint } from './drawing';
+import { foundCable, hint, showDock, showPoint, widen } from './drawing';
+import { whileBusy } from './busy';
 import { keep, keepNow } from './keeping';
-import { fitAll, setMode } from './modes';
+import { fitAll, setMode, showPanel } from './modes';
 import { label, say, toast } from './notes';
-import { applyRequest, openLink, showRecent, take } from './opening';
+import { openLink } from './opening';
 import { showQuantity } from './result';
 import { doc, history, isStale, type Mode, session, stage, tools } from './session';
 import { copy, openShare, savePicture } from './sharing';
@@ -25,6 +26,9 @@ const ACCEPT = '.csv,.txt,.obj,.dxf,.geojson,.json,.gltf,.glb';
 const on = (id: string, event: string, act: (event: Event) => unknown): void => $(id).addEventListener(event, (each) => { void act(each); });
 const all = (selector: string): NodeListOf<HTMLElement> => document.querySelectorAll<HTMLElement>(selector);
 
+/** Does something with the parts of the page that come after the first film. The page is busy from the press on. */
+const withLater = (act: (parts: typeof import('../later')) => unknown): Promise<void> => whileBusy(async () => { await act(await import('../later')); });
+
 export function wire(): void {
   wireSetup();
   wireDrawing();
@@ -34,11 +38,6 @@ export function wire(): void {
   document.addEventListener('keydown', shortcut);
   window.addEventListener('pagehide', keepNow);
   window.addEventListener('hashchange', () => { if (location.hash.startsWith('#s=') && session.ready) void openLink(); });
-}
-
-export function showPanel(name: string): void {
-  document.querySelector('main')!.dataset.panel = name;
-  for (const button of all('[data-panel]:is(button)')) button.setAttribute('aria-pressed', String(button.dataset.panel === name));
 }
 
 function wireSetup(): void {
@@ -57,7 +56,7 @@ function wireSetup(): void {
   on('request-box', 'toggle', showRequest);
   on('request-form', 'input', () => { $('discard-request').hidden = false; });
   on('request-form', 'reset', () => { for (const id of ['discard-request', 'request-fault']) $(id).hidden = true; });
-  on('apply-request', 'click', applyRequest);
+  on('apply-request', 'click', () => withLater(({ applyRequest }) => applyRequest()));
   on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
   for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
   for (const form of ['point', 'options', 'key-form', 'drawing', 'cable']) on(form, 'submit', (event) => event.preventDefault());
@@ -82,7 +81,10 @@ function wireDrawing(): void {
   wireCable();
   on('intro-draw', 'click', () => startBlank('minimal_surface'));
   for (const input of document.querySelectorAll<HTMLInputElement>('#point input')) {
-    input.addEventListener('input', () => { input.dataset.dirty = '1'; });
+    input.addEventListener('input', () => {
+      input.dataset.dirty = '1';
+      widen(input);
+    });
     input.addEventListener('blur', () => { delete input.dataset.dirty; });
     input.addEventListener('change', () => {
       delete input.dataset.dirty;
@@ -167,7 +169,7 @@ function wireFiles(): void {
   on('open-file', 'click', () => input.click());
   on('file', 'change', async () => {
     const [chosen] = input.files ?? [];
-    if (chosen) await take(async () => (await import('../later')).openFile(chosen), chosen.name);
+    if (chosen) await withLater(({ take }) => take(chosen));
     input.value = '';
   });
   document.addEventListener('dragover', (event) => {
@@ -189,8 +191,8 @@ function wireFiles(): void {
 function takeFrom(data: DataTransfer | null): boolean {
   const [file] = data?.files ?? [];
   const text = data?.getData('text/plain') ?? '';
-  if (file) void take(async () => (await import('../later')).openFile(file), file.name);
-  else if (text.trim() !== '') void take(async () => (await import('../later')).openText(text), '');
+  if (file) void withLater(({ take }) => take(file));
+  else if (text.trim() !== '') void withLater(({ take }) => take(text));
   else return false;
   return true;
 }
@@ -199,7 +201,7 @@ function wireDialogs(): void {
   const openGallery = (): void => $<HTMLDialogElement>('gallery').showModal();
   on('open-gallery', 'click', openGallery);
   on('intro-gallery', 'click', openGallery);
-  on('open-recent', 'click', showRecent);
+  on('open-recent', 'click', () => withLater(({ showRecent }) => showRecent()));
   on('open-share', 'click', openShare);
   on('open-settings', 'click', () => $<HTMLDialogElement>('settings').showModal());
   on('copy', 'click', copy);
