@@ -2,7 +2,7 @@
 // dxf-parser. `$INSUNITS` of the header is the unit.
 
 import DxfParser from 'dxf-parser';
-import { Vector4 } from 'three';
+import { CatmullRomCurve3, Vector3, Vector4 } from 'three';
 import { NURBSCurve } from 'three/examples/jsm/curves/NURBSCurve.js';
 import type { Vec3 } from '../model/request';
 import { chains, type Drawing, FileFault, type Polyline, polyline, quote } from './lines';
@@ -153,10 +153,16 @@ function ellipse({ center, majorAxisEndPoint: major, axisRatio = 1, startAngle =
   return { points, closed };
 }
 
-/** Points of a spline: those that it was fitted to where the file has no control points. */
+/** Points of a spline. Where the file has no control points, they lie on a curve through the points that it was fitted to. */
 function spline({ handle, fitPoints = [], controlPoints = [], knotValues: knots = [], degreeOfSplineCurve: degree = 3, closed }: Entity, weights: Found['weights']): Vec3[] {
   const own = ({ x, y, z }: Vertex): Vec3 => [x, y, z ?? 0];
-  if (controlPoints.length <= degree || knots.length !== controlPoints.length + degree + 1) return (fitPoints.length > 0 ? fitPoints : controlPoints).map(own);
+  if (controlPoints.length <= degree || knots.length !== controlPoints.length + degree + 1) {
+    const through = (fitPoints.length > 0 ? fitPoints : controlPoints).map((point) => new Vector3(...own(point)));
+    if (through.length < 3) return through.map((point) => point.toArray());
+    const round = closed === true || through[0]!.distanceTo(through.at(-1)!) === 0;
+    const points = new CatmullRomCurve3(round && !closed ? through.slice(0, -1) : through, round).getPoints(PER_SPAN * through.length);
+    return (round ? points.slice(0, -1) : points).map((point) => point.toArray());
+  }
   const weight = weights.get(String(handle)) ?? [];
   const controls = controlPoints.map(({ x, y, z }, i) => new Vector4(x, y, z ?? 0, weight[i] ?? 1));
   const last = knots.length - 1 - degree;
