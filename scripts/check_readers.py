@@ -26,6 +26,8 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
+from skips import skip
+
 ROOT = Path(__file__).resolve().parent.parent
 METRES = {"mm": 0.001, "cm": 0.01, "m": 1.0, "in": 0.0254, "ft": 0.3048}
 SURVEY = (412_345.678, 5_654_321.012, 251.5)
@@ -369,7 +371,7 @@ def main():
     arguments.add_argument("--reader", action="append", choices=READERS)
     arguments = arguments.parse_args()
     started = time.monotonic()
-    rows, troubles, skipped = [], [], []
+    rows, troubles, skipped = [], [], 0
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         names = fetch_all(folder)
@@ -389,13 +391,13 @@ def main():
                 elif not wrong:
                     troubles.append(f"{reader}, {title}: reads everything now, so EXPECTED is out of date")
             if reason is not None:
-                skipped.append(f"{reader}: {reason}")
-                print(f"SKIPPED: {skipped[-1]}", flush=True)
+                skipped += 1
+                skip(f"reader {reader}", reason)
     if arguments.write:
         write(rows)
     for trouble in troubles:
         print(f"FAILED: {trouble}")
-    print(f"{len(rows)} rows, {len(troubles)} failed, {len(skipped)} readers skipped, {time.monotonic() - started:.0f} s")
+    print(f"{len(rows)} rows, {len(troubles)} failed, {skipped} readers skipped, {time.monotonic() - started:.0f} s")
     return 1 if troubles or not rows else 0
 
 

@@ -4,11 +4,11 @@
 // CHROMIUM names the browser. The modules are those of crates/page/js.
 
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
-import { after, before, test } from 'node:test';
-import { launch } from '../studio/harness.mjs';
+import { after, before } from 'node:test';
+import { lacksSecondModule, test, useBrowser } from '../studio/harness.mjs';
 
 const root = new URL('../../', import.meta.url).pathname;
 const TYPES = { '.html': 'text/html', '.mjs': 'text/javascript', '.js': 'text/javascript', '.wasm': 'application/wasm' };
@@ -32,21 +32,17 @@ function serve({ url }, response) {
 
 /** Every path that was asked for. */
 let seen = [];
-let browser;
 let address;
 const server = createServer(serve);
 before(async () => {
   await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
   address = `http://127.0.0.1:${server.address().port}`;
-  browser = await launch();
 });
-after(async () => {
-  await browser?.close();
-  server.close();
-});
+after(() => { server.close(); });
+const used = useBrowser();
 
 async function open(path) {
-  const page = await browser.newPage({ viewport: { width: 900, height: 600 } });
+  const page = await used.browser.newPage({ viewport: { width: 900, height: 600 } });
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.message));
   page.on('console', (message) => message.type() === 'error' && !message.text().includes('favicon') && !message.text().startsWith('Failed to load') && faults.push(message.text()));
@@ -59,7 +55,7 @@ const SADDLE = { kind: 'minimal_surface', boundaries: [[[0, 0, 0], [1, 0, 1], [1
 const LONG = { ...SADDLE, solver: 'vertex_relaxation', area_tolerance: 1e-15, max_iterations: 1_000_000, resolution: { triangles: 20_000 } };
 
 for (const folder of ['/page', '/isolated/page']) {
-  test(`${folder}: a film is solved with progress and files, and a wrong request names its values`, async () => {
+  (folder === '/page' ? test.quick : test)(`${folder}: a film is solved with progress and files, and a wrong request names its values`, async () => {
     const { page, faults } = await open(`${folder}/empty.html`);
     const seen = await page.evaluate(async ({ folder, SADDLE }) => {
       const { createSolvers, PlateauError } = await import(`${folder}/index.mjs`);
@@ -119,7 +115,7 @@ for (const folder of ['/page', '/isolated/page']) {
   });
 }
 
-test('a film follows a drag without a network, and the released film has the bits of a solve', async () => {
+test.quick('a film follows a drag without a network, and the released film has the bits of a solve', async () => {
   const { page, faults } = await open('/page/empty.html');
   await page.evaluate(async (SADDLE) => {
     const { createSolvers } = await import('/page/index.mjs');
@@ -157,8 +153,8 @@ test('a film follows a drag without a network, and the released film has the bit
   await page.close();
 });
 
-const lacksSecond = !existsSync(`${root}crates/page/js/structures.wasm`) && 'structures.wasm is not there: scripts/build-page';
-test('the second module is loaded by the first request that needs it', { skip: lacksSecond }, async () => {
+test('the second module is loaded by the first request that needs it', async (t) => {
+  if (lacksSecondModule(t)) return;
   const { page, faults } = await open('/page/empty.html');
   seen = [];
   const modules = () => seen.filter((path) => path.endsWith('.wasm')).map((path) => path.split('/').at(-1));

@@ -1,12 +1,11 @@
 // What a person sees first.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { covered, request, solved, useStudio } from './harness.mjs';
+import { covered, request, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
-test('the page opens with a solved film, without a click', async () => {
+test.quick('the page opens with a solved film, without a click', async () => {
   const { page } = studio;
   await page.goto(`${studio.url}/`);
   await solved(page);
@@ -36,7 +35,7 @@ test('draw your own begins with an empty stage and says what to do', async () =>
   assert.match(await page.textContent('#drawing-hint'), /Click on the ground/);
 });
 
-test('every page has a strict policy', async () => {
+test.quick('every page has a strict policy', async () => {
   for (const path of ['/', '/studio/embed.html', '/docs/']) {
     const response = await fetch(studio.url + path);
     const policy = response.headers.get('content-security-policy') ?? '';

@@ -1,8 +1,7 @@
 // Drawing and changing points, and the way back.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { apply, atRest, covered, drag, onStage, points, request, solved, useStudio } from './harness.mjs';
+import { apply, atRest, covered, drag, onStage, points, request, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -13,7 +12,7 @@ async function clicks(page, places) {
 }
 const SQUARE = [[0.35, 0.4], [0.6, 0.38], [0.65, 0.6], [0.36, 0.62]];
 
-test('a boundary is drawn by clicks, closed on its first point, and solved', async () => {
+test.quick('a boundary is drawn by clicks, closed on its first point, and solved', async () => {
   const { page } = studio;
   await studio.open();
   await page.click('#intro-draw');
@@ -77,7 +76,7 @@ test('drawing shows a rubber band: the length beside the pointer', async () => {
   assert.ok(await covered(page) > 0.05, 'and comes back');
 });
 
-test('a dragged point is solved live, along the ground, and undone in one step', async () => {
+test.quick('a dragged point is solved live, along the ground, and undone in one step', async () => {
   const { page } = studio;
   await studio.open('tent');
   const [before, from] = [await request(page), (await points(page))[1]];

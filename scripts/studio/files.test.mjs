@@ -1,8 +1,7 @@
 // Drawings come in by file, by drop and by paste, in every format alike; garbage gets one sentence with its line.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { request, solved, useStudio } from './harness.mjs';
+import { request, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 const SQUARE = [[0, 0, 0], [6, 0, 1], [6, 6, 0], [0, 6, 1]];
@@ -55,7 +54,7 @@ test('the same square by file, drop and paste, in each format', async () => {
   }
 });
 
-test('a strip takes both of its rails from a file', async () => {
+test.quick('a strip takes both of its rails from a file', async () => {
   const { page } = studio;
   await studio.open('two-rails');
   await handOver.file(page, 'rails.csv', '0;0;0\n5;0;2\n10;0;0\n\n0;5;0\n10;5;1\n');
@@ -72,7 +71,7 @@ test('survey coordinates keep every digit', async () => {
   assert.deepEqual((await request(page)).boundaries[0][0], [3500123.456789, 5700987.125, 12.5]);
 });
 
-test('garbage gets one sentence with its line, and the drawing stays', async () => {
+test.quick('garbage gets one sentence with its line, and the drawing stays', async () => {
   const { page } = studio;
   await studio.open('tent');
   const before = await request(page);

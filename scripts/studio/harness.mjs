@@ -3,28 +3,42 @@
 //
 // PLATEAU_DIST names a folder, such as web/dist, whose files are served in front of the server, so that a change of the studio is
 // tested without building the service.
+//
+// `node --test scripts/studio/all.mjs` runs all files in one process, so that they share a browser and a few servers. With
+// PLATEAU_QUICK=1 it runs the tests that are registered by `test.quick` only. Each file also runs alone.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
+import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer, request as ask } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { pipeline } from 'node:stream';
-import { after, afterEach, before, beforeEach } from 'node:test';
+import { after, afterEach, before, beforeEach, test as register } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { Hold } from '../../clients/typescript/test/hold.mjs';
+import { isSkipped } from '../skips.mjs';
 
-// WebGL in software: the tests need no graphics card.
+// WebGL in software: the tests need no graphics card. The page around the model is painted by the processor directly, which
+// takes half the time of painting it by a graphics card in software.
 const FLAGS = [
-  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
 ];
 /** Nothing here is measured; a machine that is busy with other tests is given time. */
 const PATIENCE_MS = 120_000;
+
+/**
+ * Registers a test of the full suite: the arguments of `test` of node:test. A test that is left out is not registered, because
+ * node would count it as skipped.
+ */
+export const test = (...options) => { if (!process.env.PLATEAU_QUICK) register(...options); };
+/** Registers a test of the quick tier, which is part of the full suite too: one or two for each subject. */
+test.quick = register;
 
 /** A server of its own on a free port: { url, hold, stop, restart }. `restart` ends it and starts another on the same data. */
 export async function startServer(environment = {}) {
@@ -66,7 +80,6 @@ export async function startServer(environment = {}) {
   return started;
 }
 
-const MODULES = fileURLToPath(new URL('../../crates/page/js/', import.meta.url));
 const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
 /** The headers with which the service sends its pages (src/http/routes/studio.rs). */
 const HEADERS = {
@@ -108,30 +121,61 @@ async function startFront(target) {
 
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS });
 
+/** Skips a test that needs a server of its own where PLATEAU_URL names one that runs already. Returns whether it does. */
+export const lacksOwnServer = (t) => isSkipped(t, 'studio with a server of its own', process.env.PLATEAU_URL && 'PLATEAU_URL names a server');
+
+const MODULES = fileURLToPath(new URL('../../crates/page/js/', import.meta.url));
+/** Skips a test that needs the second module where it has not been built. Returns whether it does. */
+export const lacksSecondModule = (t) => isSkipped(t, 'second module of plateau-page', !existsSync(join(MODULES, 'structures.wasm')) && 'structures.wasm is not there: scripts/build-page');
+
+/** Number of test files in this process that use the browser and have not ended. The last one closes what they share. */
+let users = 0;
+let shared = null;
+/** Servers that no test file uses at the moment. */
+const idle = [];
+
+/** The browser that the test files of a process share: `browser` of the returned object, from the first test on. */
+export function useBrowser() {
+  const used = { browser: null };
+  users += 1;
+  before(async () => {
+    if (shared && !(await shared).isConnected()) shared = null;
+    used.browser = await (shared ??= launch());
+  });
+  after(async () => {
+    users -= 1;
+    if (users > 0) return;
+    await used.browser?.close();
+    shared = null;
+    await Promise.all(idle.splice(0).map((server) => server.stop()));
+  });
+  return used;
+}
+
 /**
  * A studio for the tests of one file: `url`, and for each test a fresh `page` whose console, errors and requests are watched.
+ * The server may have jobs of files that ran before, but no other file uses it at the same time.
  * Every test fails if the page logged an error, broke its policy or asked another host for anything. `hold` holds the jobs of the
  * server at a stage, at the latest until the end of the test; it is null if PLATEAU_URL names a server that runs already.
+ * `device` has further options of the browser's contexts, such as `hasTouch`.
  */
-export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme = 'light' } = {}) {
+export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme = 'light', ...device } = {}) {
   const studio = { url: '', hold: null, page: null, context: null, browser: null, faults: [], requests: [], allowed: [] };
   let own = null;
 
   before(async () => {
-    own = process.env.PLATEAU_URL ? null : await startServer();
+    own = process.env.PLATEAU_URL ? null : idle.pop() ?? await startServer();
     studio.url = own?.url ?? process.env.PLATEAU_URL;
     studio.hold = own?.hold ?? null;
-    studio.browser = await launch();
   });
-  after(async () => {
-    await studio.browser?.close();
-    await own?.stop();
-  });
+  after(() => { if (own) idle.push(own); });
+  const used = useBrowser();
   beforeEach(async () => {
     studio.faults = [];
     studio.requests = [];
     studio.allowed = [studio.url];
-    studio.context = await studio.browser.newContext({ viewport, colorScheme, reducedMotion: 'reduce' });
+    studio.browser = used.browser;
+    studio.context = await studio.browser.newContext({ viewport, colorScheme, reducedMotion: 'reduce', ...device });
     studio.page = await studio.newPage();
   });
   afterEach(async () => {

@@ -2,9 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { drag, points, request, showPanel, solved, useStudio } from './harness.mjs';
+import { drag, points, request, showPanel, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 /** Most bytes of script that are loaded before the first film is shown, as Brotli has them. */
@@ -33,7 +32,7 @@ test('before the first film the script is small, and the rest comes after it', a
   assert.ok(bytes <= MOST_SCRIPT, `${bytes} bytes of script before the first film`);
 });
 
-test('a drag is solved in the page without a connection, and the service keeps its result afterwards', async () => {
+test.quick('a drag is solved in the page without a connection, and the service keeps its result afterwards', async () => {
   const { page, context } = studio;
   await studio.open('tent');
   await ready(page);

@@ -2,8 +2,7 @@
 // request that is what the form shows. MONKEY_SEED and MONKEY_PRESSES choose others.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { apply, request, solved, useStudio } from './harness.mjs';
+import { apply, request, solved, test, useStudio } from './harness.mjs';
 
 const SEED = Number(process.env.MONKEY_SEED ?? 1);
 const PRESSES = Number(process.env.MONKEY_PRESSES ?? 60);

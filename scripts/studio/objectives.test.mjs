@@ -1,8 +1,7 @@
 // Every objective that the service offers can be chosen.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { apply, request, solved, useStudio } from './harness.mjs';
+import { apply, request, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes' };
@@ -72,7 +71,7 @@ test('a lower bound of the area is asked for by a switch, whose options appear w
   assert.equal((await request(page)).certify, undefined);
 });
 
-test('what does not go with an objective is disabled with the reason, and goes when the objective is changed', async () => {
+test.quick('what does not go with an objective is disabled with the reason, and goes when the objective is changed', async () => {
   const { page } = studio;
   await studio.open('wavy-strip');
   await page.uncheck('#live');
@@ -112,7 +111,7 @@ test('an option that has a value stays enabled where it does not apply, so that 
   assert.equal(await page.isDisabled('#options [name="pressure"]'), false);
 });
 
-test('each kind begins with an example whose result has no warning', async () => {
+test.quick('each kind begins with an example whose result has no warning', async () => {
   const { page } = studio;
   await studio.open();
   for (const kind of ['ruled_surface', 'uniform_mesh', 'tensile_structure', 'cable_net', 'minimal_surface']) {

@@ -5,12 +5,11 @@ import { spawnSync } from 'node:child_process';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
-import { apply, covered, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
+import { apply, covered, lacksOwnServer, onStage, points, request, showPanel, solved, startServer, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
-test('every kind is solved and shown with its own figures', async () => {
+test.quick('every kind is solved and shown with its own figures', async () => {
   const { page } = studio;
   for (const name of ['catenoid', 'wavy-strip', 'vault']) {
     await studio.open(name);
@@ -87,7 +86,8 @@ test('after an edit the figures and downloads are out of date until it is solved
   assert.equal(await page.isDisabled('#downloads button >> nth=0'), false);
 });
 
-test('a long job shows charts, time and stage, is found again after a reload, and cancelled', { skip: process.env.PLATEAU_URL && 'needs a server of its own' }, async () => {
+test.quick('a long job shows charts, time and stage, is found again after a reload, and cancelled', async (t) => {
+  if (lacksOwnServer(t)) return;
   const { page, hold } = studio;
   await studio.open('helicoid');
   // The charts get every report of the first half, and the second half never comes. This solver has many reports there.
@@ -217,7 +217,8 @@ test('every format is downloaded, the flat pattern too', async () => {
   }
 });
 
-test('a server with keys is used with a key', { skip: process.env.PLATEAU_URL && 'needs a server of its own' }, async () => {
+test('a server with keys is used with a key', async (t) => {
+  if (lacksOwnServer(t)) return;
   const { page } = studio;
   const made = spawnSync(process.env.PLATEAU_BIN, ['key', 'new', 'tester'], { encoding: 'utf8' }).stdout;
   const [key, line] = made.trim().split('\n').map((each) => each.replace(/^.*?: */, ''));

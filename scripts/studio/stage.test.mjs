@@ -1,8 +1,7 @@
 // Looking: camera, shading, colours and what is hidden.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { apply, atRest, covered, drag, onStage, pixels, points, request, showPanel, solved, useStudio, wheel } from './harness.mjs';
+import { apply, atRest, covered, drag, onStage, pixels, points, request, showPanel, solved, test, useStudio, wheel } from './harness.mjs';
 
 const studio = useStudio();
 const disc = (n, radius = 5) => Array.from({ length: n }, (_, i) => [radius * Math.cos((2 * Math.PI * i) / n), radius * Math.sin((2 * Math.PI * i) / n), 0]);
@@ -135,7 +134,7 @@ test('plain shading is the default, and every quantity has a range and a reading
   }
 });
 
-test('points behind the surface are hidden and cannot be gripped', async () => {
+test.quick('points behind the surface are hidden and cannot be gripped', async () => {
   const { page } = studio;
   await studio.open('tent');
   await apply(page, { boundaries: [[[0, 0, 6], [10, 0, 6], [10, 10, 6], [0, 10, 6]], [[4, 4, 0], [6, 4, 0], [6, 6, 0], [4, 6, 0]]], topology: 'best', resolution: { triangles: 800 } });
@@ -159,7 +158,7 @@ test('a picture is saved as PNG', async () => {
   assert.equal((await waiting).suggestedFilename(), 'plateau.png');
 });
 
-test('layers are switched', async () => {
+test.quick('layers are switched', async () => {
   const { page } = studio;
   await studio.open('vault');
   const before = await covered(page);

@@ -2,14 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, beforeEach, test } from 'node:test';
+import { after, before, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { startFolder } from './folder.mjs';
-import { covered, drag, points, request, showPanel, solved, useStudio } from './harness.mjs';
+import { covered, drag, lacksSecondModule, points, request, showPanel, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 const web = fileURLToPath(new URL('../../web/', import.meta.url));
@@ -36,7 +35,7 @@ const open = async (example) => {
   await solved(studio.page);
 };
 
-test('the first film is solved and shown, and nothing that a file server lacks is asked for', async () => {
+test.quick('the first film is solved and shown, and nothing that a file server lacks is asked for', async () => {
   const { page } = studio;
   await open();
   assert.ok(await covered(page) >= 0.15);
@@ -60,9 +59,9 @@ test('a film is dragged and its released point solved, and the files are written
 
 // A request of each kind; the last two need the second module.
 const SECOND = ['four-point-sail', 'four-cables'];
-const lacksSecond = !existsSync(new URL('../../crates/page/js/structures.wasm', import.meta.url)) && 'structures.wasm is not there: scripts/build-page';
 for (const example of ['wavy-strip', 'courtyard', ...SECOND]) {
-  test(`${example} is solved`, { skip: SECOND.includes(example) && lacksSecond }, async () => {
+  test(`${example} is solved`, async (t) => {
+    if (SECOND.includes(example) && lacksSecondModule(t)) return;
     const { page } = studio;
     await open(example);
     assert.equal(await page.isVisible('#problem'), false);
@@ -79,7 +78,7 @@ test('the objectives of a strip are compared, and its flat pattern is drawn', as
   await page.locator('#tiles .tile dl').first().waitFor();
 });
 
-test('a refused request names its point, and a film that does not exist says why', async () => {
+test.quick('a refused request names its point, and a film that does not exist says why', async () => {
   const { page } = studio;
   await open('tent');
   await page.click('#request-box summary');

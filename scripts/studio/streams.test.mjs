@@ -1,8 +1,8 @@
 // The page behind a proxy that breaks connections: what is solved is shown, and a late answer hides nothing.
 
 import assert from 'node:assert/strict';
-import { after, before, beforeEach, test } from 'node:test';
-import { apply, request, solved, useStudio } from './harness.mjs';
+import { after, before, beforeEach } from 'node:test';
+import { apply, lacksOwnServer, request, solved, test, useStudio } from './harness.mjs';
 import { until } from '../../clients/typescript/test/hold.mjs';
 import { startProxy } from './proxy.mjs';
 
@@ -67,7 +67,8 @@ const CUTS = {
   'after its first event': /^[^]*?data: [^]*?\n\n/,
 };
 for (const [where, cut] of Object.entries(CUTS)) {
-  test(`a stream that is cut ${where} ends with the result`, async () => {
+  const register = where === 'within its first event' ? test.quick : test;
+  register(`a stream that is cut ${where} ends with the result`, async () => {
     const { page } = studio;
     await open();
     onFirst(isStream, { cut });
@@ -91,9 +92,8 @@ test('a stream that is never answered ends with the result', async () => {
   assert.equal(await page.isVisible('#problem'), false);
 });
 
-const needsOwn = { skip: process.env.PLATEAU_URL && 'needs a server of its own' };
-
-test('while the line is broken the page says that the job goes on, and then it resumes from the last event', needsOwn, async () => {
+test('while the line is broken the page says that the job goes on, and then it resumes from the last event', async (t) => {
+  if (lacksOwnServer(t)) return;
   const { page, hold } = studio;
   await open();
   const { meddle } = proxy;
@@ -132,7 +132,8 @@ test('while the line is broken the page says that the job goes on, and then it r
   assert.equal(job.status, 'cancelled');
 });
 
-test('a new solve does not wait for a job whose line is silent', needsOwn, async () => {
+test('a new solve does not wait for a job whose line is silent', async (t) => {
+  if (lacksOwnServer(t)) return;
   const { page, hold } = studio;
   await open();
   onFirst(isStream, 'silence');

@@ -2,9 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
-import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { apply, onStage, pixels, points, request, showPanel, solved, useStudio } from './harness.mjs';
+import { apply, onStage, pixels, points, request, showPanel, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 /** A square whose points the studio can be told apart by. */
@@ -26,7 +25,7 @@ async function openSail(page, extra = {}) {
   await solved(page);
 }
 
-test('a click on a boundary hangs that edge on a cable, and its dock changes it', async () => {
+test.quick('a click on a boundary hangs that edge on a cable, and its dock changes it', async () => {
   const { page } = studio;
   await openSail(page);
   await page.click('#cabling');
@@ -196,7 +195,7 @@ test('a click on a cable reads its force', async () => {
   assert.match(await page.textContent('#label'), /^Force 5 kN$/);
 });
 
-test('a net is shown without triangles, its supports move, and none of its points is removed', async () => {
+test.quick('a net is shown without triangles, its supports move, and none of its points is removed', async () => {
   const { page } = studio;
   await studio.open('four-cables');
   assert.match(await page.textContent('#status'), /4 edges/);

@@ -1,17 +1,15 @@
 // On a phone: one finger drags a point, two fingers always move the view, and the stage has the larger part of the screen.
 
 import assert from 'node:assert/strict';
-import { afterEach, beforeEach, test } from 'node:test';
-import { atRest, onStage, points, request, showPanel, solved, useStudio } from './harness.mjs';
+import { beforeEach } from 'node:test';
+import { atRest, onStage, points, request, showPanel, solved, test, useStudio } from './harness.mjs';
 
-const studio = useStudio();
-let context, page, session;
+const studio = useStudio({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+let page, session;
 beforeEach(async () => {
-  context = await studio.browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, reducedMotion: 'reduce' });
-  page = await studio.newPage(context);
-  session = await context.newCDPSession(page);
+  page = studio.page;
+  session = await studio.context.newCDPSession(page);
 });
-afterEach(() => context.close());
 
 /** Fingers at places of the page. A finger that is left out has been lifted. */
 const fingers = (type, ...places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
@@ -21,8 +19,8 @@ async function slide(from, to, steps = 6) {
 }
 const spread = (places) => Math.hypot(places[0].x - places[2].x, places[0].y - places[2].y);
 
-test('one finger drags a point', async () => {
-  await studio.open('tent', page);
+test.quick('one finger drags a point', async () => {
+  await studio.open('tent');
   const before = await request(page);
   const [seen] = await points(page);
   const start = await onStage(page, seen);
@@ -35,8 +33,8 @@ test('one finger drags a point', async () => {
   assert.deepEqual(after.boundaries[0].slice(1), before.boundaries[0].slice(1));
 });
 
-test('two fingers zoom the view, also if the first of them took hold of a point and moved it', async () => {
-  await studio.open('tent', page);
+test.quick('two fingers zoom the view, also if the first of them took hold of a point and moved it', async () => {
+  await studio.open('tent');
   const before = await request(page);
   const seen = await points(page);
   const start = await onStage(page, seen[0]);
@@ -57,7 +55,7 @@ test('two fingers zoom the view, also if the first of them took hold of a point 
 });
 
 test('two fingers move the view while a line is drawn, and add no point', async () => {
-  await studio.open('tent', page);
+  await studio.open('tent');
   await page.tap('#draw');
   const seen = await points(page);
   const centre = await onStage(page, { x: 195, y: 250 });
@@ -81,7 +79,7 @@ test('two fingers move the view while a line is drawn, and add no point', async 
 });
 
 test('two fingers zoom the flat pattern', async () => {
-  await studio.open('wavy-strip', page);
+  await studio.open('wavy-strip');
   await page.tap('[data-mode="flat"]');
   await page.waitForFunction(() => document.querySelector('#flat-image').offsetWidth > 0);
   const width = () => page.locator('#flat-image').evaluate((image) => image.offsetWidth);
@@ -95,7 +93,7 @@ test('two fingers zoom the flat pattern', async () => {
 });
 
 test('the hints speak of fingers, and the stage is tall and keeps its height', async () => {
-  await studio.open('tent', page);
+  await studio.open('tent');
   const hint = await page.textContent('#hint');
   assert.match(hint, /finger/);
   assert.doesNotMatch(hint, /click|wheel|right-drag/i);

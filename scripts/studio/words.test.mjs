@@ -3,9 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { apply, showPanel, solved, useStudio } from './harness.mjs';
+import { apply, showPanel, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 const openapi = JSON.parse(await readFile(new URL('../../api/openapi.json', import.meta.url), 'utf8'));
@@ -20,7 +19,7 @@ async function words(name = 'words') {
   return import(`data:text/javascript;base64,${Buffer.from(text).toString('base64')}`);
 }
 
-test('each warning of the service has a sentence of the page, made of its values', async () => {
+test.quick('each warning of the service has a sentence of the page, made of its values', async () => {
   const { WARNINGS, sayWarning } = await words();
   assert.ok(Object.keys(CODES).length > 30, 'the codes were found');
   assert.deepEqual(Object.keys(WARNINGS).sort(), Object.keys(CODES).sort());
@@ -41,7 +40,7 @@ test('each warning of the service has a sentence of the page, made of its values
   assert.match(sayWarning('film', { residual: 0.5 }, 'not_converged: it stopped', 'm').sentence, /^The film under the lattice: The solver stopped at a residual of 0\.5/);
 });
 
-test('each objective that the service offers, and each failure that the page knows, has its sentence', async () => {
+test.quick('each objective that the service offers, and each failure that the page knows, has its sentence', async () => {
   const { OBJECTIVES, FAILURES } = { ...await words(), ...await words('objectives') };
   const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
   // A program that is built for tests has a kind more.
@@ -63,7 +62,7 @@ test('warnings name edges, points and strips by their numbers from 1 and by no p
   assert.doesNotMatch(text, /\/edges/);
 });
 
-test('a failure is said in the page\'s words, and the text of the service is there to be opened', async () => {
+test.quick('a failure is said in the page\'s words, and the text of the service is there to be opened', async () => {
   const { page } = studio;
   await studio.open('plane-sail');
   const cables = [0, 1, 2, 3].map((from) => ({ along: { from, to: (from + 1) % 4 }, value: 1 }));

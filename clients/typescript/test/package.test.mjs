@@ -9,6 +9,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { build } from 'esbuild';
+import { isSkipped } from '../../../scripts/skips.mjs';
 import { startServer } from './server.mjs';
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
@@ -70,7 +71,8 @@ const playwright = join(CHECKOUT, 'scripts/node_modules/playwright-core/index.mj
 const chromium = process.env.CHROMIUM || ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
 const missing = existsSync(playwright) ? !chromium && 'no Chromium' : 'the browser driver of scripts/ is not installed';
 
-test('a browser solves, follows progress and drags', { skip: missing }, async () => {
+test('a browser solves, follows progress and drags', async (t) => {
+  if (isSkipped(t, 'TypeScript client in a browser', missing)) return;
   const contents = `export * from './dist/index.js'; export * from './dist/three.js';`;
   const bundle = await build({
     stdin: { contents, resolveDir: ROOT }, bundle: true, write: false, format: 'iife', globalName: 'client',
