@@ -104,7 +104,7 @@ function showLine(): void {
 }
 
 /** Makes a field as wide as its text, so that no digit of a coordinate is cut off. */
-export const widen = (input: HTMLInputElement): void => { input.style.width = `calc(${Math.max(input.value.length, 6)}ch + 24px)`; };
+export const widen = (input: HTMLInputElement): void => { input.style.width = `calc(${Math.max(1.2 * input.value.length, 7)}ch + 26px)`; };
 
 /** The selected point, or what several have in common. */
 export function showPoint(): void {

@@ -49,7 +49,7 @@ export function readDxf(source: string): Drawing {
   const loose = [...found.segments].flatMap(([layer, segments]) => chains(segments, 1e-7, layer));
   const all = [...found.lines, ...loose];
   if (all.length === 0) throw new FileFault('This DXF file has no lines, polylines, arcs or splines.');
-  const left = [...found.left].map(([type, n]) => `${n} ${type}`).join(', ');
+  const left = [...found.left].map(([type, n]) => `${n} ${type.toLowerCase()}`).join(', ');
   return { format: 'DXF', lines: all, unit: UNITS[Number(parsed.header?.$INSUNITS)] ?? null, up: 'z', notes: left === '' ? [] : [`Left out, because they are no lines: ${left}.`] };
 }
 
