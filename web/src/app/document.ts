@@ -176,6 +176,7 @@ export function replace(kind: Kind, request: Request, title: string | null, { am
   if (amend) history.amend(put);
   else history.edit(put);
   tools.selection = [];
+  say('');
   forget();
   hideProblem();
   load();

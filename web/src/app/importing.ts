@@ -60,7 +60,7 @@ function begin(drawing: Drawing, name: string): void {
       found: `${drawing.format}: ${count(taken.length, 'line')}, ${count(taken.reduce((sum, { points }) => sum + points.length, 0), 'point')}`,
       size: sizeOf(linesOf(doc().kind, doc().request).map(({ points }) => points as Vec3[]), doc().request),
       asks: drawing.unit === null,
-      units: unitsFor(drawing).map((unit) => ({ value: unit, text: `${unit}: ${sizeOf(placed(drawing, { ...choice, unit, local: false }, base.request).points, base.request)}` })),
+      units: unitsFor(drawing).map((unit) => ({ value: unit, text: `${unit}: ${sizeOf(placed(drawing, { ...choice, unit, local: false }, base.request).points, base.request).replace(/, .*/, '')}` })),
       unit: choice.unit,
       layers: layersOf(drawing).map((layer) => ({ layer, lines: drawing.lines.filter((line) => (line.layer ?? '') === layer).length, taken: choice.layers.has(layer) })),
       up: choice.up, local: far ? choice.local : null,
