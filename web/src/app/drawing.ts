@@ -82,7 +82,7 @@ export function hint(): string {
   if (doc().kind === 'cable_net') return 'Drag a support to move it. The net is given by its request: its vertices, edges and targets.';
   if (!isWhole(doc().kind, doc().request)) return `A strip needs two ${KINDS[doc().kind].line}s: press Draw for the next one.`;
   if (byTouch) return 'Drag a point to move it. One finger beside the points turns the view, two move and zoom it.';
-  return 'Drag a point to move it, press on an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
+  return 'Drag a point to move it, or press the middle of an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
 }
 
 /** The line that is being drawn. */
@@ -124,8 +124,8 @@ export function showPoint(): void {
   }
   const edge = tools.edgeBefore();
   $('edge-field').hidden = !edge;
-  if (edge && document.activeElement !== $('edge')) {
-    const input = $<HTMLInputElement>('edge');
+  const input = $<HTMLInputElement>('edge');
+  if (edge && !(document.activeElement === input && input.dataset.dirty)) {
     input.value = String(Number(edge.length.toPrecision(7)));
     widen(input);
   }

@@ -19,12 +19,17 @@ export function toast(text: string): void {
   toastTimer = window.setTimeout(() => { $('toast').hidden = true; }, TOAST_MS);
 }
 
-let labelled: { text: string; x: number; y: number; anchor: Vec3 | null } | null = null;
+let labelled: { text: string; x: number; y: number; anchor: Vec3 | null; reading: boolean } | null = null;
 
 /** A text beside a pixel, or beside a point of the scene wherever that is seen; null for none. */
-export function label(text: string | null, x = 0, y = 0, anchor: Vec3 | null = null): void {
-  labelled = text === null ? null : { text, x, y, anchor };
+export function label(text: string | null, x = 0, y = 0, anchor: Vec3 | null = null, reading = false): void {
+  labelled = text === null ? null : { text, x, y, anchor, reading };
   placeLabel();
+}
+
+/** Takes the value of an earlier result away. What a tool says of a point stays while its film changes. */
+export function dropReading(): void {
+  if (labelled?.reading) label(null);
 }
 
 export function placeLabel(): void {
@@ -43,8 +48,8 @@ export function placeLabel(): void {
 export const readSurface: typeof host.read = (point, face, x, y) => {
   const value = surface.valueAt(point, face);
   const where = host.frame.fromScene(point.toArray()).map((each) => number(each, 5)).join(', ');
-  label(session.quantity && value !== null ? reading(session.quantity, value) : where, x, y, point.toArray());
+  label(session.quantity && value !== null ? reading(session.quantity, value) : where, x, y, point.toArray(), true);
 };
 
 /** Says beside a point of a line what its value is. */
-export const readLine: typeof host.readLine = (point, value, x, y) => label(value, x, y, point.toArray());
+export const readLine: typeof host.readLine = (point, value, x, y) => label(value, x, y, point.toArray(), true);

@@ -12,7 +12,7 @@ import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
 import { ask } from './busy';
 import { offerModes, setMode } from './modes';
-import { label, say } from './notes';
+import { dropReading, say } from './notes';
 import { showProblem } from './problems';
 import { doc, host, isStale, session, sketch, stage, surface } from './session';
 
@@ -37,7 +37,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   const first = session.shown === null || session.shown.job.kind !== job.kind;
   const request = JSON.parse(solved) as Request;
   session.shown = { job, mesh, solved, request, dragging: whileDragging };
-  label(null);
+  dropReading();
   // A structure with cables is first seen by its forces. Another choice stays until another kind is shown.
   if (first && session.colour === 'plain') session.colour = firstOf(mesh);
   choose();

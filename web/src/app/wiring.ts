@@ -15,7 +15,7 @@ import { fitAll, setMode, showPanel } from './modes';
 import { label, say, toast } from './notes';
 import { openLink } from './opening';
 import { showQuantity } from './result';
-import { doc, history, isStale, type Mode, session, stage, tools } from './session';
+import { doc, history, isStale, later, type Mode, session, stage, tools } from './session';
 import { copy, openShare, savePicture } from './sharing';
 import { giveUp, solve } from './solving';
 import { switchTheme } from './theme';
@@ -27,7 +27,7 @@ const on = (id: string, event: string, act: (event: Event) => unknown): void => 
 const all = (selector: string): NodeListOf<HTMLElement> => document.querySelectorAll<HTMLElement>(selector);
 
 /** Does something with the parts of the page that come after the first film. The page is busy from the press on. */
-const withLater = (act: (parts: typeof import('../later')) => unknown): Promise<void> => whileBusy(async () => { await act(await import('../later')); });
+const withLater = (act: (parts: typeof import('../later')) => unknown): unknown => (later.parts ? act(later.parts) : whileBusy(async () => { await act(await import('../later')); }));
 
 export function wire(): void {
   wireSetup();
@@ -86,11 +86,20 @@ function wireDrawing(): void {
       widen(input);
     });
     input.addEventListener('blur', () => { delete input.dataset.dirty; });
+    input.addEventListener('keydown', ({ key }) => {
+      if (key !== 'Escape') return;
+      delete input.dataset.dirty;
+      showPoint();
+      stage.canvas.focus({ preventScroll: true });
+    });
     input.addEventListener('change', () => {
       delete input.dataset.dirty;
       const value = typed(input.value);
       if (!Number.isFinite(value)) {
         if (input.value.trim() !== '') toast(`${JSON.stringify(input.value)} is not a number.`);
+        showPoint();
+      } else if (input.id === 'edge' && value <= 0) {
+        toast(`An edge must be longer than 0, and ${JSON.stringify(input.value)} is not.`);
         showPoint();
       } else if (input.id === 'edge') tools.setEdgeBefore(value);
       else tools.setAxis(Number(input.dataset.axis), value);

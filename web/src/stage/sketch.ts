@@ -167,21 +167,25 @@ export class Sketch {
     state.needsUpdate = true;
   }
 
-  /** Lines and points of the moment: the rubber band, the place to insert, the drop line of a lift. */
-  hint(parts: { segments?: Vec3[]; faint?: Vec3[]; ghost?: Vec3 | null }): void {
+  /** Lines and points of the moment: the rubber band, the place to insert, the arrow and the drop line of a lift. */
+  hint(parts: { segments?: Vec3[]; faint?: Vec3[]; lift?: Vec3[]; ghost?: Vec3 | null }): void {
     for (const child of this.extra.children as (Lines | Points<BufferGeometry, ShaderMaterial>)[]) {
       if (child.material === this.material) child.geometry.dispose();
       else retire(child);
     }
     this.extra.clear();
-    const add = (points: Vec3[] | undefined, color: string, opacity: number): void => {
+    const add = (points: Vec3[] | undefined, color: string, opacity: number, width = 1.6): void => {
       if (!points || points.length < 2) return;
-      const lines = wideLines(new Float32Array(points.flat()), 1.6, color, undefined, opacity);
-      lines.renderOrder = 1;
+      const lines = wideLines(new Float32Array(points.flat()), width, color, undefined, opacity);
+      lines.renderOrder = 1 + 0.01 * this.extra.children.length;
+      if (width > 2) Object.assign(lines.material, { depthTest: false, depthWrite: false, transparent: true });
       this.extra.add(lines);
     };
     add(parts.segments, this.look.accent, 0.95);
     add(parts.faint, this.look.soft, 0.8);
+    // The arrow is seen on the film, the ground and the boundary alike.
+    add(parts.lift, this.look.paper, 1, 8);
+    add(parts.lift, this.look.cable, 1, 4.5);
     if (parts.ghost) {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new BufferAttribute(new Float32Array(parts.ghost), 3));

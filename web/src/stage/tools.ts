@@ -11,11 +11,13 @@ import type { Stage } from './stage';
 import type { Surface } from './surface';
 
 /** Pixels within which the pointer takes hold of a point, of an edge, and snaps while drawing. */
-const GRIP = { point: 11, touch: 24, edge: 8, snap: 12, align: 7 };
+const GRIP = { point: 11, touch: 24, edge: 8, handle: 10, snap: 12, align: 7 };
 /** Pixels that a press may travel and still be a click. */
 const STILL = 4;
+/** The text beside the arrow after the first loop was closed. */
+const PROMPT = 'Pull this corner up';
 /** Pixels that the arrow which lifts a point is long. */
-const ARROW = 46;
+const ARROW = 52;
 
 export interface Host {
   readonly history: History;
@@ -30,7 +32,7 @@ export interface Host {
   /** The selection, or what the pointer would do, changed. */
   selectionChanged(): void;
   /** A line of text beside a pixel, or none. */
-  label(text: string | null, x?: number, y?: number): void;
+  label(text: string | null, x?: number, y?: number, anchor?: Vec3): void;
   /** The surface was clicked. */
   read(point: Vector3, face: number, x: number, y: number): void;
   /** A line with a value was clicked. */
@@ -52,7 +54,10 @@ export class Tools {
   /** Where the next point of the drawing would be. */
   private next: Snap | null = null;
   private hover: PointRef | null = null;
-  private ghost: { line: number; after: number; point: Vec3 } | null = null;
+  /** The handle in the middle of an edge, at which a point is added; `held` while the pointer is on it. */
+  private ghost: { line: number; after: number; point: Vec3; held: boolean } | null = null;
+  /** Whether the arrow asks to be pulled, after the first loop was closed. */
+  private prompting = false;
   private busy = false;
   /** Whether a click on a boundary makes a cable there. */
   cabling = false;
@@ -104,6 +109,10 @@ export class Tools {
 
   select(refs: PointRef[]): void {
     this.selection = refs;
+    if (this.prompting) {
+      this.prompting = false;
+      this.host.label(null);
+    }
     if (refs.length > 0) this.cable = -1;
     this.refresh();
     this.host.selectionChanged();
@@ -164,10 +173,10 @@ export class Tools {
     return hidden ? null : ref;
   }
 
-  /** `whole`: near its ends too, and however short it is seen. */
+  /** The edge at a pixel, with its middle. `whole`: near its ends too, and however short it is seen. */
   private nearestEdge(x: number, y: number, whole = false): typeof this.ghost {
     const { stage, lines, frame } = this.host;
-    let best: { line: number; after: number; point: Vec3; distance: number } | null = null;
+    let best: { line: number; after: number; point: Vec3; held: boolean; distance: number } | null = null;
     lines.forEach((line, l) => {
       if (isLoose(line) || line.name.startsWith('control')) return;
       const points = line.points.map(coordinates);
@@ -180,24 +189,15 @@ export class Tools {
         if (!p.visible || !q.visible || length < (whole ? 1 : 900)) continue;
         const along = ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length;
         const t = whole ? Math.min(0.9, Math.max(0.1, along)) : along;
-        const distance = Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
+        const point = a.map((value, axis) => settle((value + b[axis]!) / 2)) as Vec3;
+        const middle = stage.project(frame.toScene(point));
+        const held = Math.hypot(middle.x - x, middle.y - y) <= GRIP.handle;
+        const distance = held ? 0 : Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
         if (t < 0.08 || t > 0.92 || distance > GRIP.edge || (best && distance >= best.distance)) continue;
-        // The fraction on the screen is not the fraction in space: the point on the edge nearest to the pointer's ray is.
-        const s = this.alongEdge(a, b, x, y);
-        best = { line: l, after: i, distance, point: a.map((value, axis) => value + s * (b[axis]! - value)) as Vec3 };
+        best = { line: l, after: i, point, held, distance };
       }
     });
     return best;
-  }
-
-  private alongEdge(a: Vec3, b: Vec3, x: number, y: number): number {
-    const { stage, frame } = this.host;
-    const from = new Vector3(...frame.toScene(a)), along = new Vector3(...frame.toScene(b)).sub(from);
-    const { origin, direction } = stage.ray(x, y);
-    const w = from.clone().sub(origin);
-    const uu = along.dot(along), uv = along.dot(direction), uw = along.dot(w), vw = direction.dot(w);
-    const determinant = uu - uv * uv;
-    return determinant > 1e-12 * uu ? Math.min(0.98, Math.max(0.02, (uv * vw - uw) / determinant)) : 0.5;
   }
 
   private arrow(): { from: Vector3; to: Vector3 } | null {
@@ -225,7 +225,7 @@ export class Tools {
     if (length < 12) return false;
     const t = ((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / (length * length);
     const off = Math.abs((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) / length;
-    return t > 0.4 && t < 1.2 && off < 8;
+    return t > 0.35 && t < 1.25 && off < 11;
   }
 
   // ---- Pointer ----
@@ -254,7 +254,7 @@ export class Tools {
     const changed = !same(hover, this.hover) || JSON.stringify(ghost) !== JSON.stringify(this.ghost);
     this.hover = hover;
     this.ghost = ghost;
-    stage.canvas.style.cursor = onArrow ? 'ns-resize' : hover ? 'grab' : ghost ? 'copy' : '';
+    stage.canvas.style.cursor = onArrow ? 'ns-resize' : hover ? 'grab' : ghost?.held ? 'copy' : '';
     if (changed) {
       this.refresh();
       host.selectionChanged();
@@ -294,9 +294,9 @@ export class Tools {
       return;
     }
     const ghost = touch ? null : this.nearestEdge(start.x, start.y);
-    if (ghost && !event.shiftKey) {
+    if (ghost?.held && !event.shiftKey) {
       host.history.begin();
-      this.insertAt(ghost.line, ghost.after, this.tidy(ghost.point));
+      this.insertAt(ghost.line, ghost.after, ghost.point);
       host.changed(true);
       this.drag(event, { line: ghost.line, point: ghost.after + 1 }, this.mode);
       return;
@@ -398,7 +398,10 @@ export class Tools {
     const start = coordinates(held);
     if (!start) return;
     const chosen = this.selection.some((each) => same(each, ref));
-    if (!chosen) this.select(event.shiftKey ? [...this.selection, ref] : [ref]);
+    // Shift adds a point to the selection by a click, and lifts it by a drag, which moves no other point unless it was chosen before.
+    const before = this.selection;
+    if (!chosen) this.select([ref]);
+    this.prompting = false;
     const group = this.selection.map((each) => ({ ref: each, from: coordinates(host.lines[each.line]!.points[each.point]) ?? start }));
     const place = new Vector3(...frame.toScene(start));
     const seen = stage.project(place.toArray());
@@ -410,7 +413,7 @@ export class Tools {
       const { x, y } = stage.local(next);
       if (!moved && Math.hypot(x - from.x, y - from.y) < 2) return;
       moved = true;
-      const vertical = (mode === 'height') !== (next.shiftKey && !event.shiftKey);
+      const vertical = (mode === 'height') !== next.shiftKey;
       const target = vertical ? this.raised(place, y - from.y) : this.grounded(place, x - grip.x, y - grip.y);
       if (!target) return;
       let aim = this.rounded(target, start);
@@ -425,10 +428,13 @@ export class Tools {
       this.lifting = false;
       host.label(null);
       if (!moved && last.type === 'pointerup') {
-        if (event.shiftKey && chosen) this.select(this.selection.filter((each) => !same(each, ref)));
-        else if (!event.shiftKey) this.select([ref]);
+        if (!event.shiftKey) this.select([ref]);
+        else this.select(chosen ? before.filter((each) => !same(each, ref)) : [...before, ref]);
       }
-      if (history.commit()) host.changed(false);
+      if (history.commit()) {
+        host.changed(false);
+        this.tellMoved();
+      }
     }, () => {
       this.lifting = false;
       host.label(null);
@@ -482,11 +488,6 @@ export class Tools {
     const found = frame.fromScene(target.toArray());
     const still = 1e-9 * frame.length(stage.radius) + 1e-12 * Math.max(...start.map(Math.abs));
     return found.map((value, axis) => (Math.abs(value - start[axis]!) <= still ? start[axis]! : settle(Math.round(value / step) * step))) as Vec3;
-  }
-
-  private tidy(point: Vec3): Vec3 {
-    const { frame } = this.host;
-    return this.rounded(new Vector3(...frame.toScene(point)), [NaN, NaN, NaN]);
   }
 
   /** Another line's point under the pointer. */
@@ -615,7 +616,18 @@ export class Tools {
         if (was) this.write(ref, was.map((value, axis) => settle(value + delta[axis]!)) as Vec3);
       }
     });
-    if (done) this.host.changed(false);
+    if (!done) return;
+    this.host.changed(false);
+    this.tellMoved();
+  }
+
+  /** Announces where the selected points are after they moved. */
+  private tellMoved(): void {
+    const { only, host } = this;
+    const line = only && host.lines[only.line];
+    const place = line && coordinates(line.points[only.point]);
+    if (line && place) host.announce(`${line.name}, point ${only.point + 1}: moved to ${place.map((value) => number(value, 6)).join(', ')} ${unitOf(host.history.document.request)}`);
+    else if (this.selection.length > 0) host.announce(`${this.selection.length} points moved`);
   }
 
   /** Sets one coordinate of the selected points. */
@@ -627,7 +639,9 @@ export class Tools {
         this.write(ref, was);
       }
     });
-    if (done) this.host.changed(false);
+    if (!done) return;
+    this.host.changed(false);
+    this.tellMoved();
   }
 
   /** The length of the edge before the selected point, which moves along that edge. */
@@ -645,7 +659,9 @@ export class Tools {
     const { only } = this;
     if (!edge || !only || !(length > 0) || edge.length === 0) return;
     const to = edge.previous.map((value, axis) => settle(value + ((edge.point[axis]! - value) * length) / edge.length)) as Vec3;
-    if (this.host.history.edit(() => this.write(only, to))) this.host.changed(false);
+    if (!this.host.history.edit(() => this.write(only, to))) return;
+    this.host.changed(false);
+    this.tellMoved();
   }
 
   /** Normals and tangents that a request gives for the points of a line: they come and go with the points. */
@@ -742,10 +758,7 @@ export class Tools {
   stopDrawing(): void {
     if (!this.drawing) return;
     this.host.history.edit((document) => { document.draft = null; });
-    this.next = null;
-    this.host.label(null);
-    this.host.stage.canvas.style.cursor = '';
-    this.host.changed(false);
+    this.endLine();
   }
 
   get least(): number { return KINDS[this.host.history.document.kind].least; }
@@ -776,11 +789,34 @@ export class Tools {
         else ((domain.polygon ? (domain.holes ??= []) : (domain.boundaries ??= [])) as unknown[]).push(points);
       } else ((request[lines[0]!] ??= []) as unknown[]).push(points);
     });
+    this.endLine();
+    this.askForLift();
+    return true;
+  }
+
+  /** After a line was finished or given up. The keyboard goes on at the stage. */
+  private endLine(): void {
+    const { host } = this;
     this.next = null;
     host.label(null);
     host.stage.canvas.style.cursor = '';
+    host.stage.canvas.focus({ preventScroll: true });
     host.changed(false);
-    return true;
+  }
+
+  /** The first loop of a film is flat: its nearest corner is chosen, with the arrow that lifts it. */
+  private askForLift(): void {
+    const { host } = this;
+    const { kind } = host.history.document;
+    const [line, ...others] = host.lines;
+    const places = line?.points.map(coordinates) ?? [];
+    const up = host.frame.up;
+    if (!line || others.length > 0 || (kind !== 'minimal_surface' && kind !== 'tensile_structure') || places.some((place) => place?.[up] !== places[0]?.[up])) return;
+    const eye = host.stage.camera.position;
+    const away = places.map((place) => eye.distanceTo(new Vector3(...host.frame.toScene(place ?? [0, 0, 0]))));
+    this.select([{ line: 0, point: away.indexOf(Math.min(...away)) }]);
+    this.prompting = true;
+    host.stage.invalidate();
   }
 
   /** A length along the present direction, `x, y, z`, or `@dx, dy, dz` from the last point. */
@@ -884,20 +920,26 @@ export class Tools {
     } else if (this.cabling) segments.push(...this.cableHint());
     else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
     const arrow = this.arrow();
+    const lift: Vec3[] = [];
+    if (this.prompting && !arrow) {
+      this.prompting = false;
+      this.host.label(null);
+    }
     if (arrow) {
       const tip = arrow.to.toArray();
       const side = new Vector3(1, 0, 0).applyQuaternion(stage.camera.quaternion);
       const size = arrow.from.distanceTo(arrow.to);
       const base = arrow.to.clone().addScaledVector(arrow.to.clone().sub(arrow.from), -0.24);
-      segments.push(arrow.from.toArray(), tip);
-      for (const sign of [-1, 1]) segments.push(base.clone().addScaledVector(side, sign * 0.14 * size).toArray(), tip);
+      if (this.prompting) this.host.label(PROMPT, 0, 0, tip);
+      lift.push(arrow.from.toArray(), tip);
+      for (const sign of [-1, 1]) lift.push(base.clone().addScaledVector(side, sign * 0.14 * size).toArray(), tip);
       const { only } = this;
       const point = coordinates(lines[only!.line]!.points[only!.point])!;
       const foot: Vec3 = [...frame.toScene(point)];
       foot[1] = stage.grid.mesh.position.y;
       if (this.lifting || Math.abs(foot[1] - arrow.from.y) > size * 0.3) faint.push(arrow.from.toArray(), foot);
     }
-    sketch.hint({ segments, faint, ghost });
+    sketch.hint({ segments, faint, lift, ghost });
   }
 
   // ---- Keyboard ----
