@@ -7,8 +7,8 @@ import { arrive } from './app/arrival';
 import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
-import { comparison, showPanel } from './app/modes';
-import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
+import { comparison } from './app/modes';
+import { announce, label, placeLabel, readLine, readSurface, showPanel } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
@@ -48,6 +48,6 @@ Object.assign(window, {
     shown: () => (session.shown ? { job: session.shown.job.id, solved: session.shown.solved, stale: isStale() } : null),
     faulty: () => [...host.faulty], selection: () => tools.selection, points: () => sketch.places.map((place) => stage.project(place)),
     project: (point: Vec3) => stage.project(host.frame.toScene(point)), covers: (x: number, y: number) => surface.pick(stage, x, y) !== null,
-    fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
+    shadow: () => stage.shadow.plane.material.opacity, fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
   },
 });

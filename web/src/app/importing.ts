@@ -8,15 +8,16 @@ import { type Drawing, FileFault, type Polyline } from '../files/lines';
 import { openFile, openText, type Opened } from '../files/open';
 import { boxOf, type FileUnit, type Length, mayBeDegrees, METRES, middleOf, toPlane } from '../files/units';
 import { originFor } from '../model/frame';
-import { kindOf, KINDS, linesOf, metresOf, type Request, unitOf, type Vec3 } from '../model/request';
+import { isWhole, kindOf, KINDS, linesOf, metresOf, type Request, unitOf, type Vec3 } from '../model/request';
 import { rescale } from '../model/rescale';
 import { hideCard, showImport, showQuestion } from '../panels/card';
 import { capital, count, number } from '../text';
 import { opening } from './busy';
 import { changed, load, replace } from './document';
-import { showPanel } from './modes';
+import { showPanel } from './notes';
 import { showProblem } from './problems';
 import { doc, history, host, session } from './session';
+import { solve } from './solving';
 
 /** A file, or a text that was dropped or pasted. */
 export const take = (given: File | string): Promise<void> => {
@@ -233,6 +234,8 @@ function takeRequest(request: Request, title: string | null): void {
   if (named !== undefined && !(String(named) in KINDS)) throw new FileFault(`This server has no kind ${JSON.stringify(named)}.`);
   replace(kind, rest, title);
   changed();
+  // What is missing, or misspelt, the service says best.
+  if (!isWhole(kind, rest)) void solve();
 }
 
 /** The request that was written by hand. */
@@ -247,7 +250,11 @@ export function applyRequest(): void {
       fault('A request is an object, { … }.');
       return;
     }
-    takeRequest(request.kind !== undefined || kindOf(request) ? request : { ...request, kind: doc().kind }, doc().title);
+    const before = new Set(host.lines.flatMap(({ points }) => points.map((point) => JSON.stringify(point))));
+    const named = request.kind !== undefined || kindOf(request) ? request : { ...request, kind: doc().kind };
+    // A drawing that shares no point with the one before has not its name.
+    const same = linesOf(kindOf(named) ?? doc().kind, named).some(({ points }) => points.some((point) => before.has(JSON.stringify(point))));
+    takeRequest(named, same ? doc().title : null);
     $<HTMLFormElement>('request-form').reset();
   } catch (error) {
     fault(error instanceof Error ? error.message : String(error));

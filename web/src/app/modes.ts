@@ -46,12 +46,6 @@ export function setMode(next: Mode): void {
   stage.invalidate();
 }
 
-/** Brings one of the two panels to the front where there is room for one only. */
-export function showPanel(name: string): void {
-  document.querySelector('main')!.dataset.panel = name;
-  for (const button of document.querySelectorAll<HTMLElement>('[data-panel]:is(button)')) button.setAttribute('aria-pressed', String(button.dataset.panel === name));
-}
-
 /** Shows all of what fills the stage. */
 export function fitAll(): void {
   if (session.mode === 'flat') flat!.fit();

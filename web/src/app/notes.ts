@@ -11,6 +11,12 @@ const TOAST_MS = 7000;
 export const say = (text: string): void => { $('status').textContent = text; };
 export const announce = (text: string): void => { $('announcement').textContent = text; };
 
+/** Brings one of the two panels to the front where there is room for one only. */
+export function showPanel(name: string): void {
+  document.querySelector('main')!.dataset.panel = name;
+  for (const button of document.querySelectorAll<HTMLElement>('[data-panel]:is(button)')) button.setAttribute('aria-pressed', String(button.dataset.panel === name));
+}
+
 let toastTimer = 0;
 export function toast(text: string): void {
   $('toast').textContent = text;

@@ -1,7 +1,8 @@
 // Problems are told once, counted from 1, and marked in the drawing. The late answer to an earlier
 // request neither hides nor replaces a newer problem.
 
-import { ConnectionFailed, type FieldError } from 'plateau-client';
+import { ConnectionFailed, type FieldError, Unauthorized } from 'plateau-client';
+import { hasKey } from '../api';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
 import { type Remedy, remedyFor } from '../model/remedies';
@@ -10,6 +11,7 @@ import { capital } from '../text';
 import { FAILURES } from '../words';
 import { ask } from './busy';
 import { redraw } from './drawing';
+import { showPanel } from './notes';
 import { doc, host, session, tools } from './session';
 
 interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
@@ -39,9 +41,24 @@ export function hideProblem(turn = ask()): void {
   redraw();
 }
 
+export const KEY_REFUSED = 'This server does not take this key. Copy it again, or ask whoever runs the server for another one.';
+
+/** Asks for a key where it is typed. */
+function askForKey(): void {
+  $('key-fault').textContent = hasKey() ? KEY_REFUSED : 'This server asks for a key. Type the one that you were given.';
+  $('key-fault').hidden = false;
+  const dialog = $<HTMLDialogElement>('settings');
+  if (!dialog.open) dialog.showModal();
+  $('api-key').focus();
+}
+
 /** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
 export function showProblem(fault: unknown, turn = ask()): void {
   if (!counts(turn)) return;
+  if (fault instanceof Unauthorized) {
+    askForKey();
+    return;
+  }
   const { type, title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
   const list = errors ?? [];
   const faulty = new Set<string>();
@@ -77,6 +94,8 @@ export function showProblem(fault: unknown, turn = ask()): void {
     verbatim ? el('details', {}, el('summary', {}, 'In the words of the service, which counts from 0'), summary) : '',
   );
   $('problem').hidden = false;
+  showPanel('setup');
+  $('problem').scrollIntoView({ block: 'nearest' });
   session.serverFaulty = faulty;
   redraw();
 }

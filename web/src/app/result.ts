@@ -9,7 +9,7 @@ import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/
 import { fileOf, isOfPage } from '../solvers';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
-import { count, duration } from '../text';
+import { count, duration, fileName } from '../text';
 import { ask } from './busy';
 import { offerModes, setMode } from './modes';
 import { dropReading, say } from './notes';
@@ -94,7 +94,7 @@ function offer(box: HTMLElement, formats: (MeshFormat | PatternFormat)[], job: J
     onclick: async () => {
       const turn = ask();
       try {
-        save(new Blob([await fileOf(job, format)]), `${job.kind.replaceAll('_', '-')}${isOfPage(job) ? '' : `-${job.id}`}.${format}`);
+        save(new Blob([await fileOf(job, format)]), `${fileName(doc().title) ?? `${job.kind.replaceAll('_', '-')}${isOfPage(job) ? '' : `-${job.id}`}`}.${format}`);
       } catch (error) {
         showProblem(error, turn);
       }
@@ -112,6 +112,7 @@ export function showStale(): void {
     $('stale').hidden = !stale;
     // A line that is being drawn must be seen, also where it runs behind the film.
     surface.setGhost(stale || doc().draft !== null);
+    stage.shadow.fade(stale);
     stage.invalidate();
   };
   if (stale && session.requests.underWay && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);

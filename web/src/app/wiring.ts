@@ -5,14 +5,14 @@ import { $, save } from '../dom';
 import { type Cable, cablesOf } from '../model/cables';
 import { isWhole, print, type Request, type Vec3 } from '../model/request';
 import { changeMode } from '../panels/cable';
-import { typed } from '../text';
-import { arrive } from './arrival';
+import { fileName, typed } from '../text';
+import { arrive, faultOfKey } from './arrival';
 import { changed, isLive, load, redo, showRequest, startBlank, undo } from './document';
 import { foundCable, hint, showDock, showPoint, widen } from './drawing';
 import { whileBusy } from './busy';
 import { keep, keepNow } from './keeping';
-import { fitAll, setMode, showPanel } from './modes';
-import { label, say, toast } from './notes';
+import { fitAll, setMode } from './modes';
+import { label, say, showPanel, toast } from './notes';
 import { openLink } from './opening';
 import { showQuantity } from './result';
 import { doc, history, isStale, later, type Mode, session, stage, tools } from './session';
@@ -57,7 +57,7 @@ function wireSetup(): void {
   on('request-form', 'input', () => { $('discard-request').hidden = false; });
   on('request-form', 'reset', () => { for (const id of ['discard-request', 'request-fault']) $(id).hidden = true; });
   on('apply-request', 'click', () => withLater(({ applyRequest }) => applyRequest()));
-  on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
+  on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${fileName(doc().title) ?? doc().kind.replaceAll('_', '-')}.json`));
   for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
   for (const form of ['point', 'options', 'key-form', 'drawing', 'cable']) on(form, 'submit', (event) => event.preventDefault());
 }
@@ -227,11 +227,21 @@ function wireDialogs(): void {
   }
   field.addEventListener('change', () => {
     setKey(field.value);
-    if (field.value) sessionStorage.setItem(KEY, field.value);
-    else sessionStorage.removeItem(KEY);
-    $<HTMLDialogElement>('settings').close();
-    if (!session.ready) void arrive();
+    void tryKey(field.value);
   });
+  field.addEventListener('input', () => { $('key-fault').hidden = true; });
+}
+
+/** Keeps a key that the server takes, and says in the dialog what is wrong with another one. */
+async function tryKey(key: string): Promise<void> {
+  const fault = await faultOfKey();
+  $('key-fault').textContent = fault ?? '';
+  $('key-fault').hidden = fault === null;
+  if (fault !== null) return;
+  if (key) sessionStorage.setItem(KEY, key);
+  else sessionStorage.removeItem(KEY);
+  $<HTMLDialogElement>('settings').close();
+  if (!session.ready) void arrive();
 }
 
 function shortcut(event: KeyboardEvent): void {

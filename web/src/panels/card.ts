@@ -19,7 +19,7 @@ interface Acts<C> { change(change: (choice: C) => void): void; undo(): void; clo
 /** The card's element, which stands above the options. */
 function card(label: string): HTMLElement {
   const found = document.getElementById('card') ?? el('section', { id: 'card' });
-  if (!found.isConnected) $('setup').prepend(found);
+  if (!found.isConnected) $('sheet').prepend(found);
   found.setAttribute('aria-label', label);
   found.hidden = false;
   return found;

@@ -50,6 +50,8 @@ export class Stage {
   private last = 0;
   private sphere = new Sphere(new Vector3(), 5);
   private wasInside = true;
+  /** Whether nobody has moved the camera since everything was shown. */
+  private fitted = false;
 
   constructor(readonly canvas: HTMLCanvasElement, readonly insets: () => { top: number; right: number; bottom: number; left: number }) {
     this.renderer = makeRenderer(canvas);
@@ -63,6 +65,7 @@ export class Stage {
     const { ACTION } = CameraControls;
     Object.assign(this.controls.mouseButtons, { left: ACTION.ROTATE, right: ACTION.TRUCK, middle: ACTION.TRUCK, wheel: ACTION.NONE });
     for (const event of ['controlstart', 'control', 'transitionstart'] as const) this.controls.addEventListener(event, () => this.wake());
+    this.controls.addEventListener('controlstart', () => { this.fitted = false; });
     this.controls.addEventListener('rest', () => this.onRest());
     canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -168,8 +171,8 @@ export class Stage {
       this.renderer.setSize(clientWidth, clientHeight, false);
     }
     this.shape();
-    // What was seen whole stays seen whole.
-    if (this.wasInside && !this.allInside()) this.fit(false);
+    // What was seen whole stays seen whole, and as large as there is room for unless somebody has moved the camera.
+    if (this.fitted || (this.wasInside && !this.allInside())) this.fit(false);
     this.draw();
   }
 
@@ -238,6 +241,7 @@ export class Stage {
     const shiftX = ((right - left) / 2) * pixel * distance, shiftY = ((top - bottom) / 2) * pixel * distance;
     const target = this.sphere.center.clone().addScaledVector(side, centreX + shiftX).addScaledVector(up, centreY + shiftY);
     this.place({ eye: target.clone().addScaledVector(from, distance).toArray(), target: target.toArray() }, animated);
+    this.fitted = this.wasInside = true;
   }
 
   pose(): Pose {
@@ -245,6 +249,7 @@ export class Stage {
   }
 
   place({ eye, target }: Pose, animated: boolean): void {
+    this.fitted = false;
     const calm = !animated || matchMedia('(prefers-reduced-motion: reduce)').matches;
     void this.controls.setLookAt(...eye, ...target, !calm);
     if (calm) this.controls.update(0);
@@ -257,11 +262,13 @@ export class Stage {
   }
 
   orbit(azimuth: number, polar: number): void {
+    this.fitted = false;
     void this.controls.rotate(azimuth, polar, true);
     this.wake();
   }
 
   pan(x: number, y: number): void {
+    this.fitted = false;
     const size = this.pixelAt(this.controls.getTarget(new Vector3()));
     void this.controls.truck(-x * size, -y * size, true);
     this.wake();
