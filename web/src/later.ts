@@ -8,5 +8,6 @@ export { Compare } from './panels/compare';
 export { Flat } from './panels/flat';
 export { build, disable, schemaOf } from './panels/form';
 export { gallery } from './panels/gallery';
+export { details, statistics, warnings } from './panels/report';
 export { curl, python, typescript } from './panels/programs';
 export * as trees from './stage/trees';

@@ -13,6 +13,7 @@ import { keep, type Kept, kept, placeWorld } from './keeping';
 import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
 import { hideProblem, KEY_REFUSED, showProblem } from './problems';
+import { showReport } from './result';
 import { doc, embedded, history, later, server, session } from './session';
 import { resumeJob, solve } from './solving';
 
@@ -102,6 +103,7 @@ async function learn(begun: Promise<void>): Promise<void> {
   ]);
   Object.assign(server, { openapi, objectives, examples });
   later.parts = parts;
+  showReport();
   useTrees(parts.trees);
   showKinds(parts.schemaOf);
   showForm();

@@ -1,6 +1,6 @@
 // Short texts: the line of state, a note that passes, and a text beside a pixel of the stage.
 
-import { $ } from '../dom';
+import { $, el } from '../dom';
 import type { Vec3 } from '../model/request';
 import { reading } from '../stage/quantities';
 import { number } from '../text';
@@ -48,6 +48,29 @@ export function placeLabel(): void {
   const left = Math.min(Math.max(x + 14, 6), stage.width - box.offsetWidth - 6);
   const top = Math.min(Math.max(y - 30, 6), stage.height - 30);
   box.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+}
+
+/** Texts beside the tips of the reactions' arrows. */
+let tags: { anchor: Vec3; box: HTMLElement }[] = [];
+
+/** Labels the arrows that are shown. */
+export function tagReactions(): void {
+  tags.forEach(({ box }) => box.remove());
+  tags = surface.reactions().map(({ tip, text }) => ({ anchor: tip, box: el('p', { className: 'tag' }, text) }));
+  $('stage').append(...tags.map(({ box }) => box));
+  placeTags();
+}
+
+/** A label that would lie on that of a larger force is left out. */
+export function placeTags(): void {
+  const taken: { x: number; y: number }[] = [];
+  for (const { anchor, box } of tags) {
+    const { x, y, visible } = stage.project(anchor);
+    box.hidden = session.mode !== 'model' || !visible || taken.some((other) => Math.abs(other.x - x) < 62 && Math.abs(other.y - y) < 20);
+    if (box.hidden) continue;
+    taken.push({ x, y });
+    box.style.transform = `translate(${Math.round(x + 6)}px, ${Math.round(y - 10)}px)`;
+  }
 }
 
 /** Says beside a point of the surface what it is there: the value of the quantity shown, else the coordinates. */

@@ -3,18 +3,18 @@
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
 import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
-import { charts } from '../panels/chart';
+import { charts, samplesOf } from '../panels/chart';
 import { showLegend } from '../panels/legend';
-import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import { keyFigures } from '../panels/headlines';
 import { fileOf, isOfPage } from '../solvers';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration, fileName } from '../text';
 import { ask } from './busy';
 import { offerModes, setMode } from './modes';
-import { dropReading, say } from './notes';
+import { dropReading, say, tagReactions } from './notes';
 import { showProblem } from './problems';
-import { doc, host, isStale, session, sketch, stage, surface } from './session';
+import { doc, host, isStale, later, session, sketch, stage, surface } from './session';
 
 /** How long a result may lag behind the drawing before it is shown as out of date. */
 const STALE_MS = 450;
@@ -24,6 +24,7 @@ export function forget(): void {
   session.shown = null;
   session.quantity = null;
   surface.show(null, '', host.frame);
+  tagReactions();
   $('result').hidden = true;
   $('nothing').hidden = false;
   $('look').hidden = true;
@@ -45,6 +46,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   // The model is fitted into the room that the legend leaves.
   $('look').hidden = false;
   showLayers();
+  tagReactions();
   stage.measure();
   stage.rememberWhetherAllIsSeen();
   if (first && !session.cameraGiven) stage.fit(false);
@@ -54,10 +56,8 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   $('result').hidden = false;
   nameJob(job);
   const values = job.statistics as Record<string, unknown>;
-  $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
-  $('details').replaceChildren(...details(job, unitOf(request)));
-  $('warnings').replaceChildren(...warnings(job.warnings, unitOf(request)));
-  $('statistics').replaceChildren(...statistics(values));
+  $('figures').replaceChildren(...keyFigures(job, unitOf(request), sizeOf(mesh, metresOf(request))));
+  showReport();
   $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.
   offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl' as const] : [])], job);
@@ -67,6 +67,26 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   offerModes(job.kind === 'ruled_surface', pattern);
   sayHowItWent(job, mesh);
   showStale();
+}
+
+/** The parts of the report that come after the first film. */
+export function showReport(): void {
+  const { shown } = session;
+  if (!later.parts || !shown) return;
+  const { job, request } = shown;
+  const unit = unitOf(request);
+  const { result, numerics } = later.parts.statistics(job, unit);
+  $('details').replaceChildren(...later.parts.details(job, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
+  $('warnings').replaceChildren(...later.parts.warnings(job.warnings, unit));
+  $('statistics').replaceChildren(...result);
+  $('numbers').replaceChildren(...numerics);
+}
+
+/** The extent of a model along x, up and z, in the request's unit. */
+function sizeOf({ geometry }: ResultMesh, metres: number): [number, number, number] {
+  geometry.computeBoundingBox();
+  const { min, max } = geometry.boundingBox!;
+  return [max.x - min.x, max.y - min.y, max.z - min.z].map((value) => value / metres) as [number, number, number];
 }
 
 /** Names the job of the service that a result belongs to. */
@@ -161,7 +181,9 @@ function showLayers(): void {
     button.addEventListener('click', () => {
       surface.setLayers({ [name]: !surface.layers[name] });
       button.setAttribute('aria-pressed', String(surface.layers[name]));
+      tagReactions();
       stage.measure();
+      stage.keepInside(true);
     });
     return button;
   }), drawingLayer());

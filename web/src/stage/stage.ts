@@ -171,9 +171,13 @@ export class Stage {
       this.renderer.setSize(clientWidth, clientHeight, false);
     }
     this.shape();
-    // What was seen whole stays seen whole, and as large as there is room for unless somebody has moved the camera.
-    if (this.fitted || (this.wasInside && !this.allInside())) this.fit(false);
+    this.keepInside(false);
     this.draw();
+  }
+
+  /** What was seen whole stays seen whole, and as large as there is room for unless somebody has moved the camera. */
+  keepInside(animated: boolean): void {
+    if (this.fitted || (this.wasInside && !this.allInside())) this.fit(animated);
   }
 
   private shape(): void {

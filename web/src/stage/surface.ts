@@ -19,6 +19,8 @@ import type { Stage } from './stage';
 const LINE_GRIP = 8;
 /** The head of a reaction's arrow, as fractions of the longest arrow. */
 const HEAD = { length: 0.16, width: 0.06 };
+/** Most reactions whose arrows are labelled. */
+const MOST_TAGS = 16;
 /** More segments than this are drawn one pixel wide. */
 const MOST_WIDE = 20_000;
 
@@ -185,6 +187,16 @@ export class Surface {
       this.ghost = false;
       this.setGhost(true);
     }
+  }
+
+  /** The tips of the arrows of the largest reactions, largest first, with what each says. */
+  reactions(): { tip: Vec3; text: string }[] {
+    const line = this.layers.reactions ? this.result?.lines.find(({ name }) => name === 'reactions') : undefined;
+    const force = line?.values.find(({ name }) => name === 'force');
+    if (!line || !force) return [];
+    const { x, y, z } = this.group.position;
+    const sizes = Array.from({ length: line.segments.length / 6 }, (_, i) => ({ i, size: force.values[2 * i]! })).sort((a, b) => b.size - a.size).slice(0, MOST_TAGS);
+    return sizes.map(({ i, size }) => ({ tip: [line.segments[6 * i + 3]! + x, line.segments[6 * i + 4]! + y, line.segments[6 * i + 5]! + z], text: `${number(size, 3)} ${force.unit}` }));
   }
 
   /** The nearest point of the surface under a pixel. */
