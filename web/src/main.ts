@@ -1,5 +1,5 @@
 // The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
-// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, solving,
+// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, theme, solving,
 // document, opening, arrival, wiring. The files of `later` stand above document.
 
 import './style.css';
@@ -49,6 +49,6 @@ Object.assign(window, {
     shown: () => (session.shown ? { job: session.shown.job.id, solved: session.shown.solved, stale: isStale() } : null),
     faulty: () => [...host.faulty], selection: () => tools.selection, points: () => sketch.places.map((place) => stage.project(place)),
     project: (point: Vec3) => stage.project(host.frame.toScene(point)), covers: (x: number, y: number) => surface.pick(stage, x, y) !== null,
-    shadow: () => stage.shadow.plane.material.opacity, fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
+    shadow: () => stage.shadow.plane.material.opacity, fit: () => stage.fit(false), draw: () => stage.draw(), isParallel: () => stage.isParallel, isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
   },
 });

@@ -37,7 +37,7 @@ export function load({ refit = true, direction = FIRST_VIEW } = {}): void {
   showForm();
   redraw();
   stage.measure();
-  if (refit) stage.fit(false, direction);
+  if (refit) stage.view(direction);
   showDocument();
 }
 

@@ -29,8 +29,9 @@ function drawLines(): void {
   const { request, kind } = doc();
   const course = ({ along }: ReturnType<typeof cablesOf>[number]): Vec3[] =>
     (along ? stretch(request, along).map((point) => coordinates(at(request, ['boundaries', along.boundary ?? 0, point])) ?? [0, 0, 0]) : []);
-  const courses = kind === 'tensile_structure' && !session.viewing ? cablesOf(request).map(course) : [];
-  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses, chosen: tools.cable });
+  const cables = kind === 'tensile_structure' && !session.viewing ? cablesOf(request) : [];
+  const segments = new Set(cables.flatMap(({ along }) => (along ? stretch(request, along).slice(0, -1).map((point) => `${along.boundary ?? 0}/${point}`) : [])));
+  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses: cables.map(course), segments, chosen: tools.cable });
 }
 
 /** What a cable can hold constant, of the server's document. */

@@ -69,7 +69,8 @@ export function placeTags(): void {
     box.hidden = session.mode !== 'model' || !visible || taken.some((other) => Math.abs(other.x - x) < 62 && Math.abs(other.y - y) < 20);
     if (box.hidden) continue;
     taken.push({ x, y });
-    box.style.transform = `translate(${Math.round(x + 6)}px, ${Math.round(y - 10)}px)`;
+    const left = Math.max(4, Math.min(x + 6, stage.width - box.offsetWidth - 4));
+    box.style.transform = `translate(${Math.round(left)}px, ${Math.round(y - 10)}px)`;
   }
 }
 

@@ -62,6 +62,6 @@ function viewMesh(job: JobInfo, mesh: ResultMesh): void {
   host.frame = new Frame([x, y, z], request);
   redraw();
   show(job, mesh, JSON.stringify(request));
-  stage.fit(false, FIRST_VIEW);
+  stage.view(FIRST_VIEW);
   showDocument();
 }

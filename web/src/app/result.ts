@@ -146,6 +146,8 @@ export function showQuantity(): void {
   if (!session.shown) return;
   choose();
   surface.colourBy(session.quantity);
+  // The legend takes or leaves room.
+  stage.keepInside(false);
 }
 
 /** The quantities that the result offers, and the values and legend of the chosen one. */
@@ -166,6 +168,8 @@ function choose(): void {
   select.replaceChildren(...list.map(({ id, label: name }) => el('option', { value: id }, name)));
   select.value = session.colour;
   session.quantity = quantity(mesh, session.colour, unitOf(request), metresOf(request));
+  // The largest force is the line that is seen best, before a dark ground and a bright one.
+  if (session.quantity?.id.startsWith('line:') && session.quantity.scale === 'sequential' && document.documentElement.dataset.theme !== 'dark') session.quantity.scale = 'lines';
   showLegend(session.quantity);
 }
 

@@ -153,11 +153,11 @@ function wireCable(): void {
 }
 
 function wireStage(): void {
-  const views: Record<string, Vec3> = { top: [0, 1, 1e-3], front: [0, 0.02, 1], side: [1, 0.02, 0] };
+  const views: Record<string, Vec3> = { top: [0, 1, 1e-3], front: [0, 0, 1], side: [1, 0, 0] };
   for (const button of all('[data-view]')) {
     button.addEventListener('click', () => {
       const view = views[button.dataset.view!];
-      if (view) stage.look(view);
+      if (view) stage.lookAlong(view);
       else fitAll();
     });
   }

@@ -4,7 +4,7 @@
 import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
 import type { Frame } from '../model/frame';
 import { coordinates, isLoose, isShown, type Line, type Vec3 } from '../model/request';
-import { type Lines, retire, wideLines } from './surface';
+import { dashedLines, type Lines, retire, wideLines } from './surface';
 
 export interface PointRef { line: number; point: number }
 export const same = (a: PointRef | null, b: PointRef | null): boolean => a?.line === b?.line && a?.point === b?.point;
@@ -75,8 +75,8 @@ export class Sketch {
     this.material.uniforms.scale!.value = scale;
   }
 
-  /** `cables`: the courses of cables along the lines, and the number of the chosen one. */
-  show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; chosen: number } = { courses: [], chosen: -1 }): void {
+  /** `cables`: the courses of cables along the lines, the segments that they run along as `line/point`, and the number of the chosen one. */
+  show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; segments: Set<string>; chosen: number } = { courses: [], segments: new Set(), chosen: -1 }): void {
     const places: Vec3[] = [], refs: PointRef[] = [];
     const segments: number[] = [];
     lines.forEach((line, l) => {
@@ -91,9 +91,9 @@ export class Sketch {
         refs.push({ line: l, point: p });
       });
       if (isLoose(line)) return;
-      const chain = seen.filter((at): at is Vec3 => at !== null);
+      const chain = seen.flatMap((at, p) => (at ? [{ at, p }] : []));
       const last = line.closed && chain.length > 2 ? chain.length : chain.length - 1;
-      for (let i = 0; i < last; i += 1) segments.push(...chain[i]!, ...chain[(i + 1) % chain.length]!);
+      for (let i = 0; i < last; i += 1) if (!cables.segments.has(`${l}/${chain[i]!.p}`)) segments.push(...chain[i]!.at, ...chain[(i + 1) % chain.length]!.at);
     });
     draft?.forEach((point, p) => {
       places.push(frame.toScene(point));
@@ -126,9 +126,12 @@ export class Sketch {
     }
     const chain = (course: Vec3[]): number[] => course.slice(1).flatMap((point, i) => [...course[i]!, ...point]);
     const add = (segments: number[], width: number, color: string): Lines[] => (segments.length > 0 ? [wideLines(new Float32Array(segments), width, color)] : []);
+    // Dashes where cables are given: the result draws each as the curve that it is.
+    const straight = courses.flatMap((course, k) => (k === chosen ? [] : chain(course)));
+    const size = Math.max(1e-9, ...courses.filter((course) => course.length > 1).map((course) => Math.hypot(...course[0]!.map((value, axis) => value - course.at(-1)![axis]!))));
     this.cables = [
-      ...add(courses.flatMap((course, k) => (k === chosen ? [] : chain(course))), 5, this.look.cable),
-      ...add(chain(courses[chosen] ?? []), 8, this.look.cable),
+      ...(straight.length > 0 ? [dashedLines(new Float32Array(straight), 1.6, this.look.cable, size / 40)] : []),
+      ...add(chain(courses[chosen] ?? []), 6, this.look.cable),
     ];
     for (const line of this.cables) {
       // The line of the boundary runs along their middle.

@@ -35,6 +35,15 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
 /** Wide lines in one colour, or in a colour for each end. */
+/** Thin dashes of a length on the screen that does not depend on the zoom by much: `dash` is in metres. */
+export function dashedLines(segments: Float32Array, width: number, color: string, dash: number): LineSegments2 {
+  const geometry = new LineSegmentsGeometry().setPositions(segments);
+  const material = new LineMaterial({ color: new Color(color).getHex(), linewidth: width, dashed: true, dashSize: dash, gapSize: dash, toneMapped: false });
+  const lines = new LineSegments2(geometry, material);
+  lines.computeLineDistances();
+  return lines;
+}
+
 export function wideLines(segments: Float32Array, width: number, color: string, colours?: Float32Array, opacity = 1): Lines {
   if (segments.length / 6 > MOST_WIDE) {
     const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
@@ -135,7 +144,8 @@ export class Surface {
     const { result, quantity, ghost } = this;
     this.clear();
     if (!result) return;
-    const facets = this.kind !== 'minimal_surface';
+    // Films and fabrics are smooth; strips and lattices have flat pieces.
+    const facets = this.kind === 'ruled_surface' || this.kind === 'uniform_mesh';
     const geometry = new BufferGeometry();
     geometry.setIndex(result.geometry.index);
     geometry.setAttribute('position', result.geometry.attributes.position!);
