@@ -255,10 +255,12 @@ export class Stage {
     this.fitted = this.wasInside = true;
   }
 
-  /** The camera, or one with perspective that shows as much from the same direction. */
+  /** The camera; in a parallel view one with perspective that shows the whole depth of the model from the same direction. */
   pose(): Pose {
     const target = this.controls.getTarget(new Vector3());
-    const eye = this.controls.getPosition(new Vector3()).sub(target).multiplyScalar(nearness(this.field)).add(target);
+    const eye = this.controls.getPosition(new Vector3()).sub(target);
+    if (this.isParallel) eye.setLength(eye.length() * nearness(this.field) + this.sphere.radius);
+    eye.add(target);
     return { eye: eye.toArray(), target: target.toArray() };
   }
 
