@@ -128,3 +128,38 @@ test('no choice is cut off, and the legend leaves the model free', async () => {
   const [bar, card] = [await page.locator('#scale-bar').boundingBox(), await page.locator('#look').boundingBox()];
   assert.ok(bar.width > card.width - 40, 'the scale fills its card');
 });
+
+test.quick('the scale bar is as long as it says, in every view', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  for (const view of ['top', 'fit']) {
+    await page.click(`[data-view="${view}"]`);
+    await atRest(page);
+    const [, length, unit] = /^([\d.,]+) (\w+)$/.exec(await page.textContent('#scale-line'));
+    assert.equal(unit, 'm');
+    const { width } = await page.locator('#scale-line').boundingBox();
+    assert.ok(width > 40 && width < 132);
+    if (view === 'fit') continue;
+    const scale = await page.evaluate(() => window.studio.project([8, 4, 0]).x - window.studio.project([0, 4, 0]).x) / 8;
+    assert.ok(Math.abs(width / (Number(length) * scale) - 1) < 0.02, `${length} m in ${width} pixels`);
+  }
+});
+
+test('two clicks measure a distance, which stays when the view turns, and Escape ends it', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const before = JSON.stringify(await page.evaluate(() => window.studio.request()));
+  await page.click('#measure');
+  assert.match(await page.textContent('#hint'), /distance stands between them/);
+  const seen = await points(page);
+  await page.mouse.click(...await onStage(page, seen[0]));
+  await page.mouse.click(...await onStage(page, seen[1]));
+  assert.match(await page.textContent('#label'), /^8\.544 m \(x 8, y 0, z 3\)$/);
+  assert.equal(await page.textContent('#announcement'), '8.544 m');
+  await drag(page, { x: 40, y: 300 }, { x: 90, y: 300 });
+  assert.equal(await page.isVisible('#label'), true);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#label'), false);
+  assert.equal(await page.getAttribute('#measure', 'aria-pressed'), 'false');
+  assert.equal(JSON.stringify(await page.evaluate(() => window.studio.request())), before, 'nothing is changed by it');
+});

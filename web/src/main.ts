@@ -8,7 +8,7 @@ import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { comparison } from './app/modes';
-import { announce, label, placeLabel, placeTags, readLine, readSurface, showPanel } from './app/notes';
+import { announce, label, placeLabel, placeScale, placeTags, readLine, readSurface, showPanel } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
@@ -27,6 +27,7 @@ stage.onDraw = () => {
   gizmo.place();
   placeLabel();
   placeTags();
+  placeScale();
 };
 stage.onRest = () => {
   stage.rememberWhetherAllIsSeen();

@@ -51,7 +51,7 @@ export function foundCable(index = tools.cable): Found | undefined {
 
 export function showDock(): void {
   const { drawing, selection } = tools;
-  const introduced = !$('intro').hidden && !drawing && selection.length === 0;
+  const introduced = !$('intro').hidden && !drawing && !tools.measuring && selection.length === 0;
   $('intro').hidden = !introduced;
   $('drawing').hidden = !drawing;
   const cable = !drawing && selection.length === 0 ? cablesOf(doc().request)[tools.cable] : undefined;
@@ -59,6 +59,7 @@ export function showDock(): void {
     drawLines();
     tools.refresh();
   }
+  $('measure').setAttribute('aria-pressed', String(tools.measuring));
   $('cabling').hidden = !tools.mayCable;
   $('cabling').setAttribute('aria-pressed', String(tools.cabling));
   $('cable').hidden = !cable;
@@ -76,6 +77,7 @@ const byTouch = matchMedia('(pointer: coarse)').matches;
 export function hint(): string {
   if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
   if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
+  if (tools.measuring) return 'Click a point, a place of the surface or of the ground, and then another: the distance stands between them. Escape ends.';
   if (tools.cabling && byTouch) return 'Tap an edge to hang it on a cable, or a point and then another for a cable along several edges.';
   if (tools.cabling) return 'Click an edge of the boundary to hang it on a cable, or a point and then another for a cable along several edges.';
   if (session.mode === 'flat') return `The strip unrolled into the plane, to scale. Drag to move it, ${byTouch ? 'pinch' : 'wheel'} to zoom.`;

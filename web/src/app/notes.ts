@@ -1,10 +1,10 @@
 // Short texts: the line of state, a note that passes, and a text beside a pixel of the stage.
 
 import { $, el } from '../dom';
-import type { Vec3 } from '../model/request';
+import { unitOf, type Vec3 } from '../model/request';
 import { reading } from '../stage/quantities';
 import { number } from '../text';
-import { host, session, stage, surface } from './session';
+import { doc, host, session, stage, surface } from './session';
 
 const TOAST_MS = 7000;
 
@@ -48,6 +48,22 @@ export function placeLabel(): void {
   const left = Math.min(Math.max(x + 14, 6), stage.width - box.offsetWidth - 6);
   const top = Math.min(Math.max(y - 30, 6), stage.height - 30);
   box.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+}
+
+/** Widest scale bar, in pixels. */
+const WIDEST = 130;
+const bar = el('p', { id: 'scale-line', 'aria-hidden': 'true' });
+
+/** A bar of a round length, as it is seen in the middle of the model. */
+export function placeScale(): void {
+  if (!bar.isConnected) $('stage').append(bar);
+  const pixel = host.frame.length(stage.pixelAt(stage.centre));
+  const step = 10 ** Math.floor(Math.log10(WIDEST * pixel));
+  const length = [5, 2, 1].map((digit) => digit * step).find((each) => each <= WIDEST * pixel) ?? step;
+  bar.hidden = session.mode !== 'model' || !Number.isFinite(length);
+  const text = `${number(length)} ${unitOf(doc().request)}`;
+  if (bar.textContent !== text) bar.textContent = text;
+  bar.style.width = `${(length / pixel).toFixed(1)}px`;
 }
 
 /** Texts beside the tips of the reactions' arrows. */

@@ -169,6 +169,7 @@ function wireStage(): void {
     stage.invalidate();
     keep();
   });
+  on('measure', 'click', () => (tools.measuring ? tools.stopMeasuring() : tools.startMeasuring()));
   on('theme', 'click', switchTheme);
 }
 

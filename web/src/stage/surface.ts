@@ -35,10 +35,16 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
 /** Wide lines in one colour, or in a colour for each end. */
+/**
+ * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one half, and at 1500
+ * the line covers the drawing's points.
+ */
+const BEFORE = { polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: -400 };
+
 /** Thin dashes of a length on the screen that does not depend on the zoom by much: `dash` is in metres. */
 export function dashedLines(segments: Float32Array, width: number, color: string, dash: number): LineSegments2 {
   const geometry = new LineSegmentsGeometry().setPositions(segments);
-  const material = new LineMaterial({ color: new Color(color).getHex(), linewidth: width, dashed: true, dashSize: dash, gapSize: dash, toneMapped: false });
+  const material = new LineMaterial({ color: new Color(color).getHex(), linewidth: width, dashed: true, dashSize: dash, gapSize: dash, toneMapped: false, ...BEFORE });
   const lines = new LineSegments2(geometry, material);
   lines.computeLineDistances();
   return lines;
@@ -53,7 +59,7 @@ export function wideLines(segments: Float32Array, width: number, color: string, 
   }
   const geometry = new LineSegmentsGeometry().setPositions(segments);
   if (colours) geometry.setColors(colours);
-  const material = new LineMaterial({ color: colours ? 0xffffff : new Color(color).getHex(), linewidth: width, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false });
+  const material = new LineMaterial({ color: colours ? 0xffffff : new Color(color).getHex(), linewidth: width, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false, ...BEFORE });
   return new LineSegments2(geometry, material);
 }
 

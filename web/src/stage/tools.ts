@@ -63,6 +63,8 @@ export class Tools {
   cabling = false;
   /** The cable that was clicked; -1 for none. */
   cable = -1;
+  /** Places that are measured between, in the request's coordinates; null if nothing is measured. */
+  private measured: Vec3[] | null = null;
   /** The point at which a cable of several segments begins. */
   private cableFrom: PointRef | null = null;
   private marquee: HTMLElement;
@@ -102,6 +104,7 @@ export class Tools {
 
   /** Whether cables can be drawn: they run along the boundaries of tensile structures. */
   get mayCable(): boolean { return this.host.history.document.kind === 'tensile_structure' && !this.host.fixed; }
+  get measuring(): boolean { return this.measured !== null; }
   get drawing(): boolean { return this.host.history.document.draft !== null; }
   get only(): PointRef | null { return this.selection.length === 1 ? this.selection[0]! : null; }
 
@@ -204,7 +207,7 @@ export class Tools {
     const { only } = this;
     const { stage, frame, lines } = this.host;
     const point = only && coordinates(lines[only.line]?.points[only.point]);
-    if (!point || this.drawing || this.cabling) return null;
+    if (!point || this.drawing || this.cabling || this.measured) return null;
     const from = new Vector3(...frame.toScene(point));
     const length = ARROW * stage.pixelAt(from);
     return { from, to: from.clone().addScaledVector(this.liftAxis(), length) };
@@ -239,6 +242,13 @@ export class Tools {
       this.showNext(x, y);
       stage.canvas.style.cursor = 'crosshair';
       stage.invalidate();
+      return;
+    }
+    if (this.measured) {
+      this.hover = this.nearestPoint(x, y, GRIP.point);
+      this.ghost = null;
+      stage.canvas.style.cursor = 'crosshair';
+      this.refresh();
       return;
     }
     if (this.cabling) {
@@ -278,6 +288,10 @@ export class Tools {
       this.onRelease(event, (x, y, travelled, last) => {
         if (travelled <= STILL) this.place(this.snap(x, y, last.altKey));
       });
+      return;
+    }
+    if (this.measured) {
+      this.onRelease(event, (x, y, travelled) => { if (travelled <= STILL) this.measureAt(x, y); });
       return;
     }
     if (this.cabling) {
@@ -502,6 +516,45 @@ export class Tools {
     return ref ? coordinates(lines[ref.line]!.points[ref.point]) : null;
   }
 
+  // ---- Measuring ----
+
+  startMeasuring(): void {
+    this.stopDrawing();
+    this.stopCabling();
+    this.measured = [];
+    this.select([]);
+    this.host.stage.canvas.focus({ preventScroll: true });
+  }
+
+  stopMeasuring(): void {
+    if (!this.measured) return;
+    this.measured = null;
+    this.host.label(null);
+    this.host.stage.canvas.style.cursor = '';
+    this.refresh();
+    this.host.selectionChanged();
+  }
+
+  /** Takes a point, a place of the surface or of the ground as an end; a third one begins anew. */
+  private measureAt(x: number, y: number): void {
+    const { stage, frame, lines, surface } = this.host;
+    const ref = this.nearestPoint(x, y, GRIP.point);
+    const ground = new Vector3(0, stage.grid.mesh.position.y, 0);
+    const hit = surface.pick(stage, x, y)?.point ?? stage.onPlane(x, y, ground, new Vector3(0, 1, 0));
+    const place = (ref && coordinates(lines[ref.line]!.points[ref.point])) ?? (hit && frame.fromScene(hit.toArray()));
+    if (!place) return;
+    this.measured = this.measured!.length === 1 ? [this.measured![0]!, place] : [place];
+    const [from, to] = this.measured;
+    if (from && to) {
+      const delta = to.map((value, axis) => value - from[axis]!);
+      const text = `${number(Math.hypot(...delta), 4)} ${unitOf(this.host.history.document.request)}`;
+      const middle = frame.toScene(from.map((value, axis) => (value + to[axis]!) / 2) as Vec3);
+      this.host.label(`${text} (${delta.map((value, axis) => `${'xyz'[axis]} ${number(Number(value.toPrecision(4)), 4)}`).join(', ')})`, 0, 0, middle);
+      this.host.announce(text);
+    } else this.host.label(null);
+    this.refresh();
+  }
+
   // ---- Cables along boundaries ----
 
   private get cables(): number { return (this.host.history.document.request.cables as unknown[] | undefined)?.length ?? 0; }
@@ -509,6 +562,7 @@ export class Tools {
   startCabling(): void {
     if (!this.mayCable) return;
     this.stopDrawing();
+    this.stopMeasuring();
     this.cabling = true;
     this.select([]);
     this.host.selectionChanged();
@@ -743,6 +797,7 @@ export class Tools {
     const { history, stage, lines, frame } = this.host;
     if (this.drawing || KINDS[history.document.kind].lines.length === 0) return;
     this.stopCabling();
+    this.stopMeasuring();
     history.edit((document) => { document.draft = []; });
     this.select([]);
     const heights = lines.flatMap((line) => line.points.map((point) => coordinates(point)?.[frame.up] ?? Infinity));
@@ -909,7 +964,7 @@ export class Tools {
     const { sketch, stage, frame, history, lines } = this.host;
     const half = Math.tan((stage.camera.fov * Math.PI) / 360);
     sketch.setPixel((2 * half) / stage.height, stage.renderer?.getPixelRatio() ?? 1);
-    const segments: Vec3[] = [], faint: Vec3[] = [];
+    const segments: Vec3[] = [], faint: Vec3[] = [], lift: Vec3[] = [];
     let ghost: Vec3 | null = null;
     const { draft } = history.document;
     if (draft && this.next) {
@@ -917,10 +972,13 @@ export class Tools {
       ghost = to;
       if (draft.length > 0) segments.push(frame.toScene(draft.at(-1)!), to);
       if (draft.length > 1 && KINDS[history.document.kind].line !== 'rail') faint.push(to, frame.toScene(draft[0]!));
+    } else if (this.measured) {
+      const places = this.measured.map((place) => frame.toScene(place));
+      if (places.length === 1) ghost = places[0]!;
+      else lift.push(...places);
     } else if (this.cabling) segments.push(...this.cableHint());
     else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
     const arrow = this.arrow();
-    const lift: Vec3[] = [];
     if (this.prompting && !arrow) {
       this.prompting = false;
       this.host.label(null);
@@ -976,6 +1034,7 @@ export class Tools {
     else if (event.key === '[') this.step(-1);
     else if (event.key === '+' || event.key === '=') stage.zoom(stage.width / 2, stage.height / 2, 0.85);
     else if (event.key === '-' && !this.drawing) stage.zoom(stage.width / 2, stage.height / 2, 1 / 0.85);
+    else if (event.key === 'Escape' && this.measured) this.stopMeasuring();
     else if (event.key === 'Escape' && chosen) this.select([]);
     else return;
     event.preventDefault();
