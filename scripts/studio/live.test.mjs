@@ -13,7 +13,7 @@ const ready = (page) => page.waitForFunction(() => window.studio.solvesHere());
 const isOfPage = (page) => page.evaluate(() => window.studio.shown().job.startsWith('page-'));
 const move = async (page, by = { x: 24, y: 8 }) => {
   const [, , corner] = await points(page);
-  await drag(page, corner, { x: corner.x + by.x, y: corner.y + by.y }, { steps: 20 });
+  await drag(page, corner, { x: corner.x + by.x, y: corner.y + by.y });
 };
 
 test('before the first film the script is small, and the rest comes after it', async () => {

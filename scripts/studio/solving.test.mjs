@@ -9,7 +9,7 @@ import { apply, covered, lacksOwnServer, onStage, points, request, showPanel, so
 
 const studio = useStudio();
 
-test.quick('every kind is solved and shown with its own figures', async () => {
+test('every kind is solved and shown with its own figures', async () => {
   const { page } = studio;
   for (const name of ['catenoid', 'wavy-strip', 'vault']) {
     await studio.open(name);

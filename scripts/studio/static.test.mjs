@@ -78,7 +78,7 @@ test('the objectives of a strip are compared, and its flat pattern is drawn', as
   await page.locator('#tiles .tile dl').first().waitFor();
 });
 
-test.quick('a refused request names its point, and a film that does not exist says why', async () => {
+test('a refused request names its point, and a film that does not exist says why', async () => {
   const { page } = studio;
   await open('tent');
   await page.click('#request-box summary');

@@ -19,7 +19,7 @@ async function slide(from, to, steps = 6) {
 }
 const spread = (places) => Math.hypot(places[0].x - places[2].x, places[0].y - places[2].y);
 
-test.quick('one finger drags a point', async () => {
+test('one finger drags a point', async () => {
   await studio.open('tent');
   const before = await request(page);
   const [seen] = await points(page);

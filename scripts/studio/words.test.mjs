@@ -72,7 +72,7 @@ test('warnings name edges, points and strips by their numbers from 1 and by no p
   assert.doesNotMatch(text, /\/edges/);
 });
 
-test.quick('a failure is said in the page\'s words, and the text of the service is there to be opened', async () => {
+test('a failure is said in the page\'s words, and the text of the service is there to be opened', async () => {
   const { page } = studio;
   await studio.open('plane-sail');
   const cables = [0, 1, 2, 3].map((from) => ({ along: { from, to: (from + 1) % 4 }, value: 1 }));

@@ -19,7 +19,7 @@ def pytest_runtest_logreport(report: pytest.TestReport) -> None:
     """Records a test that skips itself, as the project's other tests do."""
     if report.skipped and isinstance(report.longrepr, tuple):
         skip = runpy.run_path(str(CHECKOUT / "scripts" / "skips.py"))["skip"]
-        skip(f"Python client, {report.location[2].partition('[')[0]}", report.longrepr[2])
+        skip(f"Python client, {report.location[2].partition('[')[0]}", report.longrepr[2].removeprefix("Skipped: "))
 
 
 def soon(condition: Callable[[], bool]) -> bool:
