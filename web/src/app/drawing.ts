@@ -88,16 +88,26 @@ export function hint(): string {
   return 'Drag a point to move it, or press the middle of an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
 }
 
+/** What each click of a shape is, where their number is given. */
+const STEPS: Record<string, string[]> = {
+  arc: ['where the arc begins', 'a point on the arc', 'where the arc ends'], rectangle: ['a corner of the rectangle', 'the opposite corner'], circle: ['the centre of the circle', 'a point on the circle'],
+};
+
 /** The line that is being drawn. */
 function showLine(): void {
   const { kind, draft } = doc();
-  const { line, least } = KINDS[kind];
+  const { line } = KINDS[kind];
+  const { least, shape, shapes } = tools;
   const first = kind === 'uniform_mesh' && host.lines.length === 0;
   const n = draft!.length;
   const what = first ? 'polygon' : line;
   const press = byTouch ? 'tap' : 'click';
   const end = byTouch ? 'Finish' : 'Enter';
-  $('drawing-hint').textContent = n === 0
+  const select = $<HTMLSelectElement>('shape');
+  for (const option of select.options) option.hidden = option.disabled = !shapes.includes(option.value as typeof shape);
+  select.value = shape;
+  const steps = STEPS[shape];
+  $('drawing-hint').textContent = steps ? `${capital(press)} ${steps[Math.min(n, steps.length - 1)]!}.` : n === 0
     ? `${capital(press)} on the ground to begin the ${what}.`
     : n < least ? `${count(n, 'point')} of the ${what}: ${press} to add more.`
       : kind === 'ruled_surface' ? `${count(n, 'point')}: ${press} to add more, ${end} ends the rail.` : `${count(n, 'point')}: ${press} the first point, or press ${end}, to close the ${what}.`;

@@ -69,6 +69,11 @@ function wireDrawing(): void {
   on('redo', 'click', redo);
   on('finish', 'click', () => tools.finishDrawing());
   on('give-up', 'click', () => tools.stopDrawing());
+  on('shape', 'change', () => {
+    tools.shape = $<HTMLSelectElement>('shape').value as typeof tools.shape;
+    showDock();
+    stage.canvas.focus({ preventScroll: true });
+  });
   on('snap', 'change', () => { tools.snapping = $<HTMLInputElement>('snap').checked; });
   on('level', 'change', () => { tools.level = $<HTMLInputElement>('level').valueAsNumber || 0; });
   on('previous-point', 'click', () => tools.step(-1));

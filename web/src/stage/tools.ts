@@ -5,6 +5,7 @@ import type { Frame } from '../model/frame';
 import { addCable, boundaryRemoved, cableAt, pointInserted, pointRemoved, removeCable, stretch } from '../model/cables';
 import type { History } from '../model/history';
 import { at, coordinates, isLoose, isShown, KINDS, type Line, type Request, unitOf, type Vec3 } from '../model/request';
+import { CLICKS, CLOSED, pointsOf, type Shape } from '../model/shapes';
 import { number } from '../text';
 import { type PointRef, same, type Sketch } from './sketch';
 import type { Stage } from './stage';
@@ -16,6 +17,8 @@ const GRIP = { point: 11, touch: 24, edge: 8, handle: 10, snap: 12, align: 7 };
 const STILL = 4;
 /** The text beside the arrow after the first loop was closed. */
 const PROMPT = 'Pull this corner up';
+/** A loop of more points is a curve, which has no corners to lift. */
+const MOST_CORNERS = 12;
 /** Pixels that the arrow which lifts a point is long. */
 const ARROW = 52;
 
@@ -49,6 +52,8 @@ export class Tools {
   selection: PointRef[] = [];
   mode: Mode = 'ground';
   snapping = true;
+  /** What the points that are drawn stand for. */
+  shape: Shape = 'points';
   /** The height, in the request's coordinates, at which points are drawn. */
   level = 0;
   /** Where the next point of the drawing would be. */
@@ -798,6 +803,7 @@ export class Tools {
     if (this.drawing || KINDS[history.document.kind].lines.length === 0) return;
     this.stopCabling();
     this.stopMeasuring();
+    if (!this.shapes.includes(this.shape)) this.shape = 'points';
     history.edit((document) => { document.draft = []; });
     this.select([]);
     const heights = lines.flatMap((line) => line.points.map((point) => coordinates(point)?.[frame.up] ?? Infinity));
@@ -816,7 +822,10 @@ export class Tools {
     this.endLine();
   }
 
-  get least(): number { return KINDS[this.host.history.document.kind].least; }
+  /** Points that end a line at least. */
+  get least(): number { return CLICKS[this.shape] ?? KINDS[this.host.history.document.kind].least; }
+  /** Shapes that the lines of this kind may have: a rail is open. */
+  get shapes(): Shape[] { return (['points', 'curve', 'arc', 'rectangle', 'circle'] as const).filter((shape) => KINDS[this.host.history.document.kind].line !== 'rail' || !CLOSED.includes(shape)); }
 
   /** Adds a point to the line that is being drawn; a snap to its first point ends the line. */
   place(snap: Snap | null): void {
@@ -825,15 +834,23 @@ export class Tools {
       this.finishDrawing();
       return;
     }
-    this.host.history.edit((document) => { document.draft!.push(snap.point); });
-    this.host.changed(false);
+    const { history } = this.host;
+    const isLast = history.document.draft!.length + 1 === CLICKS[this.shape];
+    // The last point of a shape and the shape itself are one step of undo.
+    if (isLast) history.begin();
+    history.edit((document) => { document.draft!.push(snap.point); });
+    if (isLast) {
+      this.finishDrawing();
+      history.commit();
+    } else this.host.changed(false);
   }
 
   finishDrawing(): boolean {
     const { host } = this;
     const { history } = host;
-    const points = history.document.draft;
-    if (!points || points.length < this.least) return false;
+    const { draft, kind: drawn } = history.document;
+    if (!draft || draft.length < this.least) return false;
+    const points = pointsOf(this.shape, draft, host.frame.up, KINDS[drawn].line !== 'rail');
     history.edit((document) => {
       const { kind, request } = document;
       const { lines } = KINDS[kind];
@@ -866,7 +883,7 @@ export class Tools {
     const [line, ...others] = host.lines;
     const places = line?.points.map(coordinates) ?? [];
     const up = host.frame.up;
-    if (!line || others.length > 0 || (kind !== 'minimal_surface' && kind !== 'tensile_structure') || places.some((place) => place?.[up] !== places[0]?.[up])) return;
+    if (!line || others.length > 0 || places.length > MOST_CORNERS || (kind !== 'minimal_surface' && kind !== 'tensile_structure') || places.some((place) => place?.[up] !== places[0]?.[up])) return;
     const eye = host.stage.camera.position;
     const away = places.map((place) => eye.distanceTo(new Vector3(...host.frame.toScene(place ?? [0, 0, 0]))));
     this.select([{ line: 0, point: away.indexOf(Math.min(...away)) }]);
@@ -905,7 +922,7 @@ export class Tools {
   private snap(x: number, y: number, free: boolean): Snap | null {
     const { stage, sketch, lines, frame, history } = this.host;
     const draft = history.document.draft ?? [];
-    const closing = draft.length >= this.least && KINDS[history.document.kind].line !== 'rail' ? draft[0] : null;
+    const closing = draft.length >= this.least && !CLICKS[this.shape] && KINDS[history.document.kind].line !== 'rail' ? draft[0] : null;
     if (closing) {
       const first = stage.project(frame.toScene(closing));
       if (Math.hypot(first.x - x, first.y - y) < GRIP.snap) return { point: closing, how: 'closes the loop', close: true };
@@ -970,8 +987,14 @@ export class Tools {
     if (draft && this.next) {
       const to = frame.toScene(this.next.point);
       ghost = to;
-      if (draft.length > 0) segments.push(frame.toScene(draft.at(-1)!), to);
-      if (draft.length > 1 && KINDS[history.document.kind].line !== 'rail') faint.push(to, frame.toScene(draft[0]!));
+      const closed = KINDS[history.document.kind].line !== 'rail';
+      if (draft.length > 0 && this.shape === 'points') segments.push(frame.toScene(draft.at(-1)!), to);
+      if (draft.length > 1 && closed && this.shape === 'points') faint.push(to, frame.toScene(draft[0]!));
+      if (draft.length > 0 && this.shape !== 'points') {
+        const seen = pointsOf(this.shape, [...draft, this.next.point], frame.up, closed).map((point) => frame.toScene(point));
+        const ends = closed ? [...seen, seen[0]!] : seen;
+        segments.push(...ends.slice(1).flatMap((point, i) => [ends[i]!, point]));
+      }
     } else if (this.measured) {
       const places = this.measured.map((place) => frame.toScene(place));
       if (places.length === 1) ghost = places[0]!;
