@@ -143,6 +143,13 @@ test.quick('the scale bar is as long as it says, in every view', async () => {
     const scale = await page.evaluate(() => window.studio.project([8, 4, 0]).x - window.studio.project([0, 4, 0]).x) / 8;
     assert.ok(Math.abs(width / (Number(length) * scale) - 1) < 0.02, `${length} m in ${width} pixels`);
   }
+  for (const size of [{ width: 390, height: 844 }, { width: 960, height: 800 }, { width: 1280, height: 720 }]) {
+    await page.setViewportSize(size);
+    await page.selectOption('#quantity', { index: 1 });
+    await atRest(page);
+    const [bar, look] = [await page.locator('#scale-line').boundingBox(), await page.locator('#look').boundingBox()];
+    assert.ok(bar.x > look.x + look.width || bar.y + bar.height < look.y, `clear of the legend at ${size.width}`);
+  }
 });
 
 test('two clicks measure a distance, which stays when the view turns, and Escape ends it', async () => {

@@ -64,6 +64,9 @@ export function placeScale(): void {
   const text = `${number(length)} ${unitOf(doc().request)}`;
   if (bar.textContent !== text) bar.textContent = text;
   bar.style.width = `${(length / pixel).toFixed(1)}px`;
+  // It stands above the legend where there is no room beside it.
+  const look = $('look');
+  bar.style.bottom = `${look.offsetWidth + WIDEST + 40 > stage.width ? look.offsetHeight + 20 : 14}px`;
 }
 
 /** Texts beside the tips of the reactions' arrows. */
