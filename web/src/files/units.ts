@@ -1,7 +1,8 @@
 // Units of length of drawings, and coordinates in degrees.
 
 import type { Vec3 } from '../model/request';
-import type { Polyline } from './lines';
+
+interface Points { points: Vec3[] }
 
 /** Metres of each unit. A foot of United States surveys differs from the international one by two millionths. */
 export const METRES = { mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000, in: 0.0254, ft: 0.3048, 'US survey ft': 1200 / 3937, yd: 0.9144, mi: 1609.344 };
@@ -15,12 +16,12 @@ const EQUATOR = 6_378_137, ECCENTRICITY = 0.006_694_379_990_14;
 const LARGEST = 0.5;
 
 /** The middle of the lines' box, as longitude and latitude. */
-export function middleOf(lines: Polyline[]): [number, number] {
+export function middleOf(lines: Points[]): [number, number] {
   const { low, high } = boxOf(lines);
   return [(low[0]! + high[0]!) / 2, (low[1]! + high[1]!) / 2];
 }
 
-export function boxOf(lines: { points: Vec3[] }[]): { low: Vec3; high: Vec3 } {
+export function boxOf(lines: Points[]): { low: Vec3; high: Vec3 } {
   const low: Vec3 = [Infinity, Infinity, Infinity], high: Vec3 = [-Infinity, -Infinity, -Infinity];
   for (const { points } of lines) {
     for (const point of points) {
@@ -34,7 +35,7 @@ export function boxOf(lines: { points: Vec3[] }[]): { low: Vec3; high: Vec3 } {
 }
 
 /** Whether coordinates can be degrees, and those of a site rather than of a drawing in another unit. */
-export function mayBeDegrees(lines: Polyline[]): boolean {
+export function mayBeDegrees(lines: Points[]): boolean {
   const { low, high } = boxOf(lines);
   return low[0] >= -180 && high[0] <= 180 && low[1] >= -90 && high[1] <= 90 && high[0] - low[0] <= LARGEST && high[1] - low[1] <= LARGEST;
 }
@@ -43,7 +44,7 @@ export function mayBeDegrees(lines: Polyline[]): boolean {
  * Longitude and latitude as metres east and north on the plane that touches WGS 84 at the lines' middle. Distances are true there,
  * and too short by d³/6R² at the distance d: a millimetre at 6 km. Heights stay as they are.
  */
-export function toPlane(lines: Polyline[]): Polyline[] {
+export function toPlane<T extends Points>(lines: T[]): T[] {
   const radians = Math.PI / 180;
   const [longitude, latitude] = middleOf(lines);
   const place = (lon: number, lat: number): Vec3 => {
