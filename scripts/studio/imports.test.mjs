@@ -1,4 +1,5 @@
-// Drawings of other programs open right: files/files.json says the unit and the size of each, and whether the file leaves its unit open.
+// Drawings of other programs open right: files/files.json says the unit and the size of each, and whether the file
+// leaves its unit open.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';

@@ -1,5 +1,5 @@
-// Looking at a result: parallel views, colours in which the largest force is seen best, lines that say one thing each, and panels
-// that cut nothing off and hide nothing of the model.
+// Looking at a result: parallel views, colours in which the largest force is seen best, lines that say one thing
+// each, and panels that cut nothing off and hide nothing of the model.
 
 import assert from 'node:assert/strict';
 import { atRest, drag, onStage, points, showPanel, solved, test, useStudio } from './harness.mjs';

@@ -1,5 +1,5 @@
-// A result as an architect reads it: span, rise, area and forces first, reactions as a table and at their arrows, the solver's figures
-// folded away, and a unit at every figure that has one.
+// A result as an architect reads it: span, rise, area and forces first, reactions as a table and at their arrows, the
+// solver's figures folded away, and a unit at every figure that has one.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';

@@ -1,4 +1,5 @@
-// Rectangles, circles, arcs and curves through points are drawn by a few clicks or by typing, as one step of undo for the last of them.
+// Rectangles, circles, arcs and curves through points are drawn by a few clicks or by typing, as one step of undo for
+// the last of them.
 
 import assert from 'node:assert/strict';
 import { onStage, request, solved, test, useStudio } from './harness.mjs';

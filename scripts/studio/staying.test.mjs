@@ -1,4 +1,5 @@
-// What has to stay: Solve and its error in view, the drawing in sight, a name with its drawing, and a typed key with its answer.
+// What has to stay: Solve and its error in view, the drawing in sight, a name with its drawing, and a typed key with
+// its answer.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -1,5 +1,5 @@
-// The page's own sentences for the warnings of the service (failures.ts and objectives.ts have the others). They count from 1, as people
-// do, while the service counts from 0. Anything else is shown in the service's words.
+// The page's own sentences for the warnings of the service (failures.ts and objectives.ts have the others). They
+// count from 1, as people do, while the service counts from 0. Anything else is shown in the service's words.
 
 import { count, number } from './text';
 
@@ -84,7 +84,10 @@ export const FIGURES: Record<string, string> = {
   'angles_deg.min': 'Smallest (°)', 'angles_deg.max': 'Largest (°)', 'self_intersections': 'Crossing pairs of triangles', 'stop_reason': 'Stopped by',
 };
 
-/** Dimensions of figures by the last part of their path; `u` is the unit of lengths and `F` that of forces. The first that fits counts. */
+/**
+ * Dimensions of figures by the last part of their path; `u` is the unit of lengths and `F` that of forces. The first
+ * that fits counts.
+ */
 const DIMENSIONS: [RegExp, string][] = [
   [/(^|\.)(stability|stages\.name|out_of_range_reasons|valence_histogram|node_lower_bound|shared_lengths\.lengths)(\.|$)|(_deg|_ms|_s)(\.|$)|angles_deg/, ''],
   [/(^|\.)(certificate)\.(lower_bound|bound|area)$|(^|\.)(area|initial_area|extrapolated_area|error_estimate|lower_bound)$|extrapolated_area\.|surface\.area$/, 'u²'],

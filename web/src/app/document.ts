@@ -166,7 +166,10 @@ export const redo = (): void => restore(() => history.redo());
 
 let documents = 0;
 
-/** Replaces the document, as one step that can be undone, or as a part of the last step. The film of the document before goes with it. */
+/**
+ * Replaces the document, as one step that can be undone, or as a part of the last step. The film of the document
+ * before goes with it.
+ */
 export function replace(kind: Kind, request: Request, title: string | null, { amend = false } = {}): void {
   abandon();
   session.viewing = false;

@@ -1,5 +1,5 @@
-// Files and text that are opened, and the card that says what was found in a drawing: its size, unit, layers and axis, each of
-// which can be changed as long as nothing else has been.
+// Files and text that are opened, and the card that says what was found in a drawing: its size, unit, layers and
+// axis, each of which can be changed as long as nothing else has been.
 
 import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
@@ -179,7 +179,10 @@ function documentOf(kind: Kind, request: Request, all: Vec3[][], allClosed: bool
   return next;
 }
 
-/** A net whose edges are the segments of lines. Equal points are joined, and the points with the fewest edges are supports. */
+/**
+ * A net whose edges are the segments of lines. Equal points are joined, and the points with the fewest edges are
+ * supports.
+ */
 function netOf(lines: Vec3[][]): { vertices: Vec3[]; edges: [number, number][]; supports: number[] } {
   const numbers = new Map<string, number>();
   const vertices: Vec3[] = [], counts: number[] = [];
@@ -234,7 +237,7 @@ function takeRequest(request: Request, title: string | null): void {
   if (named !== undefined && !(String(named) in KINDS)) throw new FileFault(`This server has no kind ${JSON.stringify(named)}.`);
   replace(kind, rest, title);
   changed();
-  // What is missing, or misspelt, the service says best.
+  // The service says best what is missing or misspelt.
   if (!isWhole(kind, rest)) void solve();
 }
 
@@ -252,7 +255,7 @@ export function applyRequest(): void {
     }
     const before = new Set(host.lines.flatMap(({ points }) => points.map((point) => JSON.stringify(point))));
     const named = request.kind !== undefined || kindOf(request) ? request : { ...request, kind: doc().kind };
-    // A drawing that shares no point with the one before has not its name.
+    // A drawing that shares no point with the drawing before loses its name.
     const same = linesOf(kindOf(named) ?? doc().kind, named).some(({ points }) => points.some((point) => before.has(JSON.stringify(point))));
     takeRequest(named, same ? doc().title : null);
     $<HTMLFormElement>('request-form').reset();

@@ -1,4 +1,5 @@
-// Other documents: examples, links, and the drawing of another kind. What is fetched first keeps the page busy from the press on.
+// Other documents: examples, links, and the drawing of another kind. What is fetched first keeps the page busy from
+// the press on.
 
 import type { Kind } from 'plateau-client';
 import { published } from '../api';

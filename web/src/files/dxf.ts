@@ -1,5 +1,5 @@
-// DXF: lines, polylines with their bulges, arcs, circles, ellipses and splines of the model space, with blocks in their places, by
-// dxf-parser. `$INSUNITS` of the header is the unit.
+// DXF: lines, polylines with their bulges, arcs, circles, ellipses and splines of the model space, with blocks in
+// their places, by dxf-parser. `$INSUNITS` of the header is the unit.
 
 import DxfParser from 'dxf-parser';
 import { CatmullRomCurve3, Vector3, Vector4 } from 'three';
@@ -153,7 +153,10 @@ function ellipse({ center, majorAxisEndPoint: major, axisRatio = 1, startAngle =
   return { points, closed };
 }
 
-/** Points of a spline. Where the file has no control points, they lie on a curve through the points that it was fitted to. */
+/**
+ * Points of a spline. Where the file has no control points, they lie on a curve through the points that it was fitted
+ * to.
+ */
 function spline({ handle, fitPoints = [], controlPoints = [], knotValues: knots = [], degreeOfSplineCurve: degree = 3, closed }: Entity, weights: Found['weights']): Vec3[] {
   const own = ({ x, y, z }: Vertex): Vec3 => [x, y, z ?? 0];
   if (controlPoints.length <= degree || knots.length !== controlPoints.length + degree + 1) {
@@ -175,8 +178,8 @@ function spline({ handle, fitPoints = [], controlPoints = [], knotValues: knots 
 }
 
 /**
- * Checks that every second line is a group code, of which the parser says nothing. Collects the weights of splines, which the parser
- * drops, and takes out the identifiers of vertices (91), at which it stops to read a polyline.
+ * Checks that every second line is a group code, of which the parser says nothing. Collects the weights of splines,
+ * which the parser drops, and takes out the identifiers of vertices (91), at which it stops to read a polyline.
  */
 function prepare(source: string): { text: string; weights: Map<string, number[]> } {
   const lines = source.replace(/\s+$/, '').split(/\r\n|\r|\n/);

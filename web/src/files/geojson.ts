@@ -1,5 +1,5 @@
-// GeoJSON: the lines and rings of every geometry in it. By its standard (RFC 7946) coordinates are degrees. Files of older
-// programs name another system of coordinates, and drawings are larger than a site can be in degrees.
+// GeoJSON: the lines and rings of every geometry in it. By its standard (RFC 7946) coordinates are degrees. Files of
+// older programs name another system of coordinates, and drawings are larger than a site can be in degrees.
 
 import type { Vec3 } from '../model/request';
 import { type Drawing, FileFault, type Polyline, polyline } from './lines';
@@ -65,7 +65,10 @@ export function readGeoJson(value: unknown, text: string): Drawing {
   return { format: 'GeoJSON', ...located(found, (value as Node).crs?.properties?.name), up: 'z', notes: [] };
 }
 
-/** The lines with the unit of their coordinates: that of the named system, else degrees where the drawing is no larger than a site. */
+/**
+ * The lines with the unit of their coordinates: that of the named system, else degrees where the drawing is no larger
+ * than a site.
+ */
 function located(lines: Polyline[], system: string | undefined): { lines: Polyline[]; unit: FileUnit | null } {
   const [, code = ''] = /(\w+)$/.exec(system ?? '') ?? [];
   if (WEB_MAP.test(code)) return { lines: lines.map((line) => ({ ...line, points: line.points.map(fromWebMap) })), unit: 'degrees' };

@@ -1,5 +1,5 @@
-// What every reader of a file gives: polylines with what the file says of them, or one sentence about what is wrong and in
-// which line.
+// What every reader of a file gives: polylines with what the file says of them, or one sentence about what is wrong
+// and in which line.
 
 import type { Kind } from 'plateau-client';
 import type { Vec3 } from '../model/request';
@@ -34,7 +34,10 @@ export class FileFault extends Error {
 /** A quoted piece of a file, short enough for a sentence. */
 export const quote = (text: string): string => `“${text.trim().slice(0, 24)}${text.trim().length > 24 ? '…' : ''}”`;
 
-/** A number of a text file: `1234.5`, `1234,5`, `1 234,5`, `1'234.5` or `1.234,5`. Lone commas and dots are decimal signs. */
+/**
+ * A number of a text file: `1234.5`, `1234,5`, `1 234,5`, `1'234.5` or `1.234,5`. Lone commas and dots are decimal
+ * signs.
+ */
 export function numeric(text: string): number {
   const bare = text.trim().replace(/(?<=\d)[\s\u00a0\u202f'’](?=\d{3}(?!\d))/g, '');
   const [comma, dot] = [bare.lastIndexOf(','), bare.lastIndexOf('.')];

@@ -1,5 +1,6 @@
-// Wavefront OBJ: its `l` lines, and where there are none the free edges of its faces, by object or group. The usual loaders keep
-// 32 bits of a coordinate; survey coordinates need 64. Files of this service say their unit and axis in their head.
+// Wavefront OBJ: its `l` lines, and where there are none the free edges of its faces, by object or group. The usual
+// loaders keep 32 bits of a coordinate; survey coordinates need 64. Files of this service say their unit and axis in
+// their head.
 
 import type { Kind } from 'plateau-client';
 import type { Vec3 } from '../model/request';

@@ -41,8 +41,8 @@ export function mayBeDegrees(lines: Points[]): boolean {
 }
 
 /**
- * Longitude and latitude as metres east and north on the plane that touches WGS 84 at the lines' middle. Distances are true there,
- * and too short by d³/6R² at the distance d: a millimetre at 6 km. Heights stay as they are.
+ * Longitude and latitude as metres east and north on the plane that touches WGS 84 at the lines' middle. Distances
+ * are true there, and too short by d³/6R² at the distance d: a millimetre at 6 km. Heights stay as they are.
  */
 export function toPlane<T extends Points>(lines: T[]): T[] {
   const radians = Math.PI / 180;

@@ -15,7 +15,10 @@ const ROUND = 32, PER_SPAN = 6;
 const mix = (a: Vec3, b: Vec3, t: number): Vec3 => a.map((value, axis) => value + t * (b[axis]! - value)) as Vec3;
 const settle = (point: Vec3): Vec3 => point.map((value) => Number(value.toPrecision(10))) as Vec3;
 
-/** The points of a shape that is given by some of its points. `up` is the axis that points up; `closed` says whether the line is. */
+/**
+ * The points of a shape that is given by some of its points. `up` is the axis that points up; `closed` says whether
+ * the line is.
+ */
 export function pointsOf(shape: Shape, given: Vec3[], up: 1 | 2, closed: boolean): Vec3[] {
   const [u, v] = up === 2 ? [0, 1] as const : [0, 2] as const;
   const [a, b, c] = given;
@@ -40,7 +43,10 @@ const around = (centre: Vec3, u: number, v: number, from: number, span: number, 
   return point;
 });
 
-/** The arc from `a` through `b` to `c` in the plan, whose heights go evenly from `a` to `c`. A straight line where they lie on one. */
+/**
+ * The arc from `a` through `b` to `c` in the plan, whose heights go evenly from `a` to `c`. A straight line where
+ * they lie on one.
+ */
 function arc(a: Vec3, b: Vec3, c: Vec3, u: number, v: number): Vec3[] {
   const [bx, by, cx, cy] = [b[u]! - a[u]!, b[v]! - a[v]!, c[u]! - a[u]!, c[v]! - a[v]!];
   const d = 2 * (bx * cy - by * cx);

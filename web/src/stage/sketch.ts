@@ -75,7 +75,10 @@ export class Sketch {
     this.material.uniforms.scale!.value = scale;
   }
 
-  /** `cables`: the courses of cables along the lines, the segments that they run along as `line/point`, and the number of the chosen one. */
+  /**
+   * `cables`: the courses of cables along the lines, the segments that they run along as `line/point`, and the number
+   * of the chosen one.
+   */
   show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; segments: Set<string>; chosen: number } = { courses: [], segments: new Set(), chosen: -1 }): void {
     const places: Vec3[] = [], refs: PointRef[] = [];
     const segments: number[] = [];

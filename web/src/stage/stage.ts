@@ -255,7 +255,10 @@ export class Stage {
     this.fitted = this.wasInside = true;
   }
 
-  /** The camera; in a parallel view one with perspective that shows the whole depth of the model from the same direction. */
+  /**
+   * The camera; in a parallel view one with perspective that shows the whole depth of the model from the same
+   * direction.
+   */
   pose(): Pose {
     const target = this.controls.getTarget(new Vector3());
     const eye = this.controls.getPosition(new Vector3()).sub(target);

@@ -36,8 +36,8 @@ export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMateri
 
 /** Wide lines in one colour, or in a colour for each end. */
 /**
- * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one half, and at 1500
- * the line covers the drawing's points.
+ * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one
+ * half, and at 1500 the line covers the drawing's points.
  */
 const BEFORE = { polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: -400 };
 

@@ -417,7 +417,8 @@ export class Tools {
     const start = coordinates(held);
     if (!start) return;
     const chosen = this.selection.some((each) => same(each, ref));
-    // Shift adds a point to the selection by a click, and lifts it by a drag, which moves no other point unless it was chosen before.
+    // Shift adds a point to the selection by a click, and lifts it by a drag, which moves no other point unless it
+    // was chosen before.
     const before = this.selection;
     if (!chosen) this.select([ref]);
     this.prompting = false;
