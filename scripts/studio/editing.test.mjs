@@ -111,12 +111,12 @@ test('a lift shows its height, also from above', async () => {
   assert.deepEqual(after.slice(0, 2), before.slice(0, 2), 'and stayed in its place');
 });
 
-test('a press on an edge adds a point there', async () => {
+test('a press on the handle in the middle of an edge adds a point there', async () => {
   const { page } = studio;
   await studio.open('tent');
   const before = (await request(page)).boundaries[0];
-  const [a, b] = await points(page);
-  await drag(page, { x: a.x + 0.4 * (b.x - a.x), y: a.y + 0.4 * (b.y - a.y) }, { x: a.x + 0.4 * (b.x - a.x) + 12, y: a.y + 0.4 * (b.y - a.y) - 30 });
+  const middle = await page.evaluate(([a, b]) => window.studio.project(a.map((value, axis) => (value + b[axis]) / 2)), before);
+  await drag(page, middle, { x: middle.x + 12, y: middle.y - 30 });
   const [boundary] = (await request(page)).boundaries;
   assert.equal(boundary.length, before.length + 1);
   assert.deepEqual([boundary[0], boundary[2]], [before[0], before[1]]);

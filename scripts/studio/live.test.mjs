@@ -105,7 +105,7 @@ test('a sail that is dragged beyond the length of its cable is refused without a
   await context.setOffline(true);
   const posted = new Set();
   page.on('request', (each) => each.method() === 'POST' && posted.add(each.postData()));
-  await move(page);
+  await move(page, { x: 60, y: 20 });
   await page.locator('#problem', { hasText: 'Cable 3, value must be longer than the chord' }).waitFor();
   await page.waitForFunction(() => document.body.getAttribute('aria-busy') === 'false');
   assert.equal(await page.textContent('#status'), 'Not solved.');

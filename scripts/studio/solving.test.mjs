@@ -211,7 +211,7 @@ test('every format is downloaded, the flat pattern too', async () => {
     const waiting = page.waitForEvent('download');
     await page.click(`#results button:text-is("${format}")`);
     const download = await waiting;
-    assert.match(download.suggestedFilename(), new RegExp(`^ruled-surface-\\w+\\.${format.toLowerCase()}$`));
+    assert.match(download.suggestedFilename(), new RegExp(`^a-strip-between-a-wave-of-60-and-a-wave-of-80-points\\.${format.toLowerCase()}$`));
     const bytes = await readFile(await download.path());
     assert.equal(bytes.subarray(0, start.length).toString('latin1'), start);
   }

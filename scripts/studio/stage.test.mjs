@@ -155,7 +155,7 @@ test('a picture is saved as PNG', async () => {
   await page.click('#open-share');
   const waiting = page.waitForEvent('download');
   await page.click('#picture');
-  assert.equal((await waiting).suggestedFilename(), 'plateau.png');
+  assert.equal((await waiting).suggestedFilename(), 'a-tent-over-a-square-with-one-high-corner.png');
 });
 
 test.quick('layers are switched', async () => {

@@ -41,13 +41,23 @@ test.quick('each warning of the service has a sentence of the page, made of its 
 });
 
 test.quick('each objective that the service offers, and each failure that the page knows, has its sentence', async () => {
-  const { OBJECTIVES, FAILURES } = { ...await words(), ...await words('objectives') };
+  const { OBJECTIVES, FAILURES } = { ...await words('failures'), ...await words('objectives') };
   const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
   // A program that is built for tests has a kind more.
   const offered = objectives.filter(({ kind }) => kind !== 'enlargement');
   assert.ok(offered.length > 10);
   for (const { kind, name } of offered) assert.match(OBJECTIVES[kind]?.[name] ?? '', /^[A-Z][^_[\]]*\.$/, `${kind}, ${name}`);
   for (const name of Object.keys(FAILURES)) assert.equal((await fetch(`${studio.url}/problems/${name}`)).status, 200, `the service has the failure ${name}`);
+});
+
+test.quick('places in the texts of the service count from 1, and numbers that are no places stay', async () => {
+  const { fromOne } = await words('failures');
+  const texts = {
+    'point 3 of boundary 0 lies on edge 0': 'point 4 of boundary 1 lies on edge 1',
+    'edges 1 and 3 of the boundary meet': 'edges 2 and 4 of the boundary meet', 'points 0, 1 and 2 of /boundaries/0 lie on a line': 'points 1, 2 and 3 of boundaries 1 lie on a line',
+    'vertices 4 to 6': 'vertices 5 to 7', 'needs at least 3 points': 'needs at least 3 points', 'is 0.5 beside vertex 0.25': 'is 0.5 beside vertex 0.25', 'more than 20000 triangles': 'more than 20000 triangles',
+  };
+  for (const [text, expected] of Object.entries(texts)) assert.equal(fromOne(text), expected);
 });
 
 test('warnings name edges, points and strips by their numbers from 1 and by no pointer', async () => {
@@ -86,7 +96,7 @@ test('the page has no stray notation', async () => {
   }
   await studio.open('tent');
   await showPanel(page, 'results');
-  const statistics = await page.textContent('#statistics');
+  const statistics = await page.textContent('#numbers');
   assert.doesNotMatch(statistics, /Stability stable/);
   assert.match(statistics, /StabilityStableyes/);
   await page.click('#open-gallery');
@@ -99,6 +109,7 @@ test('no label of a chart is cut off', async () => {
     await page.setViewportSize({ width, height });
     await studio.open();
     await showPanel(page, 'results');
+    await page.click('#numerics summary');
     const outside = await page.locator('#charts svg').evaluateAll((charts) => charts.flatMap((chart) => {
       const box = chart.getBoundingClientRect();
       return [...chart.querySelectorAll('text')].filter((text) => {

@@ -1,11 +1,13 @@
 // The parts of the page that the first film does not need. They are loaded after that film, or when somebody asks for them.
 
 export { OBJECTIVES } from './objectives';
-export { openFile, openText } from './files/open';
+export { applyRequest, take, unitChanged } from './app/importing';
+export { showRecent } from './app/recent';
 export { cableTable } from './panels/cables';
 export { Compare } from './panels/compare';
 export { Flat } from './panels/flat';
 export { build, disable, schemaOf } from './panels/form';
 export { gallery } from './panels/gallery';
+export { details, statistics, warnings } from './panels/report';
 export { curl, python, typescript } from './panels/programs';
 export * as trees from './stage/trees';

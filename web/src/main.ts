@@ -1,6 +1,6 @@
 // The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
-// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes, result, solving,
-// document, opening, arrival, wiring.
+// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes,
+// result, theme, solving, document, opening, arrival, wiring. The files of `later` stand above document.
 
 import './style.css';
 import { arrive } from './app/arrival';
@@ -8,12 +8,12 @@ import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { comparison } from './app/modes';
-import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
+import { announce, label, placeLabel, placeScale, placeTags, readLine, readSurface, showPanel } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
 import { preferredTheme, setTheme } from './app/theme';
-import { showPanel, wire } from './app/wiring';
+import { wire } from './app/wiring';
 import { $ } from './dom';
 import type { Vec3 } from './model/request';
 import { isLoaded } from './solvers';
@@ -22,10 +22,12 @@ Object.assign(host, { changed: (dragging: boolean) => changed({ dragging, edited
 comparison.use = useObjective;
 repair.by = applyRemedy;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
-stage.content = () => [...sketch.places, ...surface.outline()];
+stage.content = () => [...sketch.places, ...surface.outline(), ...surface.reactions().map(({ tip }) => tip)];
 stage.onDraw = () => {
   gizmo.place();
   placeLabel();
+  placeTags();
+  placeScale();
 };
 stage.onRest = () => {
   stage.rememberWhetherAllIsSeen();
@@ -48,6 +50,6 @@ Object.assign(window, {
     shown: () => (session.shown ? { job: session.shown.job.id, solved: session.shown.solved, stale: isStale() } : null),
     faulty: () => [...host.faulty], selection: () => tools.selection, points: () => sketch.places.map((place) => stage.project(place)),
     project: (point: Vec3) => stage.project(host.frame.toScene(point)), covers: (x: number, y: number) => surface.pick(stage, x, y) !== null,
-    fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
+    shadow: () => stage.shadow.plane.material.opacity, fit: () => stage.fit(false), draw: () => stage.draw(), isParallel: () => stage.isParallel, isAtRest: () => stage.isAtRest, openExample, solvesHere: () => isLoaded(doc().kind),
   },
 });

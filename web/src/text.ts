@@ -10,6 +10,9 @@ export function humanise(name: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1) + suffix;
 }
 
+/** A drawing's title as the name of a file, without an extension; null if nothing of it is left. */
+export const fileName = (title: string | null): string | null => (title ?? '').replace(/\.\w{2,8}$/, '').trim().toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || null;
+
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** A number as people type it: `1.5`, `1,5` or a small sum such as `3+0.25`; NaN for anything else. */

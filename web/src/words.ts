@@ -1,5 +1,5 @@
-// The page's own sentences: one for each warning and each failure of the service (objectives.ts has those of the objectives). They count from 1, as people
-// do, while the service counts from 0. Anything else is shown in the service's words.
+// The page's own sentences for the warnings of the service (failures.ts and objectives.ts have the others). They
+// count from 1, as people do, while the service counts from 0. Anything else is shown in the service's words.
 
 import { count, number } from './text';
 
@@ -77,26 +77,42 @@ export function sayWarning(code: string, values: Values, detail: string, unit: s
   return own === undefined ? { sentence: detail, detail: null } : { sentence: own, detail: INCOMPLETE.includes(code) ? detail : null };
 }
 
-/** Sentences of the failures, by the last part of their type: what is wrong, and what to try. */
-export const FAILURES: Record<string, string> = {
-  'degenerate-boundary': 'The boundary spans no area that a mesh could begin with. Move its points apart.',
-  'equilibrium-not-found': 'No shape in equilibrium was found, which does not prove that there is none. Try another resolution, or begin nearer to the shape.',
-  'internal': 'The service failed. This is a defect of the service and not of the drawing.',
-  'invalid-mesh': 'The solver ended with a mesh that is no surface. Try another resolution or another solver.',
-  'no-connected-film': 'No film connects the boundaries. Move them closer together, or choose a topology that lets the film come apart.',
-  'no-equilibrium': 'The film closes or leaves its supports before it is in balance. Give the cables larger forces, lower the pressure, or move the supports closer together.',
-  'no-initial-mesh': 'No mesh was found that the solver could begin with. Move the points apart, or choose another initial mesh.',
-  'no-room-for-interior-vertices': 'The boundary is too small for the vertices that were asked for. Ask for fewer.',
-  'not-flattenable': 'The surface cannot be laid flat.',
-  'self-intersecting-boundary': 'The boundary crosses or touches itself, so no mesh without folds spans it. Move the points apart.',
-  'slack-cable': 'A cable would carry no force. Make it shorter, or give it a larger force.',
-  'targets-not-reached': 'No net meets the targets. Leave out some of them, or make them less strict.',
-  'too-large': 'The mesh is too large for this service. Ask for fewer triangles or for longer edges.',
-};
-
 /** Names of figures that say too little or too much when they are spelled out. */
 export const FIGURES: Record<string, string> = {
   'stability.stable': 'Stable', 'stability.morse_index': 'Morse index', 'stability.lowest_eigenvalue': 'Lowest eigenvalue', 'stability.method': 'Found by',
   'edge_lengths.min': 'Shortest', 'edge_lengths.max': 'Longest', 'edge_lengths.mean': 'Mean', 'edge_lengths.std_dev': 'Standard deviation',
   'angles_deg.min': 'Smallest (°)', 'angles_deg.max': 'Largest (°)', 'self_intersections': 'Crossing pairs of triangles', 'stop_reason': 'Stopped by',
 };
+
+/**
+ * Dimensions of figures by the last part of their path; `u` is the unit of lengths and `F` that of forces. The first
+ * that fits counts.
+ */
+const DIMENSIONS: [RegExp, string][] = [
+  [/(^|\.)(stability|stages\.name|out_of_range_reasons|valence_histogram|node_lower_bound|shared_lengths\.lengths)(\.|$)|(_deg|_ms|_s)(\.|$)|angles_deg/, ''],
+  [/(^|\.)(certificate)\.(lower_bound|bound|area)$|(^|\.)(area|initial_area|extrapolated_area|error_estimate|lower_bound)$|extrapolated_area\.|surface\.area$/, 'u²'],
+  [/area_error$|deviation$|_ratio$|imbalance$/, ''],
+  [/(^|\.)mean_curvature\.|curvature_radius/, '1/u'],
+  [/(^|\.)volume$/, 'u³'],
+  [/(^|\.)pressure$/, 'F/u²'],
+  [/(^|\.)stress\.(min|max)$|force_per_length|force_densities|(^|\.)force_density/, 'F/u'],
+  [/(^|\.)(force|force_min|force_max|force_unit|residual_force|magnitudes|loads|reactions\.force|axial_force)$|balance\.(loads|reactions)$/, 'F'],
+  [/load_path$/, 'F u'],
+  [/(^|\.)(edge_lengths|lattice_edges|all|lattice)\.(min|max|mean|std_dev)$|(^|\.)(length|unstressed_length|sag|width|height|depth|shortest_bridge|longest_bridge|length_tolerance|distance_max|distance|origin|minimum_slope_at|at|from)$|length_histogram\./, 'u'],
+];
+
+/** The unit of a figure; empty for counts, ratios and figures without a dimension. */
+export function unitOfFigure(path: string, objective: unknown, unit: string, force: string): string {
+  if (path === 'length_histogram.counts') return '';
+  const dimension = path === 'objective_value' && objective === 'minimal_area' ? 'u²' : DIMENSIONS.find(([pattern]) => pattern.test(path))?.[1] ?? '';
+  return dimension.replace('F', force).replace('u', unit);
+}
+
+/** Figures of the solver, which say how a result was found and not what it is. */
+export const NUMERICS = [
+  'objective_value', 'secondary_value', 'solver', 'initial_mesh', 'euler_characteristic', 'genus', 'initial_area', 'extrapolated_area', 'mean_curvature', 'residual', 'residual_full', 'converged', 'stop_reason',
+  'iterations', 'stability', 'edges_swapped', 'flipped_triangles', 'degenerate_triangles', 'self_intersections_skipped', 'balance', 'gradient', 'stages', 'shared_lengths', 'node_lower_bound', 'direction_decided_by',
+  'length_tolerance', 'origin', 'normal_variation', 'mean_curvature_variation', 'total_normal_twist', 'contact_angle_deg', 'pinches', 'junctions', 'spanning',
+];
+/** Figures of a triangle mesh; of a lattice they are those of its members. */
+export const OF_MESH = ['edge_lengths', 'angles_deg', 'vertices', 'components'];

@@ -1,7 +1,7 @@
 // What the page begins with: a link's content, what was being worked on, an example that the address names, or a canopy.
 
-import { type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
-import { published } from '../api';
+import { ConnectionFailed, type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
+import { hasKey, plateau, published } from '../api';
 import { $, el } from '../dom';
 import { isWhole, KINDS } from '../model/request';
 import type { OpenApi } from '../panels/form';
@@ -12,7 +12,8 @@ import { showDock } from './drawing';
 import { keep, type Kept, kept, placeWorld } from './keeping';
 import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
-import { hideProblem, showProblem } from './problems';
+import { hideProblem, KEY_REFUSED, showProblem } from './problems';
+import { showReport } from './result';
 import { doc, embedded, history, later, server, session } from './session';
 import { resumeJob, solve } from './solving';
 
@@ -38,11 +39,21 @@ export const arrive = (): Promise<void> => whileBusy(async () => {
     const begun = begin();
     await Promise.all([begun, learn(begun)]);
   } catch (error) {
-    showProblem(error, turn);
     say('Not ready.');
-    if (error instanceof Unauthorized) $<HTMLDialogElement>('settings').showModal();
+    showProblem(error, turn);
   }
 });
+
+/** What is wrong with the key that was set; null if the server takes it. */
+export async function faultOfKey(): Promise<string | null> {
+  try {
+    await plateau.getJson('v1/jobs?limit=1');
+    return null;
+  } catch (error) {
+    if (error instanceof Unauthorized) return hasKey() ? KEY_REFUSED : 'This server asks for a key.';
+    return error instanceof ConnectionFailed ? 'The server cannot be reached, so the key was not tried.' : null;
+  }
+}
 
 /** The first document. Another one that was opened or drawn while it was fetched stays. */
 function begin(): Promise<void> {
@@ -92,6 +103,7 @@ async function learn(begun: Promise<void>): Promise<void> {
   ]);
   Object.assign(server, { openapi, objectives, examples });
   later.parts = parts;
+  showReport();
   useTrees(parts.trees);
   showKinds(parts.schemaOf);
   showForm();

@@ -5,6 +5,7 @@ import { $ } from '../dom';
 import { dropRefused, whyNot } from '../model/applies';
 import { bareEdges, cablesOf, hangAll } from '../model/cables';
 import { Frame, originFor } from '../model/frame';
+import type { Document } from '../model/history';
 import type { Remedy } from '../model/remedies';
 import { at, blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
 import { forceUnit } from '../panels/cable';
@@ -36,7 +37,7 @@ export function load({ refit = true, direction = FIRST_VIEW } = {}): void {
   showForm();
   redraw();
   stage.measure();
-  if (refit) stage.fit(false, direction);
+  if (refit) stage.view(direction);
   showDocument();
 }
 
@@ -60,6 +61,7 @@ export function showForm(): void {
     },
     set: (name, value) => {
       let dropped = false;
+      const before = structuredClone(doc().request);
       const done = history.edit(({ request: edited }) => {
         if (value === undefined) delete edited[name];
         else edited[name] = value;
@@ -71,6 +73,7 @@ export function showForm(): void {
         load();
       }
       changed({ option: true });
+      if (name === 'units') later.parts!.unitChanged(before);
       if (dropped) {
         const { name: focused } = document.activeElement as HTMLInputElement;
         showForm();
@@ -107,6 +110,8 @@ const mayNotHang = (request: Request): boolean => bareEdges(request).length === 
 /** After every change of the document, also while a point is being dragged. `edited`: by somebody at work on it, who waits for the shape. */
 export function changed({ dragging = false, option = false, edited = false } = {}): void {
   $('intro').hidden = true;
+  // A card is about the request as it was.
+  if (session.card && session.card.of !== JSON.stringify(doc().request)) session.card.close();
   session.viewing = false;
   session.serverFaulty = new Set();
   host.lines = linesOf(doc().kind, doc().request);
@@ -146,31 +151,41 @@ export function showRequest(): void {
 }
 
 const restore = (step: () => boolean): void => {
+  const { serial } = doc();
   if (!step()) return;
-  if (session.requests.underWay && session.requests.underWay.kind !== doc().kind) abandon();
-  if (session.shown && session.shown.job.kind !== doc().kind) forget();
-  load({ refit: false });
+  // The film of another document would stand where its drawing may be far away.
+  const another = serial !== doc().serial;
+  if (session.requests.underWay && (another || session.requests.underWay.kind !== doc().kind)) abandon();
+  if (session.shown && (another || session.shown.job.kind !== doc().kind)) forget();
+  load({ refit: another });
   stage.rememberWhetherAllIsSeen();
   changed({ edited: true });
 };
 export const undo = (): void => restore(() => history.undo());
 export const redo = (): void => restore(() => history.redo());
 
-/** Replaces the document, as one step that can be undone. */
-export function replace(kind: Kind, request: Request, title: string | null): void {
+let documents = 0;
+
+/**
+ * Replaces the document, as one step that can be undone, or as a part of the last step. The film of the document
+ * before goes with it.
+ */
+export function replace(kind: Kind, request: Request, title: string | null, { amend = false } = {}): void {
   abandon();
   session.viewing = false;
   session.cameraGiven = false;
-  const same = session.shown?.job.kind === kind;
-  history.edit((document) => Object.assign(document, { kind, request, title, draft: null }));
+  documents += 1;
+  const put = (document: Document): void => { Object.assign(document, { kind, request, title, draft: null, serial: documents }); };
+  if (amend) history.amend(put);
+  else history.edit(put);
   tools.selection = [];
-  if (!same || !isWhole(kind, request)) forget();
+  say('');
+  forget();
   hideProblem();
   load();
 }
 
 export function startBlank(kind: Kind): void {
-  forget();
   replace(kind, blank(kind), null);
   say('');
   tools.startDrawing();

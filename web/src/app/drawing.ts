@@ -29,8 +29,9 @@ function drawLines(): void {
   const { request, kind } = doc();
   const course = ({ along }: ReturnType<typeof cablesOf>[number]): Vec3[] =>
     (along ? stretch(request, along).map((point) => coordinates(at(request, ['boundaries', along.boundary ?? 0, point])) ?? [0, 0, 0]) : []);
-  const courses = kind === 'tensile_structure' && !session.viewing ? cablesOf(request).map(course) : [];
-  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses, chosen: tools.cable });
+  const cables = kind === 'tensile_structure' && !session.viewing ? cablesOf(request) : [];
+  const segments = new Set(cables.flatMap(({ along }) => (along ? stretch(request, along).slice(0, -1).map((point) => `${along.boundary ?? 0}/${point}`) : [])));
+  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses: cables.map(course), segments, chosen: tools.cable });
 }
 
 /** What a cable can hold constant, of the server's document. */
@@ -50,7 +51,7 @@ export function foundCable(index = tools.cable): Found | undefined {
 
 export function showDock(): void {
   const { drawing, selection } = tools;
-  const introduced = !$('intro').hidden && !drawing && selection.length === 0;
+  const introduced = !$('intro').hidden && !drawing && !tools.measuring && selection.length === 0;
   $('intro').hidden = !introduced;
   $('drawing').hidden = !drawing;
   const cable = !drawing && selection.length === 0 ? cablesOf(doc().request)[tools.cable] : undefined;
@@ -58,6 +59,7 @@ export function showDock(): void {
     drawLines();
     tools.refresh();
   }
+  $('measure').setAttribute('aria-pressed', String(tools.measuring));
   $('cabling').hidden = !tools.mayCable;
   $('cabling').setAttribute('aria-pressed', String(tools.cabling));
   $('cable').hidden = !cable;
@@ -75,6 +77,7 @@ const byTouch = matchMedia('(pointer: coarse)').matches;
 export function hint(): string {
   if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
   if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
+  if (tools.measuring) return 'Click a point, a place of the surface or of the ground, and then another: the distance stands between them. Escape ends.';
   if (tools.cabling && byTouch) return 'Tap an edge to hang it on a cable, or a point and then another for a cable along several edges.';
   if (tools.cabling) return 'Click an edge of the boundary to hang it on a cable, or a point and then another for a cable along several edges.';
   if (session.mode === 'flat') return `The strip unrolled into the plane, to scale. Drag to move it, ${byTouch ? 'pinch' : 'wheel'} to zoom.`;
@@ -82,19 +85,29 @@ export function hint(): string {
   if (doc().kind === 'cable_net') return 'Drag a support to move it. The net is given by its request: its vertices, edges and targets.';
   if (!isWhole(doc().kind, doc().request)) return `A strip needs two ${KINDS[doc().kind].line}s: press Draw for the next one.`;
   if (byTouch) return 'Drag a point to move it. One finger beside the points turns the view, two move and zoom it.';
-  return 'Drag a point to move it, press on an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
+  return 'Drag a point to move it, or press the middle of an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
 }
+
+/** What each click of a shape is, where their number is given. */
+const STEPS: Record<string, string[]> = {
+  arc: ['where the arc begins', 'a point on the arc', 'where the arc ends'], rectangle: ['a corner of the rectangle', 'the opposite corner'], circle: ['the centre of the circle', 'a point on the circle'],
+};
 
 /** The line that is being drawn. */
 function showLine(): void {
   const { kind, draft } = doc();
-  const { line, least } = KINDS[kind];
+  const { line } = KINDS[kind];
+  const { least, shape, shapes } = tools;
   const first = kind === 'uniform_mesh' && host.lines.length === 0;
   const n = draft!.length;
   const what = first ? 'polygon' : line;
   const press = byTouch ? 'tap' : 'click';
   const end = byTouch ? 'Finish' : 'Enter';
-  $('drawing-hint').textContent = n === 0
+  const select = $<HTMLSelectElement>('shape');
+  for (const option of select.options) option.hidden = option.disabled = !shapes.includes(option.value as typeof shape);
+  select.value = shape;
+  const steps = STEPS[shape];
+  $('drawing-hint').textContent = steps ? `${capital(press)} ${steps[Math.min(n, steps.length - 1)]!}.` : n === 0
     ? `${capital(press)} on the ground to begin the ${what}.`
     : n < least ? `${count(n, 'point')} of the ${what}: ${press} to add more.`
       : kind === 'ruled_surface' ? `${count(n, 'point')}: ${press} to add more, ${end} ends the rail.` : `${count(n, 'point')}: ${press} the first point, or press ${end}, to close the ${what}.`;
@@ -102,6 +115,9 @@ function showLine(): void {
   $('level-name').textContent = `at ${'xyz'[host.frame.up]}`;
   if (document.activeElement !== $('level')) $<HTMLInputElement>('level').value = String(tools.level);
 }
+
+/** Makes a field as wide as its text, so that no digit of a coordinate is cut off. */
+export const widen = (input: HTMLInputElement): void => { input.style.width = `calc(${Math.max(1.2 * input.value.length, 7)}ch + 26px)`; };
 
 /** The selected point, or what several have in common. */
 export function showPoint(): void {
@@ -116,11 +132,16 @@ export function showPoint(): void {
     const [value] = values;
     if (document.activeElement === input && input.dataset.dirty) continue;
     input.value = values.size === 1 && value !== undefined && value !== null ? String(value) : '';
+    widen(input);
     input.placeholder = values.size === 1 ? 'none' : 'various';
   }
   const edge = tools.edgeBefore();
   $('edge-field').hidden = !edge;
-  if (edge && document.activeElement !== $('edge')) $<HTMLInputElement>('edge').value = String(Number(edge.length.toPrecision(7)));
+  const input = $<HTMLInputElement>('edge');
+  if (edge && !(document.activeElement === input && input.dataset.dirty)) {
+    input.value = String(Number(edge.length.toPrecision(7)));
+    widen(input);
+  }
   const onlyMoves = selection.some((ref) => host.lines[ref.line]?.only);
   $<HTMLButtonElement>('insert-point').disabled = !only || onlyMoves;
   for (const id of ['delete-point', 'remove-line']) $<HTMLButtonElement>(id).disabled = onlyMoves;

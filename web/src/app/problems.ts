@@ -1,24 +1,23 @@
 // Problems are told once, counted from 1, and marked in the drawing. The late answer to an earlier
 // request neither hides nor replaces a newer problem.
 
-import { ConnectionFailed, type FieldError } from 'plateau-client';
+import { ConnectionFailed, type FieldError, Unauthorized } from 'plateau-client';
+import { hasKey } from '../api';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
 import { type Remedy, remedyFor } from '../model/remedies';
 import { place } from '../model/request';
 import { capital } from '../text';
-import { FAILURES } from '../words';
+import { FAILURES, fromOne } from '../failures';
 import { ask } from './busy';
 import { redraw } from './drawing';
+import { showPanel } from './notes';
 import { doc, host, session, tools } from './session';
 
 interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
 
 /** Changes the request as a remedy says, and solves it. main.ts names the function, because it stands above this module. */
 export const repair = { by: (_: Remedy): void => {} };
-
-/** Texts of the service that name a part of the request by its number. */
-const NAMES_A_PLACE = /\b(point|boundary|cable|layer|edge|vertex|vertices|support|ring|directrix|triangle)s? \d|\/\d/;
 
 /** The newest of what was asked for that was answered. */
 let answered = 0;
@@ -39,14 +38,28 @@ export function hideProblem(turn = ask()): void {
   redraw();
 }
 
+export const KEY_REFUSED = 'This server does not take this key. Copy it again, or ask whoever runs the server for another one.';
+
+/** Asks for a key where it is typed. */
+function askForKey(): void {
+  $('key-fault').textContent = hasKey() ? KEY_REFUSED : 'This server asks for a key. Type the one that you were given.';
+  $('key-fault').hidden = false;
+  const dialog = $<HTMLDialogElement>('settings');
+  if (!dialog.open) dialog.showModal();
+  $('api-key').focus();
+}
+
 /** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
 export function showProblem(fault: unknown, turn = ask()): void {
   if (!counts(turn)) return;
+  if (fault instanceof Unauthorized) {
+    askForKey();
+    return;
+  }
   const { type, title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
   const list = errors ?? [];
   const faulty = new Set<string>();
   const own = findings(host.lines);
-  let counted = false;
   const items = list.flatMap((error) => {
     const found = place(host.lines, error.pointer);
     // The page says the faults that it sees itself in its own words, which count from 1.
@@ -54,8 +67,7 @@ export function showProblem(fault: unknown, turn = ask()): void {
     if (seen) return [];
     if (found.line !== undefined && found.point !== undefined && found.point >= 0) faulty.add(`${found.line}/${found.point}`);
     const control = found.line === undefined ? $<HTMLFormElement>('options').querySelector<HTMLElement>(`[name="${CSS.escape(found.field ?? '')}"], [name^="${CSS.escape(found.field ?? '')}."]`) : null;
-    counted ||= NAMES_A_PLACE.test(error.detail);
-    return [item(capital(found.text), error.detail, found, control)];
+    return [item(capital(found.text), fromOne(error.detail), found, control)];
   });
   // The service may name a line, or no place at all: the page sees which points it is.
   if (list.length === 0 || items.length < list.length || !list.some((error) => place(host.lines, error.pointer).point !== undefined)) {
@@ -71,12 +83,13 @@ export function showProblem(fault: unknown, turn = ask()): void {
   const repeats = list.length > 0 && (/^see errors/.test(summary) || list.some((error) => summary.includes(error.detail)));
   const verbatim = sentence !== undefined && summary !== '' && !repeats;
   $('problem').replaceChildren(
-    el('strong', {}, title ?? 'Something went wrong'), sentence ?? (repeats || summary === title ? '' : capital(summary)), items.length > 0 && el('ul', {}, ...items) || '',
-    counted ? el('p', { className: 'small' }, 'The service counts points, cables and edges from zero.') : '',
+    el('strong', {}, title ?? 'Something went wrong'), sentence ?? (repeats || summary === title ? '' : capital(fromOne(summary))), items.length > 0 && el('ul', {}, ...items) || '',
     remedied(type) ?? '',
     verbatim ? el('details', {}, el('summary', {}, 'In the words of the service, which counts from 0'), summary) : '',
   );
   $('problem').hidden = false;
+  showPanel('setup');
+  $('problem').scrollIntoView({ block: 'nearest' });
   session.serverFaulty = faulty;
   redraw();
 }

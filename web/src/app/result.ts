@@ -3,18 +3,18 @@
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
 import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
-import { charts } from '../panels/chart';
+import { charts, samplesOf } from '../panels/chart';
 import { showLegend } from '../panels/legend';
-import { details, keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import { keyFigures } from '../panels/headlines';
 import { fileOf, isOfPage } from '../solvers';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
-import { count, duration } from '../text';
+import { count, duration, fileName } from '../text';
 import { ask } from './busy';
 import { offerModes, setMode } from './modes';
-import { label, say } from './notes';
+import { dropReading, say, tagReactions } from './notes';
 import { showProblem } from './problems';
-import { doc, host, isStale, session, sketch, stage, surface } from './session';
+import { doc, host, isStale, later, session, sketch, stage, surface } from './session';
 
 /** How long a result may lag behind the drawing before it is shown as out of date. */
 const STALE_MS = 450;
@@ -24,6 +24,7 @@ export function forget(): void {
   session.shown = null;
   session.quantity = null;
   surface.show(null, '', host.frame);
+  tagReactions();
   $('result').hidden = true;
   $('nothing').hidden = false;
   $('look').hidden = true;
@@ -37,7 +38,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   const first = session.shown === null || session.shown.job.kind !== job.kind;
   const request = JSON.parse(solved) as Request;
   session.shown = { job, mesh, solved, request, dragging: whileDragging };
-  label(null);
+  dropReading();
   // A structure with cables is first seen by its forces. Another choice stays until another kind is shown.
   if (first && session.colour === 'plain') session.colour = firstOf(mesh);
   choose();
@@ -45,6 +46,7 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   // The model is fitted into the room that the legend leaves.
   $('look').hidden = false;
   showLayers();
+  tagReactions();
   stage.measure();
   stage.rememberWhetherAllIsSeen();
   if (first && !session.cameraGiven) stage.fit(false);
@@ -54,10 +56,8 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   $('result').hidden = false;
   nameJob(job);
   const values = job.statistics as Record<string, unknown>;
-  $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
-  $('details').replaceChildren(...details(job, unitOf(request)));
-  $('warnings').replaceChildren(...warnings(job.warnings, unitOf(request)));
-  $('statistics').replaceChildren(...statistics(values));
+  $('figures').replaceChildren(...keyFigures(job, unitOf(request), sizeOf(mesh, metresOf(request))));
+  showReport();
   $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.
   offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl' as const] : [])], job);
@@ -67,6 +67,26 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   offerModes(job.kind === 'ruled_surface', pattern);
   sayHowItWent(job, mesh);
   showStale();
+}
+
+/** The parts of the report that come after the first film. */
+export function showReport(): void {
+  const { shown } = session;
+  if (!later.parts || !shown) return;
+  const { job, request } = shown;
+  const unit = unitOf(request);
+  const { result, numerics } = later.parts.statistics(job, unit);
+  $('details').replaceChildren(...later.parts.details(job, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
+  $('warnings').replaceChildren(...later.parts.warnings(job.warnings, unit));
+  $('statistics').replaceChildren(...result);
+  $('numbers').replaceChildren(...numerics);
+}
+
+/** The extent of a model along x, up and z, in the request's unit. */
+function sizeOf({ geometry }: ResultMesh, metres: number): [number, number, number] {
+  geometry.computeBoundingBox();
+  const { min, max } = geometry.boundingBox!;
+  return [max.x - min.x, max.y - min.y, max.z - min.z].map((value) => value / metres) as [number, number, number];
 }
 
 /** Names the job of the service that a result belongs to. */
@@ -94,7 +114,7 @@ function offer(box: HTMLElement, formats: (MeshFormat | PatternFormat)[], job: J
     onclick: async () => {
       const turn = ask();
       try {
-        save(new Blob([await fileOf(job, format)]), `${job.kind.replaceAll('_', '-')}${isOfPage(job) ? '' : `-${job.id}`}.${format}`);
+        save(new Blob([await fileOf(job, format)]), `${fileName(doc().title) ?? `${job.kind.replaceAll('_', '-')}${isOfPage(job) ? '' : `-${job.id}`}`}.${format}`);
       } catch (error) {
         showProblem(error, turn);
       }
@@ -112,6 +132,7 @@ export function showStale(): void {
     $('stale').hidden = !stale;
     // A line that is being drawn must be seen, also where it runs behind the film.
     surface.setGhost(stale || doc().draft !== null);
+    stage.shadow.fade(stale);
     stage.invalidate();
   };
   if (stale && session.requests.underWay && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
@@ -125,6 +146,8 @@ export function showQuantity(): void {
   if (!session.shown) return;
   choose();
   surface.colourBy(session.quantity);
+  // The legend takes or leaves room.
+  stage.keepInside(false);
 }
 
 /** The quantities that the result offers, and the values and legend of the chosen one. */
@@ -145,6 +168,8 @@ function choose(): void {
   select.replaceChildren(...list.map(({ id, label: name }) => el('option', { value: id }, name)));
   select.value = session.colour;
   session.quantity = quantity(mesh, session.colour, unitOf(request), metresOf(request));
+  // The largest force is the line that is seen best, before a dark ground and a bright one.
+  if (session.quantity?.id.startsWith('line:') && session.quantity.scale === 'sequential' && document.documentElement.dataset.theme !== 'dark') session.quantity.scale = 'lines';
   showLegend(session.quantity);
 }
 
@@ -160,7 +185,9 @@ function showLayers(): void {
     button.addEventListener('click', () => {
       surface.setLayers({ [name]: !surface.layers[name] });
       button.setAttribute('aria-pressed', String(surface.layers[name]));
+      tagReactions();
       stage.measure();
+      stage.keepInside(true);
     });
     return button;
   }), drawingLayer());

@@ -58,6 +58,8 @@ export const session = {
   serverFaulty: new Set<string>(),
   /** Whether the camera came with the document, so that its first result does not move it. */
   cameraGiven: false,
+  /** The card about a file or a unit, and the request that it is about as JSON text. */
+  card: null as { of: string; close(): void } | null,
   /** Whether the server was heard and the document is one. */
   ready: false,
 };

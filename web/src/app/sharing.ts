@@ -4,6 +4,7 @@ import { isStatic } from '../api';
 import { $, el, save } from '../dom';
 import * as share from '../panels/share';
 import { worldPose } from './keeping';
+import { fileName } from '../text';
 import { doc, session, stage } from './session';
 
 /** A page without a service has nothing that a program could call. */
@@ -42,5 +43,5 @@ export async function copy(): Promise<void> {
 }
 
 export async function savePicture(): Promise<void> {
-  save(await stage.picture(2, document.documentElement.dataset.theme === 'dark' ? '#1a2023' : '#f3f4f3'), 'plateau.png');
+  save(await stage.picture(2, document.documentElement.dataset.theme === 'dark' ? '#1a2023' : '#f3f4f3'), `${fileName(doc().title) ?? 'plateau'}.png`);
 }

@@ -3,6 +3,7 @@
 import { $ } from '../dom';
 import { redraw } from './drawing';
 import { restyleComparison } from './modes';
+import { showQuantity } from './result';
 import { look, sketch, stage, surface, THEMES } from './session';
 
 const KEY = 'theme';
@@ -20,6 +21,7 @@ export function setTheme(theme: string): void {
   stage.grid.style(...style.grid);
   stage.shadow.style(style.shadow);
   surface.restyle();
+  showQuantity();
   restyleComparison();
   redraw();
   stage.invalidate();

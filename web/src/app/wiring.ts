@@ -5,16 +5,17 @@ import { $, save } from '../dom';
 import { type Cable, cablesOf } from '../model/cables';
 import { isWhole, print, type Request, type Vec3 } from '../model/request';
 import { changeMode } from '../panels/cable';
-import { typed } from '../text';
-import { arrive } from './arrival';
+import { fileName, typed } from '../text';
+import { arrive, faultOfKey } from './arrival';
 import { changed, isLive, load, redo, showRequest, startBlank, undo } from './document';
-import { foundCable, hint, showDock, showPoint } from './drawing';
+import { foundCable, hint, showDock, showPoint, widen } from './drawing';
+import { whileBusy } from './busy';
 import { keep, keepNow } from './keeping';
 import { fitAll, setMode } from './modes';
-import { label, say, toast } from './notes';
-import { applyRequest, openLink, showRecent, take } from './opening';
+import { label, say, showPanel, toast } from './notes';
+import { openLink } from './opening';
 import { showQuantity } from './result';
-import { doc, history, isStale, type Mode, session, stage, tools } from './session';
+import { doc, history, isStale, later, type Mode, session, stage, tools } from './session';
 import { copy, openShare, savePicture } from './sharing';
 import { giveUp, solve } from './solving';
 import { switchTheme } from './theme';
@@ -25,6 +26,9 @@ const ACCEPT = '.csv,.txt,.obj,.dxf,.geojson,.json,.gltf,.glb';
 const on = (id: string, event: string, act: (event: Event) => unknown): void => $(id).addEventListener(event, (each) => { void act(each); });
 const all = (selector: string): NodeListOf<HTMLElement> => document.querySelectorAll<HTMLElement>(selector);
 
+/** Does something with the parts of the page that come after the first film. The page is busy from the press on. */
+const withLater = (act: (parts: typeof import('../later')) => unknown): unknown => (later.parts ? act(later.parts) : whileBusy(async () => { await act(await import('../later')); }));
+
 export function wire(): void {
   wireSetup();
   wireDrawing();
@@ -34,11 +38,6 @@ export function wire(): void {
   document.addEventListener('keydown', shortcut);
   window.addEventListener('pagehide', keepNow);
   window.addEventListener('hashchange', () => { if (location.hash.startsWith('#s=') && session.ready) void openLink(); });
-}
-
-export function showPanel(name: string): void {
-  document.querySelector('main')!.dataset.panel = name;
-  for (const button of all('[data-panel]:is(button)')) button.setAttribute('aria-pressed', String(button.dataset.panel === name));
 }
 
 function wireSetup(): void {
@@ -57,8 +56,8 @@ function wireSetup(): void {
   on('request-box', 'toggle', showRequest);
   on('request-form', 'input', () => { $('discard-request').hidden = false; });
   on('request-form', 'reset', () => { for (const id of ['discard-request', 'request-fault']) $(id).hidden = true; });
-  on('apply-request', 'click', applyRequest);
-  on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
+  on('apply-request', 'click', () => withLater(({ applyRequest }) => applyRequest()));
+  on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${fileName(doc().title) ?? doc().kind.replaceAll('_', '-')}.json`));
   for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
   for (const form of ['point', 'options', 'key-form', 'drawing', 'cable']) on(form, 'submit', (event) => event.preventDefault());
 }
@@ -70,6 +69,11 @@ function wireDrawing(): void {
   on('redo', 'click', redo);
   on('finish', 'click', () => tools.finishDrawing());
   on('give-up', 'click', () => tools.stopDrawing());
+  on('shape', 'change', () => {
+    tools.shape = $<HTMLSelectElement>('shape').value as typeof tools.shape;
+    showDock();
+    stage.canvas.focus({ preventScroll: true });
+  });
   on('snap', 'change', () => { tools.snapping = $<HTMLInputElement>('snap').checked; });
   on('level', 'change', () => { tools.level = $<HTMLInputElement>('level').valueAsNumber || 0; });
   on('previous-point', 'click', () => tools.step(-1));
@@ -82,13 +86,25 @@ function wireDrawing(): void {
   wireCable();
   on('intro-draw', 'click', () => startBlank('minimal_surface'));
   for (const input of document.querySelectorAll<HTMLInputElement>('#point input')) {
-    input.addEventListener('input', () => { input.dataset.dirty = '1'; });
+    input.addEventListener('input', () => {
+      input.dataset.dirty = '1';
+      widen(input);
+    });
     input.addEventListener('blur', () => { delete input.dataset.dirty; });
+    input.addEventListener('keydown', ({ key }) => {
+      if (key !== 'Escape') return;
+      delete input.dataset.dirty;
+      showPoint();
+      stage.canvas.focus({ preventScroll: true });
+    });
     input.addEventListener('change', () => {
       delete input.dataset.dirty;
       const value = typed(input.value);
       if (!Number.isFinite(value)) {
         if (input.value.trim() !== '') toast(`${JSON.stringify(input.value)} is not a number.`);
+        showPoint();
+      } else if (input.id === 'edge' && value <= 0) {
+        toast(`An edge must be longer than 0, and ${JSON.stringify(input.value)} is not.`);
         showPoint();
       } else if (input.id === 'edge') tools.setEdgeBefore(value);
       else tools.setAxis(Number(input.dataset.axis), value);
@@ -142,11 +158,11 @@ function wireCable(): void {
 }
 
 function wireStage(): void {
-  const views: Record<string, Vec3> = { top: [0, 1, 1e-3], front: [0, 0.02, 1], side: [1, 0.02, 0] };
+  const views: Record<string, Vec3> = { top: [0, 1, 1e-3], front: [0, 0, 1], side: [1, 0, 0] };
   for (const button of all('[data-view]')) {
     button.addEventListener('click', () => {
       const view = views[button.dataset.view!];
-      if (view) stage.look(view);
+      if (view) stage.lookAlong(view);
       else fitAll();
     });
   }
@@ -158,6 +174,7 @@ function wireStage(): void {
     stage.invalidate();
     keep();
   });
+  on('measure', 'click', () => (tools.measuring ? tools.stopMeasuring() : tools.startMeasuring()));
   on('theme', 'click', switchTheme);
 }
 
@@ -167,7 +184,7 @@ function wireFiles(): void {
   on('open-file', 'click', () => input.click());
   on('file', 'change', async () => {
     const [chosen] = input.files ?? [];
-    if (chosen) await take(async () => (await import('../later')).openFile(chosen), chosen.name);
+    if (chosen) await withLater(({ take }) => take(chosen));
     input.value = '';
   });
   document.addEventListener('dragover', (event) => {
@@ -189,8 +206,8 @@ function wireFiles(): void {
 function takeFrom(data: DataTransfer | null): boolean {
   const [file] = data?.files ?? [];
   const text = data?.getData('text/plain') ?? '';
-  if (file) void take(async () => (await import('../later')).openFile(file), file.name);
-  else if (text.trim() !== '') void take(async () => (await import('../later')).openText(text), '');
+  if (file) void withLater(({ take }) => take(file));
+  else if (text.trim() !== '') void withLater(({ take }) => take(text));
   else return false;
   return true;
 }
@@ -199,7 +216,7 @@ function wireDialogs(): void {
   const openGallery = (): void => $<HTMLDialogElement>('gallery').showModal();
   on('open-gallery', 'click', openGallery);
   on('intro-gallery', 'click', openGallery);
-  on('open-recent', 'click', showRecent);
+  on('open-recent', 'click', () => withLater(({ showRecent }) => showRecent()));
   on('open-share', 'click', openShare);
   on('open-settings', 'click', () => $<HTMLDialogElement>('settings').showModal());
   on('copy', 'click', copy);
@@ -216,11 +233,21 @@ function wireDialogs(): void {
   }
   field.addEventListener('change', () => {
     setKey(field.value);
-    if (field.value) sessionStorage.setItem(KEY, field.value);
-    else sessionStorage.removeItem(KEY);
-    $<HTMLDialogElement>('settings').close();
-    if (!session.ready) void arrive();
+    void tryKey(field.value);
   });
+  field.addEventListener('input', () => { $('key-fault').hidden = true; });
+}
+
+/** Keeps a key that the server takes, and says in the dialog what is wrong with another one. */
+async function tryKey(key: string): Promise<void> {
+  const fault = await faultOfKey();
+  $('key-fault').textContent = fault ?? '';
+  $('key-fault').hidden = fault === null;
+  if (fault !== null) return;
+  if (key) sessionStorage.setItem(KEY, key);
+  else sessionStorage.removeItem(KEY);
+  $<HTMLDialogElement>('settings').close();
+  if (!session.ready) void arrive();
 }
 
 function shortcut(event: KeyboardEvent): void {

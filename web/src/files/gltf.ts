@@ -1,15 +1,15 @@
-// glTF: its line primitives, in metres with y up, turned to the request's axes by whoever opens the file.
+// glTF: its line primitives, in metres with y up.
 
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Vec3 } from '../model/request';
 import { type Gltf, LINE_LOOP, LINE_STRIP, LINES, type Node, readGlb, readGltfText } from '../stage/glb';
 import { segmentsOf } from '../stage/mesh';
-import { chains, FileFault, type Polyline } from './lines';
+import { chains, type Drawing, FileFault, type Polyline } from './lines';
 
 /** Deepest nesting of nodes. A file whose nodes contain themselves ends here. */
 const DEEPEST = 64;
 
-export function readGltf(content: ArrayBuffer | string): Polyline[] {
+export function readGltf(content: ArrayBuffer | string): Drawing {
   const found: Polyline[] = [];
   try {
     const gltf = typeof content === 'string' ? readGltfText(content) : readGlb(content);
@@ -22,7 +22,7 @@ export function readGltf(content: ArrayBuffer | string): Polyline[] {
     throw new FileFault(`This is not glTF that can be read: ${error instanceof Error ? error.message : String(error)}`);
   }
   if (found.length === 0) throw new FileFault('This glTF file has no lines.');
-  return found;
+  return { format: 'glTF', lines: found, unit: 'm', up: 'y', single: true, notes: [] };
 }
 
 function visit(gltf: Gltf, index: number, outer: Matrix4, depth: number, found: Polyline[]): void {
@@ -35,7 +35,7 @@ function visit(gltf: Gltf, index: number, outer: Matrix4, depth: number, found: 
     const at = (i: number): Vec3 => new Vector3().fromArray(array, i).applyMatrix4(place).toArray();
     const segments: [Vec3, Vec3][] = [];
     for (let i = 0; i < array.length; i += 6) segments.push([at(i), at(i + 3)]);
-    if (segments.length > 0) found.push(...chains(segments, 1e-6));
+    if (segments.length > 0) found.push(...chains(segments, 1e-6, node.name));
   }
   for (const child of node.children ?? []) visit(gltf, child, place, depth + 1, found);
 }

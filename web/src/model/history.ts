@@ -4,7 +4,8 @@
 import type { Kind } from 'plateau-client';
 import type { Request, Vec3 } from './request';
 
-export interface Document { kind: Kind; request: Request; draft: Vec3[] | null; title: string | null }
+/** `serial` tells documents apart that were opened one after another. */
+export interface Document { kind: Kind; request: Request; draft: Vec3[] | null; title: string | null; serial?: number }
 
 const MOST_STEPS = 500;
 /** Characters of all steps together; the oldest are forgotten beyond it. */
@@ -53,6 +54,9 @@ export class History {
     change(this.document);
     return nested || this.commit();
   }
+
+  /** Changes what the last step made, without a step of its own. */
+  amend(change: (document: Document) => void): void { change(this.document); }
 
   undo(): boolean { return this.step(this.past, this.future); }
   redo(): boolean { return this.step(this.future, this.past); }

@@ -1,5 +1,6 @@
 // Two small charts with axes: the objective on a linear scale, the residual on a logarithmic one.
 
+import type { HistoryRow } from 'plateau-client';
 import { el, svg } from '../dom';
 import { humanise, number } from '../text';
 
@@ -75,3 +76,6 @@ function ticks(low: number, high: number, logarithmic: boolean): number[] {
 }
 
 export const phaseName = (phase: string): string => humanise(phase);
+
+export const samplesOf = (rows: HistoryRow[] | undefined | null): Sample[] =>
+  (rows ?? []).map((each) => ({ iteration: each.iteration, phase: each.phase, value: each.area ?? null, residual: each.residual ?? null }));

@@ -35,7 +35,10 @@ function table(stops: string[]): Rgb[] {
   });
 }
 
-const TABLES = { sequential: table(SEQUENTIAL), diverging: table(DIVERGING) };
+/** For lines before a bright ground: the largest value is the darkest, and the smallest is still seen on a membrane. */
+const LINES = SEQUENTIAL.slice(0, 8).reverse();
+
+const TABLES = { sequential: table(SEQUENTIAL), lines: table(LINES), diverging: table(DIVERGING) };
 export type Scale = keyof typeof TABLES;
 
 /** Linear RGB of a fraction from 0 to 1. */

@@ -28,7 +28,7 @@ export class Gizmo {
         const line = sign > 0 ? svg('line', { stroke: COLOURS[axis]! }) : null;
         const circle = svg('circle', { r: sign > 0 ? 8.5 : 5.5, fill: COLOURS[axis]!, 'fill-opacity': sign > 0 ? 1 : 0.35 });
         const tip = svg('g', { tabindex: 0, role: 'button', 'aria-label': `Look from ${sign > 0 ? '' : 'minus '}${name}` }, circle, ...(sign > 0 ? [svg('text', {}, name)] : []));
-        const look = (): void => this.stage.look([direction[0], direction[1], direction[2] + (Math.abs(direction[1]) > 0.5 ? 1e-3 : 0)]);
+        const look = (): void => this.stage.lookAlong([direction[0], direction[1], direction[2] + (Math.abs(direction[1]) > 0.5 ? 1e-3 : 0)]);
         tip.addEventListener('click', look);
         tip.addEventListener('keydown', (event) => { if (['Enter', ' '].includes((event as KeyboardEvent).key)) { event.preventDefault(); look(); } });
         this.arms.push({ direction, line, tip });

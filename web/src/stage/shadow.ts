@@ -39,6 +39,8 @@ export class ContactShadow {
     vertexShader: FLAT, fragmentShader: BLUR, depthTest: false, depthWrite: false, blending: NoBlending,
     uniforms: { picture: { value: null }, step: { value: [0, 0] } },
   });
+  private opacity = 0.5;
+  private faded = false;
   private readonly page = new Mesh(new PlaneGeometry(1, 1), this.blur);
 
   constructor() {
@@ -104,6 +106,13 @@ export class ContactShadow {
   }
 
   style(opacity: number): void {
-    this.plane.material.opacity = opacity;
+    this.opacity = opacity;
+    this.fade(this.faded);
+  }
+
+  /** A film that is out of date has a faint shadow only. */
+  fade(faded: boolean): void {
+    this.faded = faded;
+    this.plane.material.opacity = faded ? 0.25 * this.opacity : this.opacity;
   }
 }

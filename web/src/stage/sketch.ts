@@ -4,7 +4,7 @@
 import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
 import type { Frame } from '../model/frame';
 import { coordinates, isLoose, isShown, type Line, type Vec3 } from '../model/request';
-import { type Lines, retire, wideLines } from './surface';
+import { dashedLines, type Lines, retire, wideLines } from './surface';
 
 export interface PointRef { line: number; point: number }
 export const same = (a: PointRef | null, b: PointRef | null): boolean => a?.line === b?.line && a?.point === b?.point;
@@ -75,8 +75,11 @@ export class Sketch {
     this.material.uniforms.scale!.value = scale;
   }
 
-  /** `cables`: the courses of cables along the lines, and the number of the chosen one. */
-  show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; chosen: number } = { courses: [], chosen: -1 }): void {
+  /**
+   * `cables`: the courses of cables along the lines, the segments that they run along as `line/point`, and the number
+   * of the chosen one.
+   */
+  show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; segments: Set<string>; chosen: number } = { courses: [], segments: new Set(), chosen: -1 }): void {
     const places: Vec3[] = [], refs: PointRef[] = [];
     const segments: number[] = [];
     lines.forEach((line, l) => {
@@ -91,9 +94,9 @@ export class Sketch {
         refs.push({ line: l, point: p });
       });
       if (isLoose(line)) return;
-      const chain = seen.filter((at): at is Vec3 => at !== null);
+      const chain = seen.flatMap((at, p) => (at ? [{ at, p }] : []));
       const last = line.closed && chain.length > 2 ? chain.length : chain.length - 1;
-      for (let i = 0; i < last; i += 1) segments.push(...chain[i]!, ...chain[(i + 1) % chain.length]!);
+      for (let i = 0; i < last; i += 1) if (!cables.segments.has(`${l}/${chain[i]!.p}`)) segments.push(...chain[i]!.at, ...chain[(i + 1) % chain.length]!.at);
     });
     draft?.forEach((point, p) => {
       places.push(frame.toScene(point));
@@ -126,9 +129,12 @@ export class Sketch {
     }
     const chain = (course: Vec3[]): number[] => course.slice(1).flatMap((point, i) => [...course[i]!, ...point]);
     const add = (segments: number[], width: number, color: string): Lines[] => (segments.length > 0 ? [wideLines(new Float32Array(segments), width, color)] : []);
+    // Dashes where cables are given: the result draws each as the curve that it is.
+    const straight = courses.flatMap((course, k) => (k === chosen ? [] : chain(course)));
+    const size = Math.max(1e-9, ...courses.filter((course) => course.length > 1).map((course) => Math.hypot(...course[0]!.map((value, axis) => value - course.at(-1)![axis]!))));
     this.cables = [
-      ...add(courses.flatMap((course, k) => (k === chosen ? [] : chain(course))), 5, this.look.cable),
-      ...add(chain(courses[chosen] ?? []), 8, this.look.cable),
+      ...(straight.length > 0 ? [dashedLines(new Float32Array(straight), 1.6, this.look.cable, size / 40)] : []),
+      ...add(chain(courses[chosen] ?? []), 6, this.look.cable),
     ];
     for (const line of this.cables) {
       // The line of the boundary runs along their middle.
@@ -167,21 +173,25 @@ export class Sketch {
     state.needsUpdate = true;
   }
 
-  /** Lines and points of the moment: the rubber band, the place to insert, the drop line of a lift. */
-  hint(parts: { segments?: Vec3[]; faint?: Vec3[]; ghost?: Vec3 | null }): void {
+  /** Lines and points of the moment: the rubber band, the place to insert, the arrow and the drop line of a lift. */
+  hint(parts: { segments?: Vec3[]; faint?: Vec3[]; lift?: Vec3[]; ghost?: Vec3 | null }): void {
     for (const child of this.extra.children as (Lines | Points<BufferGeometry, ShaderMaterial>)[]) {
       if (child.material === this.material) child.geometry.dispose();
       else retire(child);
     }
     this.extra.clear();
-    const add = (points: Vec3[] | undefined, color: string, opacity: number): void => {
+    const add = (points: Vec3[] | undefined, color: string, opacity: number, width = 1.6): void => {
       if (!points || points.length < 2) return;
-      const lines = wideLines(new Float32Array(points.flat()), 1.6, color, undefined, opacity);
-      lines.renderOrder = 1;
+      const lines = wideLines(new Float32Array(points.flat()), width, color, undefined, opacity);
+      lines.renderOrder = 1 + 0.01 * this.extra.children.length;
+      if (width > 2) Object.assign(lines.material, { depthTest: false, depthWrite: false, transparent: true });
       this.extra.add(lines);
     };
     add(parts.segments, this.look.accent, 0.95);
     add(parts.faint, this.look.soft, 0.8);
+    // The arrow is seen on the film, the ground and the boundary alike.
+    add(parts.lift, this.look.paper, 1, 8);
+    add(parts.lift, this.look.cable, 1, 4.5);
     if (parts.ghost) {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new BufferAttribute(new Float32Array(parts.ghost), 3));

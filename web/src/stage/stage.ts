@@ -14,6 +14,8 @@ CameraControls.install({ THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, 
 
 /** Field of view across the stage's smaller side. */
 const FIELD = 30;
+/** Field of view of a view along an axis. Its rays are parallel to half a pixel over a model's depth. */
+const PARALLEL = 0.04;
 const MOST_PIXELS_PER_PIXEL = 2;
 /** Speed of a pinch, by which fingers that end twice as far apart show the model about twice as large. The wheel does not use it. */
 const PINCH_SPEED = 2.5;
@@ -43,6 +45,8 @@ export class Stage {
   tiles: Tile[] | null = null;
   width = 1;
   height = 1;
+  /** The field of view across the smaller side: that of a person, or nearly none. */
+  private field = FIELD;
   /** Draws so far. */
   frames = 0;
   private dirty = true;
@@ -50,6 +54,8 @@ export class Stage {
   private last = 0;
   private sphere = new Sphere(new Vector3(), 5);
   private wasInside = true;
+  /** Whether nobody has moved the camera since everything was shown. */
+  private fitted = false;
 
   constructor(readonly canvas: HTMLCanvasElement, readonly insets: () => { top: number; right: number; bottom: number; left: number }) {
     this.renderer = makeRenderer(canvas);
@@ -63,6 +69,10 @@ export class Stage {
     const { ACTION } = CameraControls;
     Object.assign(this.controls.mouseButtons, { left: ACTION.ROTATE, right: ACTION.TRUCK, middle: ACTION.TRUCK, wheel: ACTION.NONE });
     for (const event of ['controlstart', 'control', 'transitionstart'] as const) this.controls.addEventListener(event, () => this.wake());
+    this.controls.addEventListener('controlstart', () => {
+      this.fitted = false;
+      if ([ACTION.ROTATE, ACTION.TOUCH_ROTATE].some((action) => action === this.controls.currentAction)) this.leaveParallel();
+    });
     this.controls.addEventListener('rest', () => this.onRest());
     canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -129,7 +139,7 @@ export class Stage {
       renderer.setViewport(tile.left - box.left, box.bottom - tile.bottom, tile.width, tile.height);
       renderer.setScissor(tile.left - box.left, box.bottom - bottom, tile.width, bottom - top);
       this.camera.aspect = tile.width / tile.height;
-      this.camera.fov = verticalField(this.camera.aspect);
+      this.camera.fov = verticalField(this.camera.aspect, this.field);
       this.camera.updateProjectionMatrix();
       this.scene.add(group);
       renderer.render(this.scene, this.camera);
@@ -168,14 +178,18 @@ export class Stage {
       this.renderer.setSize(clientWidth, clientHeight, false);
     }
     this.shape();
-    // What was seen whole stays seen whole.
-    if (this.wasInside && !this.allInside()) this.fit(false);
+    this.keepInside(false);
     this.draw();
+  }
+
+  /** What was seen whole stays seen whole, and as large as there is room for unless somebody has moved the camera. */
+  keepInside(animated: boolean): void {
+    if (this.fitted || (this.wasInside && !this.allInside())) this.fit(animated);
   }
 
   private shape(): void {
     this.camera.aspect = this.width / this.height;
-    this.camera.fov = verticalField(this.camera.aspect);
+    this.camera.fov = verticalField(this.camera.aspect, this.field);
     this.camera.updateProjectionMatrix();
   }
 
@@ -211,7 +225,7 @@ export class Stage {
     const up = from.clone().cross(side);
     const seen = points.length > 0 ? points.map((point) => new Vector3(...point).sub(this.sphere.center)) : corners(this.sphere.radius);
     const { top, right, bottom, left } = this.insets();
-    const tangent = Math.tan((verticalField(this.width / this.height) * Math.PI) / 360);
+    const tangent = Math.tan((verticalField(this.width / this.height, this.field) * Math.PI) / 360);
     // The free part of the picture, in the picture's own coordinates: half its height is `tangent`.
     const pixel = (2 * tangent) / this.height;
     const halfX = Math.max(this.width - left - right, this.width / 4) * pixel / 2;
@@ -238,13 +252,34 @@ export class Stage {
     const shiftX = ((right - left) / 2) * pixel * distance, shiftY = ((top - bottom) / 2) * pixel * distance;
     const target = this.sphere.center.clone().addScaledVector(side, centreX + shiftX).addScaledVector(up, centreY + shiftY);
     this.place({ eye: target.clone().addScaledVector(from, distance).toArray(), target: target.toArray() }, animated);
+    this.fitted = this.wasInside = true;
   }
 
+  /**
+   * The camera; in a parallel view one with perspective that shows the whole depth of the model from the same
+   * direction.
+   */
   pose(): Pose {
-    return { eye: this.controls.getPosition(new Vector3()).toArray(), target: this.controls.getTarget(new Vector3()).toArray() };
+    const target = this.controls.getTarget(new Vector3());
+    const eye = this.controls.getPosition(new Vector3()).sub(target);
+    if (this.isParallel) eye.setLength(eye.length() * nearness(this.field) + this.sphere.radius);
+    eye.add(target);
+    return { eye: eye.toArray(), target: target.toArray() };
+  }
+
+  /** Whether the view is a parallel projection. */
+  get isParallel(): boolean { return this.field === PARALLEL; }
+
+  private leaveParallel(): void {
+    if (!this.isParallel) return;
+    const pose = this.pose();
+    this.field = FIELD;
+    this.shape();
+    this.place(pose, false);
   }
 
   place({ eye, target }: Pose, animated: boolean): void {
+    this.fitted = false;
     const calm = !animated || matchMedia('(prefers-reduced-motion: reduce)').matches;
     void this.controls.setLookAt(...eye, ...target, !calm);
     if (calm) this.controls.update(0);
@@ -253,15 +288,32 @@ export class Stage {
 
   /** Looks from a direction, without a change of the distance. */
   look(direction: Vec3): void {
+    this.leaveParallel();
     this.fit(true, direction);
   }
 
+  /** Shows everything from a direction at once, in perspective. */
+  view(direction: Vec3): void {
+    this.leaveParallel();
+    this.fit(false, direction);
+  }
+
+  /** Looks along an axis, in parallel projection. */
+  lookAlong(direction: Vec3): void {
+    this.field = PARALLEL;
+    this.shape();
+    this.fit(false, direction);
+  }
+
   orbit(azimuth: number, polar: number): void {
+    this.fitted = false;
+    this.leaveParallel();
     void this.controls.rotate(azimuth, polar, true);
     this.wake();
   }
 
   pan(x: number, y: number): void {
+    this.fitted = false;
     const size = this.pixelAt(this.controls.getTarget(new Vector3()));
     void this.controls.truck(-x * size, -y * size, true);
     this.wake();
@@ -280,7 +332,7 @@ export class Stage {
    */
   zoom(x: number, y: number, factor: number): void {
     const target = this.controls.getTarget(new Vector3()), eye = this.controls.getPosition(new Vector3());
-    const span = eye.distanceTo(target) * factor;
+    const span = eye.distanceTo(target) * factor * nearness(this.field);
     if (span < this.sphere.radius * 1e-3 || span > this.sphere.radius * 60) return;
     const ray = this.ray(x, y);
     const hit = this.under(x, y);
@@ -349,8 +401,11 @@ export class Stage {
   }
 }
 
-const verticalField = (aspect: number): number =>
-  (aspect >= 1 ? FIELD : (Math.atan(Math.tan((FIELD * Math.PI) / 360) / aspect) * 360) / Math.PI);
+const verticalField = (aspect: number, field: number): number =>
+  (aspect >= 1 ? field : (Math.atan(Math.tan((field * Math.PI) / 360) / aspect) * 360) / Math.PI);
+
+/** How much nearer the eye of a person's field of view stands to see as much as one of this field. */
+const nearness = (field: number): number => Math.tan((field * Math.PI) / 360) / Math.tan((FIELD * Math.PI) / 360);
 
 const corners = (r: number): Vector3[] => [-1, 1].flatMap((x) => [-1, 1].map((z) => new Vector3(x * r * 0.7, 0, z * r * 0.7)));
 

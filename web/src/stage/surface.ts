@@ -19,6 +19,8 @@ import type { Stage } from './stage';
 const LINE_GRIP = 8;
 /** The head of a reaction's arrow, as fractions of the longest arrow. */
 const HEAD = { length: 0.16, width: 0.06 };
+/** Most reactions whose arrows are labelled. */
+const MOST_TAGS = 16;
 /** More segments than this are drawn one pixel wide. */
 const MOST_WIDE = 20_000;
 
@@ -33,6 +35,21 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
 /** Wide lines in one colour, or in a colour for each end. */
+/**
+ * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one
+ * half, and at 1500 the line covers the drawing's points.
+ */
+const BEFORE = { polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: -400 };
+
+/** Thin dashes of a length on the screen that does not depend on the zoom by much: `dash` is in metres. */
+export function dashedLines(segments: Float32Array, width: number, color: string, dash: number): LineSegments2 {
+  const geometry = new LineSegmentsGeometry().setPositions(segments);
+  const material = new LineMaterial({ color: new Color(color).getHex(), linewidth: width, dashed: true, dashSize: dash, gapSize: dash, toneMapped: false, ...BEFORE });
+  const lines = new LineSegments2(geometry, material);
+  lines.computeLineDistances();
+  return lines;
+}
+
 export function wideLines(segments: Float32Array, width: number, color: string, colours?: Float32Array, opacity = 1): Lines {
   if (segments.length / 6 > MOST_WIDE) {
     const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
@@ -42,7 +59,7 @@ export function wideLines(segments: Float32Array, width: number, color: string, 
   }
   const geometry = new LineSegmentsGeometry().setPositions(segments);
   if (colours) geometry.setColors(colours);
-  const material = new LineMaterial({ color: colours ? 0xffffff : new Color(color).getHex(), linewidth: width, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false });
+  const material = new LineMaterial({ color: colours ? 0xffffff : new Color(color).getHex(), linewidth: width, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false, ...BEFORE });
   return new LineSegments2(geometry, material);
 }
 
@@ -133,7 +150,8 @@ export class Surface {
     const { result, quantity, ghost } = this;
     this.clear();
     if (!result) return;
-    const facets = this.kind !== 'minimal_surface';
+    // Films and fabrics are smooth; strips and lattices have flat pieces.
+    const facets = this.kind === 'ruled_surface' || this.kind === 'uniform_mesh';
     const geometry = new BufferGeometry();
     geometry.setIndex(result.geometry.index);
     geometry.setAttribute('position', result.geometry.attributes.position!);
@@ -185,6 +203,16 @@ export class Surface {
       this.ghost = false;
       this.setGhost(true);
     }
+  }
+
+  /** The tips of the arrows of the largest reactions, largest first, with what each says. */
+  reactions(): { tip: Vec3; text: string }[] {
+    const line = this.layers.reactions ? this.result?.lines.find(({ name }) => name === 'reactions') : undefined;
+    const force = line?.values.find(({ name }) => name === 'force');
+    if (!line || !force) return [];
+    const { x, y, z } = this.group.position;
+    const sizes = Array.from({ length: line.segments.length / 6 }, (_, i) => ({ i, size: force.values[2 * i]! })).sort((a, b) => b.size - a.size).slice(0, MOST_TAGS);
+    return sizes.map(({ i, size }) => ({ tip: [line.segments[6 * i + 3]! + x, line.segments[6 * i + 4]! + y, line.segments[6 * i + 5]! + z], text: `${number(size, 3)} ${force.unit}` }));
   }
 
   /** The nearest point of the surface under a pixel. */

@@ -5,17 +5,22 @@ import type { Frame } from '../model/frame';
 import { addCable, boundaryRemoved, cableAt, pointInserted, pointRemoved, removeCable, stretch } from '../model/cables';
 import type { History } from '../model/history';
 import { at, coordinates, isLoose, isShown, KINDS, type Line, type Request, unitOf, type Vec3 } from '../model/request';
+import { CLICKS, CLOSED, pointsOf, type Shape } from '../model/shapes';
 import { number } from '../text';
 import { type PointRef, same, type Sketch } from './sketch';
 import type { Stage } from './stage';
 import type { Surface } from './surface';
 
 /** Pixels within which the pointer takes hold of a point, of an edge, and snaps while drawing. */
-const GRIP = { point: 11, touch: 24, edge: 8, snap: 12, align: 7 };
+const GRIP = { point: 11, touch: 24, edge: 8, handle: 10, snap: 12, align: 7 };
 /** Pixels that a press may travel and still be a click. */
 const STILL = 4;
+/** The text beside the arrow after the first loop was closed. */
+const PROMPT = 'Pull this corner up';
+/** A loop of more points is a curve, which has no corners to lift. */
+const MOST_CORNERS = 12;
 /** Pixels that the arrow which lifts a point is long. */
-const ARROW = 46;
+const ARROW = 52;
 
 export interface Host {
   readonly history: History;
@@ -30,7 +35,7 @@ export interface Host {
   /** The selection, or what the pointer would do, changed. */
   selectionChanged(): void;
   /** A line of text beside a pixel, or none. */
-  label(text: string | null, x?: number, y?: number): void;
+  label(text: string | null, x?: number, y?: number, anchor?: Vec3): void;
   /** The surface was clicked. */
   read(point: Vector3, face: number, x: number, y: number): void;
   /** A line with a value was clicked. */
@@ -47,17 +52,24 @@ export class Tools {
   selection: PointRef[] = [];
   mode: Mode = 'ground';
   snapping = true;
+  /** What the points that are drawn stand for. */
+  shape: Shape = 'points';
   /** The height, in the request's coordinates, at which points are drawn. */
   level = 0;
   /** Where the next point of the drawing would be. */
   private next: Snap | null = null;
   private hover: PointRef | null = null;
-  private ghost: { line: number; after: number; point: Vec3 } | null = null;
+  /** The handle in the middle of an edge, at which a point is added; `held` while the pointer is on it. */
+  private ghost: { line: number; after: number; point: Vec3; held: boolean } | null = null;
+  /** Whether the arrow asks to be pulled, after the first loop was closed. */
+  private prompting = false;
   private busy = false;
   /** Whether a click on a boundary makes a cable there. */
   cabling = false;
   /** The cable that was clicked; -1 for none. */
   cable = -1;
+  /** Places that are measured between, in the request's coordinates; null if nothing is measured. */
+  private measured: Vec3[] | null = null;
   /** The point at which a cable of several segments begins. */
   private cableFrom: PointRef | null = null;
   private marquee: HTMLElement;
@@ -97,6 +109,7 @@ export class Tools {
 
   /** Whether cables can be drawn: they run along the boundaries of tensile structures. */
   get mayCable(): boolean { return this.host.history.document.kind === 'tensile_structure' && !this.host.fixed; }
+  get measuring(): boolean { return this.measured !== null; }
   get drawing(): boolean { return this.host.history.document.draft !== null; }
   get only(): PointRef | null { return this.selection.length === 1 ? this.selection[0]! : null; }
 
@@ -104,6 +117,10 @@ export class Tools {
 
   select(refs: PointRef[]): void {
     this.selection = refs;
+    if (this.prompting) {
+      this.prompting = false;
+      this.host.label(null);
+    }
     if (refs.length > 0) this.cable = -1;
     this.refresh();
     this.host.selectionChanged();
@@ -164,10 +181,10 @@ export class Tools {
     return hidden ? null : ref;
   }
 
-  /** `whole`: near its ends too, and however short it is seen. */
+  /** The edge at a pixel, with its middle. `whole`: near its ends too, and however short it is seen. */
   private nearestEdge(x: number, y: number, whole = false): typeof this.ghost {
     const { stage, lines, frame } = this.host;
-    let best: { line: number; after: number; point: Vec3; distance: number } | null = null;
+    let best: { line: number; after: number; point: Vec3; held: boolean; distance: number } | null = null;
     lines.forEach((line, l) => {
       if (isLoose(line) || line.name.startsWith('control')) return;
       const points = line.points.map(coordinates);
@@ -180,31 +197,22 @@ export class Tools {
         if (!p.visible || !q.visible || length < (whole ? 1 : 900)) continue;
         const along = ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length;
         const t = whole ? Math.min(0.9, Math.max(0.1, along)) : along;
-        const distance = Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
+        const point = a.map((value, axis) => settle((value + b[axis]!) / 2)) as Vec3;
+        const middle = stage.project(frame.toScene(point));
+        const held = Math.hypot(middle.x - x, middle.y - y) <= GRIP.handle;
+        const distance = held ? 0 : Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
         if (t < 0.08 || t > 0.92 || distance > GRIP.edge || (best && distance >= best.distance)) continue;
-        // The fraction on the screen is not the fraction in space: the point on the edge nearest to the pointer's ray is.
-        const s = this.alongEdge(a, b, x, y);
-        best = { line: l, after: i, distance, point: a.map((value, axis) => value + s * (b[axis]! - value)) as Vec3 };
+        best = { line: l, after: i, point, held, distance };
       }
     });
     return best;
-  }
-
-  private alongEdge(a: Vec3, b: Vec3, x: number, y: number): number {
-    const { stage, frame } = this.host;
-    const from = new Vector3(...frame.toScene(a)), along = new Vector3(...frame.toScene(b)).sub(from);
-    const { origin, direction } = stage.ray(x, y);
-    const w = from.clone().sub(origin);
-    const uu = along.dot(along), uv = along.dot(direction), uw = along.dot(w), vw = direction.dot(w);
-    const determinant = uu - uv * uv;
-    return determinant > 1e-12 * uu ? Math.min(0.98, Math.max(0.02, (uv * vw - uw) / determinant)) : 0.5;
   }
 
   private arrow(): { from: Vector3; to: Vector3 } | null {
     const { only } = this;
     const { stage, frame, lines } = this.host;
     const point = only && coordinates(lines[only.line]?.points[only.point]);
-    if (!point || this.drawing || this.cabling) return null;
+    if (!point || this.drawing || this.cabling || this.measured) return null;
     const from = new Vector3(...frame.toScene(point));
     const length = ARROW * stage.pixelAt(from);
     return { from, to: from.clone().addScaledVector(this.liftAxis(), length) };
@@ -225,7 +233,7 @@ export class Tools {
     if (length < 12) return false;
     const t = ((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / (length * length);
     const off = Math.abs((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) / length;
-    return t > 0.4 && t < 1.2 && off < 8;
+    return t > 0.35 && t < 1.25 && off < 11;
   }
 
   // ---- Pointer ----
@@ -241,6 +249,13 @@ export class Tools {
       stage.invalidate();
       return;
     }
+    if (this.measured) {
+      this.hover = this.nearestPoint(x, y, GRIP.point);
+      this.ghost = null;
+      stage.canvas.style.cursor = 'crosshair';
+      this.refresh();
+      return;
+    }
     if (this.cabling) {
       this.hover = this.nearestPoint(x, y, GRIP.point);
       this.ghost = this.hover ? null : this.nearestEdge(x, y, true);
@@ -254,7 +269,7 @@ export class Tools {
     const changed = !same(hover, this.hover) || JSON.stringify(ghost) !== JSON.stringify(this.ghost);
     this.hover = hover;
     this.ghost = ghost;
-    stage.canvas.style.cursor = onArrow ? 'ns-resize' : hover ? 'grab' : ghost ? 'copy' : '';
+    stage.canvas.style.cursor = onArrow ? 'ns-resize' : hover ? 'grab' : ghost?.held ? 'copy' : '';
     if (changed) {
       this.refresh();
       host.selectionChanged();
@@ -280,6 +295,10 @@ export class Tools {
       });
       return;
     }
+    if (this.measured) {
+      this.onRelease(event, (x, y, travelled) => { if (travelled <= STILL) this.measureAt(x, y); });
+      return;
+    }
     if (this.cabling) {
       this.onRelease(event, (x, y, travelled) => { if (travelled <= STILL) this.clickCable(x, y, touch); });
       return;
@@ -294,9 +313,9 @@ export class Tools {
       return;
     }
     const ghost = touch ? null : this.nearestEdge(start.x, start.y);
-    if (ghost && !event.shiftKey) {
+    if (ghost?.held && !event.shiftKey) {
       host.history.begin();
-      this.insertAt(ghost.line, ghost.after, this.tidy(ghost.point));
+      this.insertAt(ghost.line, ghost.after, ghost.point);
       host.changed(true);
       this.drag(event, { line: ghost.line, point: ghost.after + 1 }, this.mode);
       return;
@@ -398,7 +417,11 @@ export class Tools {
     const start = coordinates(held);
     if (!start) return;
     const chosen = this.selection.some((each) => same(each, ref));
-    if (!chosen) this.select(event.shiftKey ? [...this.selection, ref] : [ref]);
+    // Shift adds a point to the selection by a click, and lifts it by a drag, which moves no other point unless it
+    // was chosen before.
+    const before = this.selection;
+    if (!chosen) this.select([ref]);
+    this.prompting = false;
     const group = this.selection.map((each) => ({ ref: each, from: coordinates(host.lines[each.line]!.points[each.point]) ?? start }));
     const place = new Vector3(...frame.toScene(start));
     const seen = stage.project(place.toArray());
@@ -410,7 +433,7 @@ export class Tools {
       const { x, y } = stage.local(next);
       if (!moved && Math.hypot(x - from.x, y - from.y) < 2) return;
       moved = true;
-      const vertical = (mode === 'height') !== (next.shiftKey && !event.shiftKey);
+      const vertical = (mode === 'height') !== next.shiftKey;
       const target = vertical ? this.raised(place, y - from.y) : this.grounded(place, x - grip.x, y - grip.y);
       if (!target) return;
       let aim = this.rounded(target, start);
@@ -425,10 +448,13 @@ export class Tools {
       this.lifting = false;
       host.label(null);
       if (!moved && last.type === 'pointerup') {
-        if (event.shiftKey && chosen) this.select(this.selection.filter((each) => !same(each, ref)));
-        else if (!event.shiftKey) this.select([ref]);
+        if (!event.shiftKey) this.select([ref]);
+        else this.select(chosen ? before.filter((each) => !same(each, ref)) : [...before, ref]);
       }
-      if (history.commit()) host.changed(false);
+      if (history.commit()) {
+        host.changed(false);
+        this.tellMoved();
+      }
     }, () => {
       this.lifting = false;
       host.label(null);
@@ -484,11 +510,6 @@ export class Tools {
     return found.map((value, axis) => (Math.abs(value - start[axis]!) <= still ? start[axis]! : settle(Math.round(value / step) * step))) as Vec3;
   }
 
-  private tidy(point: Vec3): Vec3 {
-    const { frame } = this.host;
-    return this.rounded(new Vector3(...frame.toScene(point)), [NaN, NaN, NaN]);
-  }
-
   /** Another line's point under the pointer. */
   private onto(x: number, y: number, moving: PointRef[]): Vec3 | null {
     const { stage, sketch, lines } = this.host;
@@ -501,6 +522,45 @@ export class Tools {
     return ref ? coordinates(lines[ref.line]!.points[ref.point]) : null;
   }
 
+  // ---- Measuring ----
+
+  startMeasuring(): void {
+    this.stopDrawing();
+    this.stopCabling();
+    this.measured = [];
+    this.select([]);
+    this.host.stage.canvas.focus({ preventScroll: true });
+  }
+
+  stopMeasuring(): void {
+    if (!this.measured) return;
+    this.measured = null;
+    this.host.label(null);
+    this.host.stage.canvas.style.cursor = '';
+    this.refresh();
+    this.host.selectionChanged();
+  }
+
+  /** Takes a point, a place of the surface or of the ground as an end; a third one begins anew. */
+  private measureAt(x: number, y: number): void {
+    const { stage, frame, lines, surface } = this.host;
+    const ref = this.nearestPoint(x, y, GRIP.point);
+    const ground = new Vector3(0, stage.grid.mesh.position.y, 0);
+    const hit = surface.pick(stage, x, y)?.point ?? stage.onPlane(x, y, ground, new Vector3(0, 1, 0));
+    const place = (ref && coordinates(lines[ref.line]!.points[ref.point])) ?? (hit && frame.fromScene(hit.toArray()));
+    if (!place) return;
+    this.measured = this.measured!.length === 1 ? [this.measured![0]!, place] : [place];
+    const [from, to] = this.measured;
+    if (from && to) {
+      const delta = to.map((value, axis) => value - from[axis]!);
+      const text = `${number(Math.hypot(...delta), 4)} ${unitOf(this.host.history.document.request)}`;
+      const middle = frame.toScene(from.map((value, axis) => (value + to[axis]!) / 2) as Vec3);
+      this.host.label(`${text} (${delta.map((value, axis) => `${'xyz'[axis]} ${number(Number(value.toPrecision(4)), 4)}`).join(', ')})`, 0, 0, middle);
+      this.host.announce(text);
+    } else this.host.label(null);
+    this.refresh();
+  }
+
   // ---- Cables along boundaries ----
 
   private get cables(): number { return (this.host.history.document.request.cables as unknown[] | undefined)?.length ?? 0; }
@@ -508,6 +568,7 @@ export class Tools {
   startCabling(): void {
     if (!this.mayCable) return;
     this.stopDrawing();
+    this.stopMeasuring();
     this.cabling = true;
     this.select([]);
     this.host.selectionChanged();
@@ -615,7 +676,18 @@ export class Tools {
         if (was) this.write(ref, was.map((value, axis) => settle(value + delta[axis]!)) as Vec3);
       }
     });
-    if (done) this.host.changed(false);
+    if (!done) return;
+    this.host.changed(false);
+    this.tellMoved();
+  }
+
+  /** Announces where the selected points are after they moved. */
+  private tellMoved(): void {
+    const { only, host } = this;
+    const line = only && host.lines[only.line];
+    const place = line && coordinates(line.points[only.point]);
+    if (line && place) host.announce(`${line.name}, point ${only.point + 1}: moved to ${place.map((value) => number(value, 6)).join(', ')} ${unitOf(host.history.document.request)}`);
+    else if (this.selection.length > 0) host.announce(`${this.selection.length} points moved`);
   }
 
   /** Sets one coordinate of the selected points. */
@@ -627,7 +699,9 @@ export class Tools {
         this.write(ref, was);
       }
     });
-    if (done) this.host.changed(false);
+    if (!done) return;
+    this.host.changed(false);
+    this.tellMoved();
   }
 
   /** The length of the edge before the selected point, which moves along that edge. */
@@ -645,7 +719,9 @@ export class Tools {
     const { only } = this;
     if (!edge || !only || !(length > 0) || edge.length === 0) return;
     const to = edge.previous.map((value, axis) => settle(value + ((edge.point[axis]! - value) * length) / edge.length)) as Vec3;
-    if (this.host.history.edit(() => this.write(only, to))) this.host.changed(false);
+    if (!this.host.history.edit(() => this.write(only, to))) return;
+    this.host.changed(false);
+    this.tellMoved();
   }
 
   /** Normals and tangents that a request gives for the points of a line: they come and go with the points. */
@@ -727,6 +803,8 @@ export class Tools {
     const { history, stage, lines, frame } = this.host;
     if (this.drawing || KINDS[history.document.kind].lines.length === 0) return;
     this.stopCabling();
+    this.stopMeasuring();
+    if (!this.shapes.includes(this.shape)) this.shape = 'points';
     history.edit((document) => { document.draft = []; });
     this.select([]);
     const heights = lines.flatMap((line) => line.points.map((point) => coordinates(point)?.[frame.up] ?? Infinity));
@@ -742,13 +820,13 @@ export class Tools {
   stopDrawing(): void {
     if (!this.drawing) return;
     this.host.history.edit((document) => { document.draft = null; });
-    this.next = null;
-    this.host.label(null);
-    this.host.stage.canvas.style.cursor = '';
-    this.host.changed(false);
+    this.endLine();
   }
 
-  get least(): number { return KINDS[this.host.history.document.kind].least; }
+  /** Points that end a line at least. */
+  get least(): number { return CLICKS[this.shape] ?? KINDS[this.host.history.document.kind].least; }
+  /** Shapes that the lines of this kind may have: a rail is open. */
+  get shapes(): Shape[] { return (['points', 'curve', 'arc', 'rectangle', 'circle'] as const).filter((shape) => KINDS[this.host.history.document.kind].line !== 'rail' || !CLOSED.includes(shape)); }
 
   /** Adds a point to the line that is being drawn; a snap to its first point ends the line. */
   place(snap: Snap | null): void {
@@ -757,15 +835,23 @@ export class Tools {
       this.finishDrawing();
       return;
     }
-    this.host.history.edit((document) => { document.draft!.push(snap.point); });
-    this.host.changed(false);
+    const { history } = this.host;
+    const isLast = history.document.draft!.length + 1 === CLICKS[this.shape];
+    // The last point of a shape and the shape itself are one step of undo.
+    if (isLast) history.begin();
+    history.edit((document) => { document.draft!.push(snap.point); });
+    if (isLast) {
+      this.finishDrawing();
+      history.commit();
+    } else this.host.changed(false);
   }
 
   finishDrawing(): boolean {
     const { host } = this;
     const { history } = host;
-    const points = history.document.draft;
-    if (!points || points.length < this.least) return false;
+    const { draft, kind: drawn } = history.document;
+    if (!draft || draft.length < this.least) return false;
+    const points = pointsOf(this.shape, draft, host.frame.up, KINDS[drawn].line !== 'rail');
     history.edit((document) => {
       const { kind, request } = document;
       const { lines } = KINDS[kind];
@@ -776,11 +862,34 @@ export class Tools {
         else ((domain.polygon ? (domain.holes ??= []) : (domain.boundaries ??= [])) as unknown[]).push(points);
       } else ((request[lines[0]!] ??= []) as unknown[]).push(points);
     });
+    this.endLine();
+    this.askForLift();
+    return true;
+  }
+
+  /** After a line was finished or given up. The keyboard goes on at the stage. */
+  private endLine(): void {
+    const { host } = this;
     this.next = null;
     host.label(null);
     host.stage.canvas.style.cursor = '';
+    host.stage.canvas.focus({ preventScroll: true });
     host.changed(false);
-    return true;
+  }
+
+  /** The first loop of a film is flat: its nearest corner is chosen, with the arrow that lifts it. */
+  private askForLift(): void {
+    const { host } = this;
+    const { kind } = host.history.document;
+    const [line, ...others] = host.lines;
+    const places = line?.points.map(coordinates) ?? [];
+    const up = host.frame.up;
+    if (!line || others.length > 0 || places.length > MOST_CORNERS || (kind !== 'minimal_surface' && kind !== 'tensile_structure') || places.some((place) => place?.[up] !== places[0]?.[up])) return;
+    const eye = host.stage.camera.position;
+    const away = places.map((place) => eye.distanceTo(new Vector3(...host.frame.toScene(place ?? [0, 0, 0]))));
+    this.select([{ line: 0, point: away.indexOf(Math.min(...away)) }]);
+    this.prompting = true;
+    host.stage.invalidate();
   }
 
   /** A length along the present direction, `x, y, z`, or `@dx, dy, dz` from the last point. */
@@ -814,7 +923,7 @@ export class Tools {
   private snap(x: number, y: number, free: boolean): Snap | null {
     const { stage, sketch, lines, frame, history } = this.host;
     const draft = history.document.draft ?? [];
-    const closing = draft.length >= this.least && KINDS[history.document.kind].line !== 'rail' ? draft[0] : null;
+    const closing = draft.length >= this.least && !CLICKS[this.shape] && KINDS[history.document.kind].line !== 'rail' ? draft[0] : null;
     if (closing) {
       const first = stage.project(frame.toScene(closing));
       if (Math.hypot(first.x - x, first.y - y) < GRIP.snap) return { point: closing, how: 'closes the loop', close: true };
@@ -873,31 +982,46 @@ export class Tools {
     const { sketch, stage, frame, history, lines } = this.host;
     const half = Math.tan((stage.camera.fov * Math.PI) / 360);
     sketch.setPixel((2 * half) / stage.height, stage.renderer?.getPixelRatio() ?? 1);
-    const segments: Vec3[] = [], faint: Vec3[] = [];
+    const segments: Vec3[] = [], faint: Vec3[] = [], lift: Vec3[] = [];
     let ghost: Vec3 | null = null;
     const { draft } = history.document;
     if (draft && this.next) {
       const to = frame.toScene(this.next.point);
       ghost = to;
-      if (draft.length > 0) segments.push(frame.toScene(draft.at(-1)!), to);
-      if (draft.length > 1 && KINDS[history.document.kind].line !== 'rail') faint.push(to, frame.toScene(draft[0]!));
+      const closed = KINDS[history.document.kind].line !== 'rail';
+      if (draft.length > 0 && this.shape === 'points') segments.push(frame.toScene(draft.at(-1)!), to);
+      if (draft.length > 1 && closed && this.shape === 'points') faint.push(to, frame.toScene(draft[0]!));
+      if (draft.length > 0 && this.shape !== 'points') {
+        const seen = pointsOf(this.shape, [...draft, this.next.point], frame.up, closed).map((point) => frame.toScene(point));
+        const ends = closed ? [...seen, seen[0]!] : seen;
+        segments.push(...ends.slice(1).flatMap((point, i) => [ends[i]!, point]));
+      }
+    } else if (this.measured) {
+      const places = this.measured.map((place) => frame.toScene(place));
+      if (places.length === 1) ghost = places[0]!;
+      else lift.push(...places);
     } else if (this.cabling) segments.push(...this.cableHint());
     else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
     const arrow = this.arrow();
+    if (this.prompting && !arrow) {
+      this.prompting = false;
+      this.host.label(null);
+    }
     if (arrow) {
       const tip = arrow.to.toArray();
       const side = new Vector3(1, 0, 0).applyQuaternion(stage.camera.quaternion);
       const size = arrow.from.distanceTo(arrow.to);
       const base = arrow.to.clone().addScaledVector(arrow.to.clone().sub(arrow.from), -0.24);
-      segments.push(arrow.from.toArray(), tip);
-      for (const sign of [-1, 1]) segments.push(base.clone().addScaledVector(side, sign * 0.14 * size).toArray(), tip);
+      if (this.prompting) this.host.label(PROMPT, 0, 0, tip);
+      lift.push(arrow.from.toArray(), tip);
+      for (const sign of [-1, 1]) lift.push(base.clone().addScaledVector(side, sign * 0.14 * size).toArray(), tip);
       const { only } = this;
       const point = coordinates(lines[only!.line]!.points[only!.point])!;
       const foot: Vec3 = [...frame.toScene(point)];
       foot[1] = stage.grid.mesh.position.y;
       if (this.lifting || Math.abs(foot[1] - arrow.from.y) > size * 0.3) faint.push(arrow.from.toArray(), foot);
     }
-    sketch.hint({ segments, faint, ghost });
+    sketch.hint({ segments, faint, lift, ghost });
   }
 
   // ---- Keyboard ----
@@ -934,6 +1058,7 @@ export class Tools {
     else if (event.key === '[') this.step(-1);
     else if (event.key === '+' || event.key === '=') stage.zoom(stage.width / 2, stage.height / 2, 0.85);
     else if (event.key === '-' && !this.drawing) stage.zoom(stage.width / 2, stage.height / 2, 1 / 0.85);
+    else if (event.key === 'Escape' && this.measured) this.stopMeasuring();
     else if (event.key === 'Escape' && chosen) this.select([]);
     else return;
     event.preventDefault();

@@ -1,0 +1,172 @@
+// Looking at a result: parallel views, colours in which the largest force is seen best, lines that say one thing
+// each, and panels that cut nothing off and hide nothing of the model.
+
+import assert from 'node:assert/strict';
+import { atRest, drag, onStage, points, showPanel, solved, test, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+
+/** How far apart two places of equal plan are seen, 3 m one above the other. */
+const parallax = (page) => page.evaluate(() => {
+  const [a, b] = [[1, 1, 0], [1, 1, 3]].map((place) => window.studio.project(place));
+  return Math.hypot(a.x - b.x, a.y - b.y);
+});
+const luminance = ([r, g, b]) => [r, g, b].map((value) => value / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+const contrast = (a, b) => {
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (high + 0.05) / (low + 0.05);
+};
+/** Pixels of the stage of nearly one colour. */
+const count = (page, colour) => page.evaluate(([r, g, b]) => {
+  window.studio.draw();
+  const view = document.querySelector('#view');
+  const copy = Object.assign(document.createElement('canvas'), { width: view.width, height: view.height });
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(view, 0, 0);
+  const { data } = context.getImageData(0, 0, view.width, view.height);
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 250 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24) found += 1;
+  return found;
+}, colour);
+
+test.quick('Top, Front and Side are parallel projections, until the view is turned', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  assert.ok(await parallax(page) > 20);
+  await page.click('[data-view="top"]');
+  await atRest(page);
+  assert.ok(await parallax(page) < 1, 'points of equal plan lie on one pixel');
+  await page.click('[data-view="front"]');
+  await atRest(page);
+  const seen = await points(page);
+  const width = Math.max(...seen.map(({ x }) => x)) - Math.min(...seen.map(({ x }) => x));
+  const [low, high] = await page.evaluate(() => [[0, 0, 1], [0, 8, 1]].map((place) => window.studio.project(place)));
+  assert.ok(Math.abs(low.x - high.x) < 1 && Math.abs(low.y - high.y) < 1, 'depth is not seen');
+  await drag(page, { x: 40, y: 400 }, { x: 140, y: 340 });
+  await atRest(page);
+  assert.equal(await page.evaluate(() => window.studio.isParallel()), false);
+  const extent = async () => {
+    const xs = (await points(page)).map(({ x }) => x);
+    return [Math.min(...xs), Math.max(...xs)];
+  };
+  const [left, right] = await extent();
+  assert.ok(right - left > 0.5 * width && right - left < 2 * width, `as large as before, ${right - left} of ${width} pixels`);
+  assert.ok((left + right) / 2 > 300 && (left + right) / 2 < 660, 'in the middle of the stage');
+  // The next visit shows as much from the same side, in perspective.
+  await page.click('[data-view="front"]');
+  await atRest(page);
+  await page.goto(`${studio.url}/`);
+  await solved(page);
+  const [from, to] = await extent();
+  assert.ok(Math.abs((to - from) / width - 1) < 0.35, `${to - from} of ${width} pixels`);
+});
+
+test('a lift in a parallel view follows the pointer', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await page.click('[data-view="front"]');
+  await atRest(page);
+  const seen = await points(page);
+  // The upper corner on the left, whose arrow lies beside no other control.
+  const top = seen.findIndex(({ x, y }) => x < 400 && y < 250);
+  await page.mouse.click(...await onStage(page, seen[top]));
+  const [{ point }] = await page.evaluate(() => window.studio.selection());
+  const grip = (await points(page))[point];
+  await drag(page, { x: grip.x, y: grip.y - 42 }, { x: grip.x, y: grip.y - 82 });
+  await solved(page);
+  const after = (await points(page))[point];
+  assert.ok(Math.abs(grip.y - after.y - 40) < 3, `${grip.y - after.y} pixels`);
+});
+
+test('the largest force is the line that is seen best, before a bright ground and a dark one', async () => {
+  const { page } = studio;
+  await studio.open('four-point-sail');
+  const ends = () => page.evaluate(() => [...document.querySelector('#scale-bar').style.background.matchAll(/rgb\((\d+),? (\d+),? (\d+)\)/g)].map(([, ...rgb]) => rgb.map(Number)));
+  for (const [grounds, theme] of [[[[242, 238, 230], [238, 240, 238]], 'light'], [[[26, 32, 35]], 'dark']]) {
+    if (theme === 'dark') await page.click('#theme');
+    const colours = await ends();
+    for (const ground of grounds) {
+      const [low, high] = [contrast(colours[0], ground), contrast(colours.at(-1), ground)];
+      assert.ok(high > 4.5 && high > low, `${theme}: ${high.toFixed(2)} for the largest force, ${low.toFixed(2)} for the smallest`);
+    }
+  }
+});
+
+test('cables are drawn as the curves that they are, and where they were given as thin dashes', async () => {
+  const { page } = studio;
+  await studio.open('four-point-sail');
+  const orange = await count(page, [180, 86, 31]), teal = await count(page, [10, 108, 126]);
+  assert.ok(orange > 50, 'the dashes are seen');
+  assert.ok(orange < 1500, `${orange} pixels: thin dashes`);
+  assert.ok(teal < 600, `${teal} pixels of the boundary's colour: the rims of the points`);
+});
+
+test('no choice is cut off, and the legend leaves the model free', async () => {
+  const { page } = studio;
+  for (const [width, height] of [[1440, 900], [1280, 720], [390, 844]]) {
+    await page.setViewportSize({ width, height });
+    for (const example of ['four-point-sail', 'tent']) {
+      await studio.open(example);
+      await showPanel(page, 'setup');
+      await page.selectOption('#quantity', { index: 1 });
+      await atRest(page);
+      const cut = await page.locator('select:visible').evaluateAll((selects) => selects.filter((select) => {
+        const context = document.createElement('canvas').getContext('2d');
+        const style = getComputedStyle(select);
+        context.font = style.font;
+        // The arrow takes 18 pixels.
+        return context.measureText(select.selectedOptions[0]?.text ?? '').width > select.clientWidth - parseFloat(style.paddingLeft) - 18;
+      }).map((select) => `${select.id || select.name} “${select.selectedOptions[0].text}”`));
+      assert.deepEqual(cut, [], `${example} at ${width}`);
+      const [look, view] = [await page.locator('#look').boundingBox(), await page.locator('#view').boundingBox()];
+      const under = (await points(page)).filter(({ x, y }) => x + view.x > look.x && x + view.x < look.x + look.width && y + view.y > look.y);
+      assert.equal(under.length, 0, `${under.length} points of ${example} lie under the legend at ${width}`);
+    }
+  }
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await studio.open('four-point-sail');
+  const [bar, card] = [await page.locator('#scale-bar').boundingBox(), await page.locator('#look').boundingBox()];
+  assert.ok(bar.width > card.width - 40, 'the scale fills its card');
+});
+
+test.quick('the scale bar is as long as it says, in every view', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  for (const view of ['top', 'fit']) {
+    await page.click(`[data-view="${view}"]`);
+    await atRest(page);
+    const [, length, unit] = /^([\d.,]+) (\w+)$/.exec(await page.textContent('#scale-line'));
+    assert.equal(unit, 'm');
+    const { width } = await page.locator('#scale-line').boundingBox();
+    assert.ok(width > 40 && width < 132);
+    if (view === 'fit') continue;
+    const scale = await page.evaluate(() => window.studio.project([8, 4, 0]).x - window.studio.project([0, 4, 0]).x) / 8;
+    assert.ok(Math.abs(width / (Number(length) * scale) - 1) < 0.02, `${length} m in ${width} pixels`);
+  }
+  for (const size of [{ width: 390, height: 844 }, { width: 960, height: 800 }, { width: 1280, height: 720 }]) {
+    await page.setViewportSize(size);
+    await page.selectOption('#quantity', { index: 1 });
+    await atRest(page);
+    const [bar, look] = [await page.locator('#scale-line').boundingBox(), await page.locator('#look').boundingBox()];
+    assert.ok(bar.x > look.x + look.width || bar.y + bar.height < look.y, `clear of the legend at ${size.width}`);
+  }
+});
+
+test('two clicks measure a distance, which stays when the view turns, and Escape ends it', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const before = JSON.stringify(await page.evaluate(() => window.studio.request()));
+  await page.click('#measure');
+  assert.match(await page.textContent('#hint'), /distance stands between them/);
+  const seen = await points(page);
+  await page.mouse.click(...await onStage(page, seen[0]));
+  await page.mouse.click(...await onStage(page, seen[1]));
+  assert.match(await page.textContent('#label'), /^8\.544 m \(x 8, y 0, z 3\)$/);
+  assert.equal(await page.textContent('#announcement'), '8.544 m');
+  await drag(page, { x: 40, y: 300 }, { x: 90, y: 300 });
+  assert.equal(await page.isVisible('#label'), true);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#label'), false);
+  assert.equal(await page.getAttribute('#measure', 'aria-pressed'), 'false');
+  assert.equal(JSON.stringify(await page.evaluate(() => window.studio.request())), before, 'nothing is changed by it');
+});
