@@ -46,7 +46,7 @@ class AsyncResult(Mesh[Statistics]):
 
     async def lines(self) -> Dict[str, List[npt.NDArray[np.int64]]]:
         """The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices into `vertices`."""
-        return await self._client._run(flows.lines(self.id, self._client.patience))
+        return await self._client._run(flows.lines(self.id, self._client._patience))
 
 
 class AsyncJob:
@@ -66,7 +66,7 @@ class AsyncJob:
 
     async def refresh(self) -> api.Job:
         """Asks the server for the job's present state."""
-        self.info = await self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client.patience))
+        self.info = await self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client._patience))
         return self.info
 
     async def wait(
@@ -78,7 +78,7 @@ class AsyncJob:
         """
         watch = Watch(on_progress, bar)
         try:
-            flow = flows.wait(self.info, watch, flows.deadline(timeout), self._client.patience)
+            flow = flows.wait(self.info, watch, flows.deadline(timeout), self._client._patience)
             self.info = await self._client._run(flow)
         finally:
             watch.close()
@@ -86,7 +86,7 @@ class AsyncJob:
 
     async def result(self) -> AsyncResult[Any]:
         """The mesh of a job that has ended."""
-        return await self._client._run(flows.mesh(self._client._result, self.info, self._client.patience))
+        return await self._client._run(flows.mesh(self._client._result, self.info, self._client._patience))
 
     async def cancel(self) -> api.Job:
         """Cancels the job; a job that has ended stays as it is."""
@@ -95,7 +95,7 @@ class AsyncJob:
 
     async def delete(self) -> None:
         """Removes the job and its mesh from the server."""
-        await self._client._run(flows.call(flows.Call("DELETE", f"v1/jobs/{self.id}"), self._client.patience))
+        await self._client._run(flows.call(flows.Call("DELETE", f"v1/jobs/{self.id}"), self._client._patience))
 
     def __repr__(self) -> str:
         return f"<job {self.id}: {self.info['kind']}, {self.status}>"
@@ -106,7 +106,8 @@ class AsyncPlateau:
 
     `url` defaults to the environment's PLATEAU_URL, then http://127.0.0.1:8080; `api_key` to PLATEAU_API_KEY. A path in
     the URL is the server's public base path. `patience`: seconds for which a request is tried again while
-    the server is busy. `timeout` limits each request, in seconds.
+    the server cannot be reached or is busy. The default is 60, and 4 for an address that was never reached. `timeout`
+    limits each request, in seconds.
     Use it as an async context manager, or call `close`.
     """
 
@@ -115,12 +116,12 @@ class AsyncPlateau:
         url: Optional[str] = None,
         *,
         api_key: Optional[str] = None,
-        patience: float = 60.0,
+        patience: Optional[float] = None,
         timeout: float = 30.0,
         transport: Optional[httpx.AsyncBaseTransport] = None,
     ) -> None:
         self.url = (url or os.environ.get("PLATEAU_URL") or "http://127.0.0.1:8080").rstrip("/")
-        self.patience = patience
+        self._patience = flows.Patience(patience)
         self._timeout = timeout
         key = api_key or os.environ.get("PLATEAU_API_KEY")
         headers = {"Authorization": f"Bearer {key}"} if key else {}
@@ -215,7 +216,7 @@ class AsyncPlateau:
     async def submit(self, request: Mapping[str, Any], *, idempotency_key: Optional[str] = None) -> AsyncJob:
         """Submits a request with its `kind` in it and returns the job at once. `requests` makes such requests."""
         key = idempotency_key or uuid.uuid4().hex
-        return AsyncJob(self, await self._run(flows.submit(dict(request), key, 0, self.patience)))
+        return AsyncJob(self, await self._run(flows.submit(dict(request), key, 0, self._patience)))
 
     def live(self) -> Live:
         """For dragging: of the requests that are solved through it only the newest counts."""
@@ -223,12 +224,25 @@ class AsyncPlateau:
 
     async def job(self, job_id: str) -> AsyncJob:
         """A job by its id."""
-        return AsyncJob(self, await self._run(flows.get_json(f"v1/jobs/{job_id}", self.patience)))
+        return AsyncJob(self, await self._run(flows.get_json(f"v1/jobs/{job_id}", self._patience)))
+
+    async def resume(
+        self,
+        job_id: str,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+    ) -> AsyncResult[Any]:
+        """Waits for a job of an earlier call and returns its mesh. Every error has the id as `job_id`."""
+        with flows.about(job_id):
+            job = await self.job(job_id)
+            return await job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
 
     async def jobs(self, **filters: Any) -> AsyncIterator[api.JobSummary]:
         """All jobs, newest first, page by page; `status`, `kind` and `idempotency_key` choose among them."""
         while True:
-            page = await self._run(flows.get_json("v1/jobs", self.patience, filters))
+            page = await self._run(flows.get_json("v1/jobs", self._patience, filters))
             for job in page["jobs"]:
                 yield job
             if not page.get("next_cursor"):
@@ -237,19 +251,19 @@ class AsyncPlateau:
 
     async def download(self, job_id: str, format: str = "glb") -> bytes:
         """A file of a job that has succeeded."""
-        return await self._run(flows.download(job_id, format, self.patience))
+        return await self._run(flows.download(job_id, format, self._patience))
 
     async def objectives(self) -> api.ObjectiveList:
         """What can be asked for."""
-        return cast("api.ObjectiveList", await self._run(flows.get_json("v1/objectives", self.patience)))
+        return cast("api.ObjectiveList", await self._run(flows.get_json("v1/objectives", self._patience)))
 
     async def limits(self) -> api.Limits:
         """How large requests to this server may be."""
-        return cast("api.Limits", await self._run(flows.get_json("v1/limits", self.patience)))
+        return cast("api.Limits", await self._run(flows.get_json("v1/limits", self._patience)))
 
     async def example(self, name: str) -> Dict[str, Any]:
         """The request of an example, its `kind` in it, ready for `solve`."""
-        found = await self._run(flows.get_json(f"v1/examples/{name}", self.patience))
+        found = await self._run(flows.get_json(f"v1/examples/{name}", self._patience))
         return {"kind": found["kind"], **found["request"]}
 
     async def close(self) -> None:
@@ -268,10 +282,10 @@ class AsyncPlateau:
         return AsyncResult(self, job, ply)
 
     async def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> AsyncResult[Any]:
-        return await self._run(flows.solve(self._result, request, watch, timeout, self.patience, first_wait_s=0))
+        return await self._run(flows.solve(self._result, request, watch, timeout, self._patience, first_wait_s=0))
 
     async def _post(self, path: str) -> Any:
-        return (await self._run(flows.call(flows.Call("POST", path), self.patience))).json()
+        return (await self._run(flows.call(flows.Call("POST", path), self._patience))).json()
 
     async def _run(self, flow: flows.Flow[T]) -> T:
         """Carries out the steps of a flow."""
