@@ -1,21 +1,24 @@
 /** The client. */
 import { type CurveLike, curves, points, toJson } from './curves.js';
-import { ConnectionFailed, JobCancelled, JobFailed, problemOf } from './errors.js';
-import { type FollowControl, Follower, hasEnded } from './follow.js';
+import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
+import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
 import { Mesh, readLines } from './mesh.js';
 import type {
   CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
   Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
-import { abortable, pause } from './waiting.js';
+import { abortable, Patience } from './waiting.js';
 
 export interface PlateauOptions {
   /** The server with its public base path. Default: PLATEAU_URL of Node's environment, then http://127.0.0.1:8080. */
   url?: string;
   /** Default: PLATEAU_API_KEY of Node's environment. */
   apiKey?: string;
-  /** Milliseconds for which a request is tried again while the server is busy. Default: 60,000. */
+  /**
+   * Milliseconds for which a request is tried again while the server cannot be reached or is busy. Default: 60,000, and
+   * 4,000 for an address that was never reached.
+   */
   patienceMs?: number;
   fetch?: typeof fetch;
 }
@@ -51,8 +54,10 @@ const PATHS: Record<Kind, string> = {
 
 /** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
 const SHORT_WAIT_S = 1;
-/** How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice. */
-const ATTEMPTS = 4;
+/** Codes of Node.js for connections that were never made. */
+const UNREACHED: readonly string[] = [
+  'ECONNREFUSED', 'ENOTFOUND', 'EAI_AGAIN', 'EHOSTUNREACH', 'ENETUNREACH', 'ETIMEDOUT', 'UND_ERR_CONNECT_TIMEOUT',
+];
 
 /** A mesh whose files and curves can still be fetched from the server. */
 export class Result<Statistics> extends Mesh<Statistics> {
@@ -114,7 +119,7 @@ export class Job<Statistics = unknown> {
 /** A Plateau server. */
 export class Plateau {
   readonly url: string;
-  readonly #patienceMs: number;
+  readonly #patience: Patience;
   readonly #headers: Record<string, string>;
   readonly #fetch: typeof fetch;
 
@@ -125,7 +130,7 @@ export class Plateau {
     this.url = (url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
     const key = apiKey ?? environment['PLATEAU_API_KEY'];
     this.#headers = key ? { Authorization: `Bearer ${key}` } : {};
-    this.#patienceMs = patienceMs ?? 60_000;
+    this.#patience = new Patience(patienceMs);
     this.#fetch = fetch ?? ((input, init) => globalThis.fetch(input, init));
   }
 
@@ -218,6 +223,11 @@ export class Plateau {
     return new Job(this, await this.getJson<JobInfo>(`v1/jobs/${id}`));
   }
 
+  /** Waits for a job of an earlier call and gets its mesh. Aborting the signal stops the wait; the job goes on. */
+  async resume(id: string, control: FollowControl = {}): Promise<Result<unknown>> {
+    return about(id, this.job(id).then((job) => job.wait(control)));
+  }
+
   /** All jobs, newest first, page by page. */
   async *jobs(filter: { status?: Status; kind?: Kind; idempotency_key?: string } = {}): AsyncGenerator<JobSummary> {
     let cursor: string | null | undefined;
@@ -230,7 +240,7 @@ export class Plateau {
   }
 
   async cancel(id: string): Promise<JobInfo> {
-    return (await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' })).json() as Promise<JobInfo>;
+    return parsed<JobInfo>(await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' }));
   }
 
   /** Removes a job and its mesh; cancels it if needed. */
@@ -240,7 +250,7 @@ export class Plateau {
 
   async download(id: string, format: MeshFormat | PatternFormat = 'glb', signal?: AbortSignal): Promise<ArrayBuffer> {
     const part = format === 'svg' || format === 'dxf' ? 'pattern' : 'mesh';
-    return (await this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal })).arrayBuffer();
+    return this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal });
   }
 
   objectives(): Promise<ObjectiveList> {
@@ -259,55 +269,71 @@ export class Plateau {
 
   /** Waits until a job has ended, however it ended. Connections that break are made again. */
   waitFor(job: JobInfo, control: FollowControl = {}): Promise<JobInfo> {
-    return new Follower(job, (path, headers, signal) => this.#fetchOnce(path, { headers, signal }), control).end();
+    const get: Get = (path, headers, signal) => this.#fetchOnce(path, { headers, signal });
+    return about(job.id, new Follower(job, get, control, this.#patience).end());
   }
 
   /** The mesh of a job that has ended; throws how it ended if there is none. */
   async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal): Promise<Result<Statistics>> {
     if (job.status === 'failed') throw new JobFailed(job);
     if (job.status === 'cancelled') throw new JobCancelled(job);
-    return new Result<Statistics>(this, job, await this.download(job.id, 'ply', signal));
+    return new Result<Statistics>(this, job, await about(job.id, this.download(job.id, 'ply', signal)));
   }
 
   async getJson<T>(path: string): Promise<T> {
-    return (await this.send(path)).json() as Promise<T>;
+    return parsed<T>(await this.send(path));
   }
 
-  /** Sends a request. Waits and tries again while the server is busy or cannot be reached; throws what it refuses. */
-  async send(path: string, sending: Sending = {}): Promise<Response> {
-    const deadline = Date.now() + this.#patienceMs;
-    for (let attempt = 1; ; ) {
+  /**
+   * Sends a request and reads its answer. Waits and tries again while the server is busy or cannot be reached; throws what it
+   * refuses. Every request may be sent again, because submissions carry an Idempotency-Key.
+   */
+  async send(path: string, sending: Sending = {}): Promise<ArrayBuffer> {
+    const attempts = this.#patience.attempts();
+    for (;;) {
       let response: Response;
+      let body: ArrayBuffer;
       try {
         response = await this.#fetchOnce(path, sending);
+        body = await response.arrayBuffer();
       } catch (error) {
         sending.signal?.throwIfAborted();
-        if (attempt++ >= ATTEMPTS) throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
-        await pause(100 * 3 ** (attempt - 1), sending.signal);
-        continue;
+        if (await attempts.again(0, sending.signal)) continue;
+        throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
       }
-      if (response.ok) return response;
-      const retryAfterMs = 1000 * Number(response.headers.get('retry-after') ?? Number.NaN);
-      const pauseMs = Math.max(200, retryAfterMs);
-      const isBusy = response.status === 429 || response.status === 503;
-      if (!isBusy || Number.isNaN(pauseMs) || Date.now() + pauseMs >= deadline) throw await problemOf(response);
-      await response.body?.cancel();
-      await pause(pauseMs, sending.signal);
+      if (response.ok) return body;
+      const problem = problemOf(response, new TextDecoder().decode(body));
+      const isPassing = PASSING.includes(response.status);
+      if (!isPassing || !(await attempts.again(retryAfterMs(response), sending.signal))) throw problem;
     }
   }
 
-  #fetchOnce(path: string, sending: Sending): Promise<Response> {
+  async #fetchOnce(path: string, sending: Sending): Promise<Response> {
     const init: RequestInit = { method: sending.method ?? 'GET', headers: { ...this.#headers, ...sending.headers } };
     if (sending.body !== undefined) init.body = sending.body;
     if (sending.signal) init.signal = sending.signal;
-    return this.#fetch(`${this.url}/${path}`, init);
+    try {
+      const response = await this.#fetch(`${this.url}/${path}`, init);
+      this.#patience.reached = true;
+      return response;
+    } catch (error) {
+      // Node.js says why there is no answer. A connection that breaks later had reached a server.
+      const code = (error as { cause?: { code?: unknown } }).cause?.code;
+      if (typeof code === 'string' && !UNREACHED.includes(code)) this.#patience.reached = true;
+      throw error;
+    }
   }
 
   async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
     const headers: Record<string, string> = { 'Content-Type': 'application/json', 'Idempotency-Key': key };
     if (waitS > 0) headers['Prefer'] = `wait=${waitS}`;
-    const response = await this.send(PATHS[request.kind], { method: 'POST', headers, body: toJson(request) });
-    return (await response.json()) as JobInfo;
+    try {
+      const path = PATHS[request.kind];
+      return parsed<JobInfo>(await this.send(path, { method: 'POST', headers, body: toJson(request) }));
+    } catch (error) {
+      if (error instanceof ConnectionFailed) error.idempotencyKey = key;
+      throw error;
+    }
   }
 
   /** Cancels a job whose submission is not answered yet: at once by its key, and again when the answer is there. */
@@ -379,6 +405,10 @@ export class Live {
     this.#accepted = undefined;
     if (job && !hasEnded(job.status)) await this.#client.cancel(job.id).catch(() => undefined);
   }
+}
+
+function parsed<T>(json: ArrayBuffer): T {
+  return JSON.parse(new TextDecoder().decode(json)) as T;
 }
 
 /** A key that nobody else has. Pages without TLS have no `crypto.randomUUID`. */

@@ -215,7 +215,7 @@ test('a busy server is asked again for as long as the patience lasts', async () 
 });
 
 test('a server that is not there, and an answer without a problem document', async () => {
-  await assert.rejects(new Plateau({ url: 'http://127.0.0.1:9' }).limits(), ConnectionFailed);
+  await assert.rejects(new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 200 }).limits(), ConnectionFailed);
   const { client: make } = lossy(() => new Response('<html>', { status: 401 }));
   await assert.rejects(make().limits(), Unauthorized);
 });
