@@ -8,6 +8,7 @@ import subprocess
 import sys
 import sysconfig
 import venv
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -59,6 +60,13 @@ def test_the_wheel_works_in_a_fresh_environment(tmp_path: Path) -> None:
     """With PLATEAU_FULL=1 pip fetches what the wheel asks for, else the environment borrows it from this one."""
     run(sys.executable, "-m", "build", "--no-isolation", "--outdir", tmp_path / "dist")
     assert next((tmp_path / "dist").glob("*.tar.gz")).stat().st_size > 1000
+    with zipfile.ZipFile(next((tmp_path / "dist").glob("*.whl"))) as wheel:
+        packed = {name.rpartition("/")[2]: wheel.read(name) for name in wheel.namelist() if ".dist-info" in name}
+    for name in ("LICENSE-MIT", "LICENSE-APACHE"):
+        assert packed[name] == (ROOT.parents[1] / name).read_bytes(), f"{name} differs from the project's"
+    workspace = (ROOT.parents[1] / "Cargo.toml").read_text(encoding="utf-8")
+    address = re.findall(r'^repository = "(.*)"', workspace, re.MULTILINE)[0]
+    assert f"Project-URL: Repository, {address}" in packed["METADATA"].decode()
     venv.create(tmp_path / "fresh", with_pip=False)
     python = tmp_path / "fresh" / "bin" / "python"
     full = os.environ.get("PLATEAU_FULL") == "1"

@@ -12,14 +12,13 @@ import httpx
 
 from . import flows, requests
 from .curves import CurveLike
-from .mesh import Mesh, Statistics
+from .errors import PlateauError
+from .mesh import Lines, Mesh, Statistics
 from .progress import ProgressCallback, Watch
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    import numpy as np
-    import numpy.typing as npt
     from typing_extensions import Unpack
 
     from . import api_types as api
@@ -35,7 +34,7 @@ class Result(Mesh[Statistics]):
         self._client = client
 
     def download(self, format: str = "glb") -> bytes:
-        """The mesh as `glb`, `gltf`, `obj`, `ply` or `stl`; the flat pattern of a ruled surface as `svg` or `dxf`."""
+        """The mesh as `glb`, `gltf`, `obj`, `ply`, `stl` or `json`; a strip's flat pattern as `svg` or `dxf`."""
         return self._client.download(self.id, format)
 
     def save(self, path: Union[str, Path]) -> Path:
@@ -44,17 +43,23 @@ class Result(Mesh[Statistics]):
         Path(path).write_bytes(data)
         return Path(path)
 
-    def lines(self) -> Dict[str, List[npt.NDArray[np.int64]]]:
-        """The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices into `vertices`."""
+    def lines(self) -> Dict[str, Lines]:
+        """The lines on the mesh by name (`boundaries`, `bridges`, `members rim`, `cables ridge`, `reactions`…)."""
         return self._client._run(flows.lines(self.id, self._client._patience))
+
+    def certificate(self) -> Dict[str, Any]:
+        """The proof of a lower bound of the area, for requests with `certify`."""
+        return self._client._run(flows.certificate(self.id, self._client._patience))
 
 
 class Job:
     """A job on the server. `info` is what the server last said of it."""
 
-    def __init__(self, client: Plateau, info: api.Job) -> None:
+    def __init__(self, client: Plateau, info: api.Job, request: Optional[Dict[str, Any]] = None) -> None:
         self._client = client
         self.info = info
+        self.request = request
+        """The request as this client sent it. None for a job that another client submitted."""
 
     @property
     def id(self) -> str:
@@ -86,7 +91,9 @@ class Job:
 
     def result(self) -> Result[Any]:
         """The mesh of a job that has ended."""
-        return self._client._run(flows.mesh(self._client._result, self.info, self._client._patience))
+        made = self._client._run(flows.mesh(self._client._result, self.info, self._client._patience))
+        made.request = self.request
+        return made
 
     def cancel(self) -> api.Job:
         """Cancels the job; a job that has ended stays as it is."""
@@ -99,6 +106,60 @@ class Job:
 
     def __repr__(self) -> str:
         return f"<job {self.id}: {self.info['kind']}, {self.status}>"
+
+
+class Batch:
+    """Requests that were submitted together. `info` is what the server last said of them."""
+
+    def __init__(
+        self, client: Plateau, info: api.Batch, requests: Optional[Sequence[Mapping[str, Any]]] = None
+    ) -> None:
+        self._client = client
+        self._requests = requests
+        self.info = info
+
+    @property
+    def id(self) -> str:
+        return self.info["id"]
+
+    @property
+    def status(self) -> api.Status:
+        return self.info["status"]
+
+    def refresh(self) -> api.Batch:
+        """Asks the server for the batch's present state."""
+        self.info = self._client._run(flows.get_json(f"v1/batches/{self.id}", self._client._patience))
+        return self.info
+
+    def wait(self, *, timeout: Optional[float] = None) -> List[Union[Result[Any], PlateauError]]:
+        """Waits until every job has ended, and returns a mesh for each request, in their order.
+
+        A job without a mesh has its JobFailed or JobCancelled in the list. Raises TimedOut; the jobs go on then.
+        """
+        flow = flows.wait_for_batch(self.info, flows.deadline(timeout), self._client._patience)
+        self.info = self._client._run(flow)
+        found = self._client._run(flows.batch_results(self._client._result, self.info, self._client._patience))
+        for job, one in zip(self.info["jobs"], found):
+            if isinstance(one, Result) and self._requests is not None:
+                one.request = dict(self._requests[job["index"]])
+        return found
+
+    def download(self, format: str = "zip", mesh_format: Optional[str] = None) -> bytes:
+        """All meshes as one `zip`, each in `mesh_format` (`glb` by default), or as one `glb` scene."""
+        flow = flows.batch_meshes(self.id, format, mesh_format, self._client._patience)
+        return self._client._run(flow)
+
+    def cancel(self) -> api.Batch:
+        """Cancels every job that has not ended."""
+        self.info = self._client._post(f"v1/batches/{self.id}/cancel")
+        return self.info
+
+    def delete(self) -> None:
+        """Removes the batch with its jobs and meshes from the server."""
+        self._client._run(flows.call(flows.Call("DELETE", f"v1/batches/{self.id}"), self._client._patience))
+
+    def __repr__(self) -> str:
+        return f"<batch {self.id}: {len(self.info['jobs'])} jobs, {self.status}>"
 
 
 class Plateau:
@@ -124,7 +185,7 @@ class Plateau:
         self._patience = flows.Patience(patience)
         self._timeout = timeout
         key = api_key or os.environ.get("PLATEAU_API_KEY")
-        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        headers = {"User-Agent": flows.USER_AGENT, **({"Authorization": f"Bearer {key}"} if key else {})}
         self._http = httpx.Client(base_url=self.url + "/", headers=headers, timeout=timeout, transport=transport)
 
     def ruled_surface(
@@ -216,7 +277,16 @@ class Plateau:
     def submit(self, request: Mapping[str, Any], *, idempotency_key: Optional[str] = None) -> Job:
         """Submits a request with its `kind` in it and returns the job at once. `requests` makes such requests."""
         key = idempotency_key or uuid.uuid4().hex
-        return Job(self, self._run(flows.submit(dict(request), key, 0, self._patience)))
+        return Job(self, self._run(flows.submit(dict(request), key, 0, self._patience)), dict(request))
+
+    def submit_batch(self, requests: Sequence[Mapping[str, Any]], *, idempotency_key: Optional[str] = None) -> Batch:
+        """Submits many requests at once, each with its `kind` in it, and returns the batch at once."""
+        key = idempotency_key or uuid.uuid4().hex
+        return Batch(self, self._run(flows.submit_batch(requests, key, self._patience)), requests)
+
+    def batch(self, batch_id: str) -> Batch:
+        """A batch by its id."""
+        return Batch(self, self._run(flows.get_json(f"v1/batches/{batch_id}", self._patience)))
 
     def job(self, job_id: str) -> Job:
         """A job by its id."""
@@ -276,7 +346,9 @@ class Plateau:
         return Result(self, job, ply)
 
     def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> Result[Any]:
-        return self._run(flows.solve(self._result, request, watch, timeout, self._patience, first_wait_s=1))
+        made = self._run(flows.solve(self._result, request, watch, timeout, self._patience, first_wait_s=1))
+        made.request = request
+        return made
 
     def _post(self, path: str) -> Any:
         return (self._run(flows.call(flows.Call("POST", path), self._patience))).json()

@@ -10,6 +10,7 @@ import contextlib
 import json
 import time
 import uuid
+from importlib.metadata import version
 from typing import (
     TYPE_CHECKING,
     Any,
@@ -18,8 +19,10 @@ from typing import (
     Generator,
     Iterator,
     List,
+    Mapping,
     NamedTuple,
     Optional,
+    Sequence,
     TypeVar,
     Union,
     cast,
@@ -29,13 +32,15 @@ import httpx
 
 from . import errors
 from .curves import to_json
-from .mesh import read_lines
+from .mesh import Lines, read_lines
 
 if TYPE_CHECKING:
-    from .api_types import Job, Problem, Progress
+    from .api_types import Batch, Job, Problem, Progress
     from .progress import Watch
 
 T = TypeVar("T")
+
+USER_AGENT = f"plateau-client/{version('plateau-client')} (Python)"
 
 PATHS = {
     "ruled_surface": "v1/ruled-surfaces",
@@ -341,9 +346,54 @@ def download(job_id: str, format: str, patience: Patience) -> Flow[bytes]:
     return response.content
 
 
-def lines(job_id: str, patience: Patience) -> Flow[Dict[str, Any]]:
-    """The curves on a mesh. From OBJ, which names them and keeps the mesh's own vertex indices."""
-    return read_lines((yield from download(job_id, "obj", patience)))
+def lines(job_id: str, patience: Patience) -> Flow[Dict[str, Lines]]:
+    """The lines on a mesh. From JSON, which has their values and the mesh's own vertex indices."""
+    return read_lines((yield from download(job_id, "json", patience)))
+
+
+def certificate(job_id: str, patience: Patience) -> Flow[Dict[str, Any]]:
+    return cast("Dict[str, Any]", (yield from get_json(f"v1/jobs/{job_id}/certificate", patience)))
+
+
+def submit_batch(requests: Sequence[Mapping[str, Any]], key: str, patience: Patience) -> Flow[Batch]:
+    headers = {"Content-Type": "application/json", "Idempotency-Key": key}
+    body = to_json({"requests": [dict(request) for request in requests]})
+    posted = Call("POST", "v1/batches", {}, headers, body, whole=True)
+    try:
+        response = yield from call(posted, patience)
+    except errors.ConnectionFailed as error:
+        error.idempotency_key = key
+        raise
+    return cast("Batch", response.json())
+
+
+def wait_for_batch(batch: Batch, deadline: Optional[float], patience: Patience) -> Flow[Batch]:
+    """Waits until every job of a batch has ended."""
+    while batch["status"] not in ENDED:
+        left = _left(deadline)
+        seconds = LONG_POLL_S if left is None else max(1, min(LONG_POLL_S, int(left)))
+        request = Call("GET", f"v1/batches/{batch['id']}", {}, {"Prefer": f"wait={seconds}"}, longer_s=seconds)
+        batch = cast("Batch", (yield from call(request, patience, deadline)).json())
+    return batch
+
+
+def batch_results(
+    make: Callable[[Job, bytes], T], batch: Batch, patience: Patience
+) -> Flow[List[Union[T, errors.PlateauError]]]:
+    """The mesh of each job of a batch that has ended, or the error that its own call would have raised."""
+    found: List[Union[T, errors.PlateauError]] = []
+    for one in batch["jobs"]:
+        job = cast("Job", (yield from get_json(f"v1/jobs/{one['id']}", patience)))
+        try:
+            found.append((yield from mesh(make, job, patience)))
+        except (errors.JobFailed, errors.JobCancelled) as error:
+            found.append(error)
+    return found
+
+
+def batch_meshes(batch_id: str, format: str, mesh_format: Optional[str], patience: Patience) -> Flow[bytes]:
+    params = {"format": format, **({"mesh_format": mesh_format} if mesh_format else {})}
+    return (yield from call(Call("GET", f"v1/batches/{batch_id}/meshes", params), patience)).content
 
 
 def solve(
@@ -392,6 +442,6 @@ def give_up(job: Optional[Job], key: str) -> Flow[None]:
 def suffix_format(path: str) -> str:
     """The format that a file's name asks for."""
     suffix = path.rsplit(".", 1)[-1].lower() if "." in path else ""
-    if suffix not in ("glb", "gltf", "obj", "ply", "stl", "svg", "dxf"):
-        raise ValueError(f"{path}: expected a name that ends in .glb, .gltf, .obj, .ply, .stl, .svg or .dxf")
+    if suffix not in ("glb", "gltf", "obj", "ply", "stl", "json", "svg", "dxf"):
+        raise ValueError(f"{path}: expected a name that ends in .glb, .gltf, .obj, .ply, .stl, .json, .svg or .dxf")
     return suffix
