@@ -2,9 +2,9 @@
 import { type CurveLike, curves, points, toJson } from './curves.js';
 import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
 import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
-import { Mesh, readLines } from './mesh.js';
+import { type Lines, Mesh, readLines } from './mesh.js';
 import type {
-  CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
+  BatchInfo, CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
   Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
@@ -37,12 +37,20 @@ export interface SubmitOptions {
   signal?: AbortSignal | undefined;
 }
 
+interface Process {
+  env?: Record<string, string | undefined>;
+  versions?: Record<string, string | undefined>;
+}
+
 interface Sending {
   method?: string;
   headers?: Record<string, string>;
   body?: string;
   signal?: AbortSignal | undefined;
 }
+
+/** The version of this package. */
+export const version = '0.1.0';
 
 const PATHS: Record<Kind, string> = {
   ruled_surface: 'v1/ruled-surfaces',
@@ -54,6 +62,8 @@ const PATHS: Record<Kind, string> = {
 
 /** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
 const SHORT_WAIT_S = 1;
+/** Seconds that one request waits for a batch's end; the server may grant less. */
+const LONG_POLL_S = 20;
 /** Codes of Node.js for connections that were never made. */
 const UNREACHED: readonly string[] = [
   'ECONNREFUSED', 'ENOTFOUND', 'EAI_AGAIN', 'EHOSTUNREACH', 'ENETUNREACH', 'ETIMEDOUT', 'UND_ERR_CONNECT_TIMEOUT',
@@ -73,9 +83,14 @@ export class Result<Statistics> extends Mesh<Statistics> {
     return this.#client.download(this.id, format);
   }
 
-  /** The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices of vertices. */
-  async lines(): Promise<Map<string, Uint32Array[]>> {
-    return readLines(new TextDecoder().decode(await this.download('obj')));
+  /** The lines on the mesh by name (`boundaries`, `bridges`, `members rim`, `cables ridge`, `reactions`…). */
+  async lines(): Promise<Map<string, Lines>> {
+    return readLines(parsed(await this.download('json')));
+  }
+
+  /** The proof of a lower bound of the area, for requests with `certify`. */
+  certificate(): Promise<Record<string, unknown>> {
+    return this.#client.getJson(`v1/jobs/${this.id}/certificate`);
   }
 }
 
@@ -83,7 +98,12 @@ export class Result<Statistics> extends Mesh<Statistics> {
 export class Job<Statistics = unknown> {
   readonly #client: Plateau;
 
-  constructor(client: Plateau, public info: JobInfo) {
+  constructor(
+    client: Plateau,
+    public info: JobInfo,
+    /** The request as this client sent it. Undefined for a job that another client submitted. */
+    readonly request?: Request,
+  ) {
     this.#client = client;
   }
 
@@ -102,7 +122,7 @@ export class Job<Statistics = unknown> {
   /** Waits for the end and gets the mesh. Aborting the signal stops the wait; the job goes on. */
   async wait(control: FollowControl = {}): Promise<Result<Statistics>> {
     this.info = await this.#client.waitFor(this.info, control);
-    return this.#client.resultOf<Statistics>(this.info);
+    return this.#client.resultOf<Statistics>(this.info, undefined, this.request);
   }
 
   /** Cancels the job; a job that has ended stays as it is. */
@@ -116,6 +136,66 @@ export class Job<Statistics = unknown> {
   }
 }
 
+/** Requests that were submitted together. `info` is what the server last said of them. */
+export class Batch {
+  readonly #client: Plateau;
+  readonly #requests: readonly Request[] | undefined;
+
+  constructor(client: Plateau, public info: BatchInfo, requests?: readonly Request[]) {
+    this.#client = client;
+    this.#requests = requests;
+  }
+
+  get id(): string {
+    return this.info.id;
+  }
+
+  get status(): Status {
+    return this.info.status;
+  }
+
+  async refresh(): Promise<BatchInfo> {
+    return (this.info = await this.#client.getJson<BatchInfo>(`v1/batches/${this.id}`));
+  }
+
+  /**
+   * Waits until every job has ended, and gets a mesh for each request, in their order. A job without a mesh has its JobFailed
+   * or JobCancelled in the list. Aborting the signal stops the wait; the jobs go on.
+   */
+  async wait(control: { signal?: AbortSignal } = {}): Promise<(Result<unknown> | JobFailed | JobCancelled)[]> {
+    const { signal } = control;
+    while (!hasEnded(this.info.status)) {
+      const sending = { headers: { Prefer: `wait=${LONG_POLL_S}` }, signal };
+      this.info = parsed<BatchInfo>(await this.#client.send(`v1/batches/${this.id}`, sending));
+    }
+    const found: (Result<unknown> | JobFailed | JobCancelled)[] = [];
+    for (const { id, index } of this.info.jobs) {
+      const job = await this.#client.getJson<JobInfo>(`v1/jobs/${id}`);
+      found.push(await this.#client.resultOf<unknown>(job, signal, this.#requests?.[index]).catch((error: unknown) => {
+        if (error instanceof JobFailed || error instanceof JobCancelled) return error;
+        throw error;
+      }));
+    }
+    return found;
+  }
+
+  /** All meshes as one `zip`, each in `meshFormat` (`glb` by default), or as one `glb` scene. */
+  download(format: 'zip' | 'glb' = 'zip', meshFormat?: MeshFormat): Promise<ArrayBuffer> {
+    const chosen = meshFormat ? `&mesh_format=${meshFormat}` : '';
+    return this.#client.send(`v1/batches/${this.id}/meshes?format=${format}${chosen}`);
+  }
+
+  /** Cancels every job that has not ended. */
+  async cancel(): Promise<BatchInfo> {
+    return (this.info = parsed(await this.#client.send(`v1/batches/${this.id}/cancel`, { method: 'POST' })));
+  }
+
+  /** Removes the batch with its jobs and meshes from the server. */
+  async delete(): Promise<void> {
+    await this.#client.send(`v1/batches/${this.id}`, { method: 'DELETE' });
+  }
+}
+
 /** A Plateau server. */
 export class Plateau {
   readonly url: string;
@@ -126,10 +206,12 @@ export class Plateau {
   /** `options` may be the address alone. */
   constructor(options: string | PlateauOptions = {}) {
     const { url, apiKey, patienceMs, fetch }: PlateauOptions = typeof options === 'string' ? { url: options } : options;
-    const environment = (globalThis as { process?: { env?: Record<string, string | undefined> } }).process?.env ?? {};
+    const { env: environment = {}, versions } = (globalThis as { process?: Process }).process ?? {};
     this.url = (url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
     const key = apiKey ?? environment['PLATEAU_API_KEY'];
     this.#headers = key ? { Authorization: `Bearer ${key}` } : {};
+    // Browsers name themselves, and ask the server first about a request with a name of its own.
+    if (versions?.['node']) this.#headers['User-Agent'] = `plateau-client/${version} (Node.js)`;
     this.#patience = new Patience(patienceMs);
     this.#fetch = fetch ?? ((input, init) => globalThis.fetch(input, init));
   }
@@ -197,7 +279,7 @@ export class Plateau {
       if (!(error instanceof ConnectionFailed)) await this.cancel(info.id).catch(() => undefined);
       throw error;
     }
-    return this.resultOf<StatisticsOf<R>>(job, signal);
+    return this.resultOf<StatisticsOf<R>>(job, signal, request);
   }
 
   /** Submits a request and returns the job once it is accepted. */
@@ -206,11 +288,22 @@ export class Plateau {
     signal?.throwIfAborted();
     const posted = this.#post(request, idempotencyKey, waitS);
     try {
-      return new Job(this, await abortable(posted, signal));
+      return new Job(this, await abortable(posted, signal), request);
     } catch (error) {
       if (signal?.aborted) void this.#giveUp(posted, idempotencyKey);
       throw error;
     }
+  }
+
+  /** Submits many requests at once and returns the batch once it is accepted. */
+  async submitBatch(requests: readonly Request[], options: { idempotencyKey?: string } = {}): Promise<Batch> {
+    const key = options.idempotencyKey ?? randomKey();
+    return new Batch(this, await this.#submit<BatchInfo>('v1/batches', { requests }, key, 0), requests);
+  }
+
+  /** A batch by its id. */
+  async batch(id: string): Promise<Batch> {
+    return new Batch(this, await this.getJson<BatchInfo>(`v1/batches/${id}`));
   }
 
   /** For dragging: of the requests that are solved through it only the newest counts. */
@@ -274,10 +367,12 @@ export class Plateau {
   }
 
   /** The mesh of a job that has ended; throws how it ended if there is none. */
-  async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal): Promise<Result<Statistics>> {
+  async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal, request?: Request): Promise<Result<Statistics>> {
     if (job.status === 'failed') throw new JobFailed(job);
     if (job.status === 'cancelled') throw new JobCancelled(job);
-    return new Result<Statistics>(this, job, await about(job.id, this.download(job.id, 'ply', signal)));
+    const made = new Result<Statistics>(this, job, await about(job.id, this.download(job.id, 'ply', signal)));
+    made.request = request;
+    return made;
   }
 
   async getJson<T>(path: string): Promise<T> {
@@ -324,12 +419,15 @@ export class Plateau {
     }
   }
 
-  async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+  #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    return this.#submit<JobInfo>(PATHS[request.kind], request, key, waitS);
+  }
+
+  async #submit<T>(path: string, body: unknown, key: string, waitS: number): Promise<T> {
     const headers: Record<string, string> = { 'Content-Type': 'application/json', 'Idempotency-Key': key };
     if (waitS > 0) headers['Prefer'] = `wait=${waitS}`;
     try {
-      const path = PATHS[request.kind];
-      return parsed<JobInfo>(await this.send(path, { method: 'POST', headers, body: toJson(request) }));
+      return parsed<T>(await this.send(path, { method: 'POST', headers, body: toJson(body) }));
     } catch (error) {
       if (error instanceof ConnectionFailed) error.idempotencyKey = key;
       throw error;
@@ -378,7 +476,7 @@ export class Live {
       if (!job) return null;
       job = await this.#client.waitFor(job, { ...control, signal: own.signal });
       if (own.signal.aborted) return null;
-      return await this.#client.resultOf<StatisticsOf<R>>(job, own.signal);
+      return await this.#client.resultOf<StatisticsOf<R>>(job, own.signal, request);
     } catch (error) {
       if (own.signal.aborted) return null;
       // Nobody waits for this job any more: the request was refused, or its caller's function failed.
