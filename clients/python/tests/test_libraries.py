@@ -28,11 +28,14 @@ def test_curves_of_shapely() -> None:
 
 
 def test_curves_of_compas() -> None:
-    from compas.geometry import Circle, Line, Point, Polygon, Polyline
+    from compas.geometry import Bezier, Circle, Line, Point, Polygon, Polyline
 
     assert points(Polyline(TENT)) == points(Polygon(TENT)) == points(Polyline([*TENT, TENT[0]])) == TENT
     assert points(Line(TENT[0], TENT[1])) == TENT[:2]
     assert points(Point(1, 2, 3)) == [[1, 2, 3]]
+    bezier = points(Bezier([[0, 0, 0], [1, 2, 0], [3, 0, 0]]), samples=5)
+    assert len(bezier) == 5 and bezier[0] == [0, 0, 0] and bezier[2] == [1.25, 1, 0] and bezier[4] == [3, 0, 0]
+    assert len(points(Bezier([[0, 0, 0], [1, 2, 0], [3, 0, 0], [0, 0, 0]]), samples=5)) == 5
     circle = np.array(points(Circle(5.0), samples=16))
     np.testing.assert_allclose(np.linalg.norm(circle, axis=1), 5.0)
     assert len(np.unique(circle.round(9), axis=0)) == 16

@@ -230,10 +230,33 @@ def test_errors_lead_to_the_values() -> None:
     assert local.value.status is None and local.value.errors[0].pointer == "/boundaries/1/1/1"
     with pytest.raises(ValueError, match="/boundaries/0: expected points"):
         client.minimal_surface([["a", "b"]])
-    with pytest.raises(InvalidRequest, match="/boundaries: expected a list of curves"):
+    with pytest.raises(InvalidRequest, match="/boundaries: must be a list of curves"):
         client.minimal_surface(5)
     with pytest.raises(InvalidRequest, match="/kind"):
         client.solve({"boundaries": [TENT]})
+
+
+def test_slips_are_explained_before_they_are_sent() -> None:
+    from shapely.geometry import LineString, Polygon
+
+    client = Plateau("http://127.0.0.1:9", patience=0)  # nothing listens there
+    one_curve: List[Any] = [TENT, np.array(TENT), [list(point) for point in TENT], LineString(TENT)]
+    for curve in one_curve:
+        with pytest.raises(InvalidRequest, match="/boundaries: lacks a level of brackets: it must be a list of curves"):
+            client.minimal_surface(curve)
+    with pytest.raises(InvalidRequest, match="/directrices: lacks a level of brackets"):
+        client.ruled_surface(TENT)
+    polygon = Polygon(TENT, [[(1, 1), (2, 1), (2, 2)]])
+    with pytest.raises(InvalidRequest, match=r"/boundaries: .* pass \[polygon.exterior, \*polygon.interiors\]"):
+        client.minimal_surface(polygon)
+    assert len(requests.minimal_surface([polygon.exterior, *polygon.interiors])["boundaries"]) == 2
+    force = r'/units: must be an object with the units of lengths and forces, such as \{"length": "mm", "force": "kN"\}'
+    with pytest.raises(InvalidRequest, match=force):
+        client.tensile_structure([TENT], {"tension": 1}, units="mm")  # type: ignore[arg-type]
+    with pytest.raises(InvalidRequest, match="/requests/0/units"):
+        client.submit_batch([requests.cable_net(TENT, [(0, 1)], [0], units="mm")])  # type: ignore[arg-type]
+    # A strip from an apex, and one between two points and a curve, are none of these slips.
+    assert requests.ruled_surface([TENT[0], TENT[1:]])["directrices"][0] == [list(TENT[0])]
 
 
 def test_a_job_that_fails_says_why() -> None:

@@ -1,5 +1,5 @@
 /** The client. */
-import { type CurveLike, curves, points, toJson } from './curves.js';
+import { checkUnits, type CurveLike, curves, points, toJson } from './curves.js';
 import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
 import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
 import { type Lines, Mesh, readLines } from './mesh.js';
@@ -298,6 +298,7 @@ export class Plateau {
   /** Submits many requests at once and returns the batch once it is accepted. */
   async submitBatch(requests: readonly Request[], options: { idempotencyKey?: string } = {}): Promise<Batch> {
     const key = options.idempotencyKey ?? randomKey();
+    requests.forEach((request, index) => checkUnits(request, `/requests/${index}`));
     return new Batch(this, await this.#submit<BatchInfo>('v1/batches', { requests }, key, 0), requests);
   }
 
@@ -393,6 +394,7 @@ export class Plateau {
         body = await response.arrayBuffer();
       } catch (error) {
         sending.signal?.throwIfAborted();
+        if (!this.#patience.reached && (await this.#isBlocked())) throw this.#blocked(error);
         if (await attempts.again(0, sending.signal)) continue;
         throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
       }
@@ -401,6 +403,21 @@ export class Plateau {
       const isPassing = PASSING.includes(response.status);
       if (!isPassing || !(await attempts.again(retryAfterMs(response), sending.signal))) throw problem;
     }
+  }
+
+  /**
+   * Whether the server answers and the browser keeps the answer from this page (CORS). A browser does not say so: it reports a
+   * blocked answer like a missing one, but lets a request pass that wants no answer.
+   */
+  async #isBlocked(): Promise<boolean> {
+    if (!origin()) return false;
+    return this.#fetch(`${this.url}/health/live`, { mode: 'no-cors' }).then(() => true, () => false);
+  }
+
+  #blocked(cause: unknown): ConnectionFailed {
+    const message = `${this.url} answers, but the browser keeps its answers from pages of ${origin()} (CORS): `
+      + `the server's setting http.cors_origins must name "${origin()}"`;
+    return new ConnectionFailed(message, { cause });
   }
 
   async #fetchOnce(path: string, sending: Sending): Promise<Response> {
@@ -419,7 +436,8 @@ export class Plateau {
     }
   }
 
-  #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+  async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    checkUnits(request);
     return this.#submit<JobInfo>(PATHS[request.kind], request, key, waitS);
   }
 
@@ -503,6 +521,11 @@ export class Live {
     this.#accepted = undefined;
     if (job && !hasEnded(job.status)) await this.#client.cancel(job.id).catch(() => undefined);
   }
+}
+
+/** The origin of the page that runs this; undefined outside of browsers. */
+function origin(): string | undefined {
+  return (globalThis as { location?: { origin?: string } }).location?.origin;
 }
 
 function parsed<T>(json: ArrayBuffer): T {

@@ -219,6 +219,35 @@ test('errors lead to the values', async () => {
   assert.ok(failed.detail);
 });
 
+test('slips are explained before they are sent', async () => {
+  const nowhere = new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 0 });
+  const refused = (step) => step.then(() => assert.fail('accepted'), (error) => {
+    assert.ok(error instanceof InvalidRequest, String(error));
+    return `${error.errors[0].pointer}: ${error.errors[0].detail}`;
+  });
+  for (const curve of [TENT, TENT.map((point) => new Vector3(...point)), new Float64Array(TENT.flat())]) {
+    assert.match(await refused(nowhere.minimalSurface(curve)), /^\/boundaries: lacks a level of brackets: it must be a list of curves/);
+  }
+  assert.match(await refused(nowhere.ruledSurface(TENT)), /^\/directrices: lacks a level of brackets/);
+  assert.match(await refused(nowhere.minimalSurface([TENT, [TENT]])), /^\/boundaries\/1: expected points/);
+  const force = '/units: must be an object with the units of lengths and forces, such as {"length": "mm", "force": "kN"}';
+  assert.equal(await refused(nowhere.tensileStructure([TENT], { tension: 1 }, { units: 'mm' })), force);
+  const net = { kind: 'cable_net', vertices: TENT, edges: [[0, 1]], supports: [0], units: 'mm' };
+  assert.equal(await refused(nowhere.submitBatch([net])), `/requests/0${force}`);
+});
+
+test('a page that CORS blocks is told the setting', async (context) => {
+  globalThis.location = { origin: 'https://page.example' };
+  context.after(() => delete globalThis.location);
+  // As browsers do: no answer at all, except to requests that want none.
+  const blocking = (input, init) => (init.mode === 'no-cors' ? fetch(input) : Promise.reject(new TypeError('Failed to fetch')));
+  const error = await new Plateau({ url: server.url, fetch: blocking }).limits().catch((reason) => reason);
+  assert.ok(error instanceof ConnectionFailed);
+  assert.match(error.message, /answers, but the browser keeps .*http\.cors_origins must name "https:\/\/page\.example"/);
+  const absent = await new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 0 }).limits().catch((reason) => reason);
+  assert.match(absent.message, /cannot be reached/);
+});
+
 test('only the newest of a drag is delivered', async () => {
   const live = client.live();
   const solved = [];

@@ -1,8 +1,10 @@
 // The package itself: generated types, a tarball in a fresh folder, the README's code, a browser.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync } from 'node:fs';
 import { cp, mkdir, mkdtemp, readFile, readdir, rm, symlink, writeFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -110,6 +112,15 @@ test('a browser solves, follows progress and drags', async (t) => {
       const positions = toBufferGeometry(film).getAttribute('position').count;
       return { phases, vertices: film.vertices.length, positions, dragged, refused };
     });
+    // A page of another origin, which the server's settings do not name.
+    const other = createServer((_, response) => response.setHeader('Content-Type', 'text/html').end('<p>A page'));
+    await once(other.listen(0, '127.0.0.1'), 'listening');
+    await page.goto(`http://127.0.0.1:${other.address().port}`);
+    await page.evaluate(`${bundle.outputFiles[0].text}; globalThis.client = client;`);
+    const blocked = await page.evaluate((url) => new globalThis.client.Plateau({ url }).limits().catch(({ message }) => message), server.url);
+    other.closeAllConnections();
+    other.close();
+    assert.match(blocked, /http\.cors_origins must name/);
     assert.equal(seen.phases.at(-1), 'finished');
     assert.equal(seen.vertices, 3 * seen.positions);
     assert.deepEqual(seen.dragged, [null, null, 6]);

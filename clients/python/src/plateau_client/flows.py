@@ -31,7 +31,7 @@ from typing import (
 import httpx
 
 from . import errors
-from .curves import to_json
+from .curves import check_units, to_json
 from .mesh import Lines, read_lines
 
 if TYPE_CHECKING:
@@ -225,6 +225,7 @@ def submit(
     if kind not in PATHS:
         detail = f"expected one of {', '.join(PATHS)}"
         raise errors.InvalidRequest("The kind is missing", detail, errors=[errors.FieldError("/kind", detail)])
+    check_units(request)
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
     if wait_s > 0:
         headers["Prefer"] = f"wait={wait_s}"
@@ -356,6 +357,8 @@ def certificate(job_id: str, patience: Patience) -> Flow[Dict[str, Any]]:
 
 
 def submit_batch(requests: Sequence[Mapping[str, Any]], key: str, patience: Patience) -> Flow[Batch]:
+    for index, request in enumerate(requests):
+        check_units(request, f"/requests/{index}")
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
     body = to_json({"requests": [dict(request) for request in requests]})
     posted = Call("POST", "v1/batches", {}, headers, body, whole=True)
