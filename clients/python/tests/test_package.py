@@ -31,6 +31,15 @@ def test_mypy_is_strict_and_silent() -> None:
     run(sys.executable, "-m", "mypy")
 
 
+def test_the_programs_of_the_pages_are_strictly_typed(tmp_path: Path) -> None:
+    for number, block in enumerate(BLOCKS):
+        (tmp_path / f"block{number}.py").write_text(block, encoding="utf-8")
+    everything = "".join(BLOCKS)
+    for kind in ("ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure", "cable_net"):
+        assert f".{kind}(" in everything
+    run(sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", *sorted(tmp_path.glob("block*.py")))
+
+
 def test_the_code_is_formatted_and_linted() -> None:
     run(sys.executable, "-m", "ruff", "format", "--check", ".")
     run(sys.executable, "-m", "ruff", "check", ".")
