@@ -194,6 +194,22 @@ def test_a_result_is_replaced_and_keeps_its_settings():
             raise AssertionError("no error")
 
 
+def test_one_undo_brings_the_old_result_back():
+    fresh_scene(1.0)
+    add_curve(SAIL, (0, 0, 0), cyclic=True)
+    made, _ = solved(triangles=300)
+    made.name = "Undone"
+    bpy.ops.ed.undo_push(message="the first result")
+    before, count = made["plateau_job"], len(made.data.polygons)
+    # As from the menu, which adds the operator's own undo step.
+    done = bpy.ops.object.plateau("EXEC_DEFAULT", True, url=os.environ["PLATEAU_URL"], triangles=600)
+    again = bpy.data.objects["Undone"]
+    assert done == {"FINISHED"} and len(again.data.polygons) > 1.5 * count and again["plateau_job"] != before
+    bpy.ops.ed.undo()
+    undone = bpy.data.objects["Undone"]
+    assert len(undone.data.polygons) == count and undone["plateau_job"] == before
+
+
 def test_what_cannot_be_solved_is_said_with_the_object_s_name():
     fresh_scene(1.0)
     add_curve([(0, 0, 0), (1, 0, 0), (1, 0, 0)], (0, 0, 0), cyclic=True).name = "Gutter"
