@@ -86,17 +86,60 @@ class Mesh:
 
 
 class Document:
-    """The active document: curves by id, meshes that were added, and a unit."""
+    """The active document: objects by id with their names and user text, what was said, and undo records."""
 
     def __init__(self):
         self.ModelUnitSystem = "Rhino.UnitSystem.Meters"
-        self.picked, self.meshes, self.said, self.escape = [], [], [], False
-        self.Objects = types.SimpleNamespace(AddMesh=self.add)
+        self.objects, self.names, self.texts = {}, {}, {}
+        self.picked, self.said, self.answers, self.prompts, self.escape = [], [], {}, [], False
+        self.records, self.before, self.count = [], None, 0
+        self.Objects = types.SimpleNamespace(AddMesh=lambda mesh: self.add(mesh.inner))
         self.Views = types.SimpleNamespace(Redraw=lambda: None)
 
-    def add(self, mesh):
-        self.meshes.append(mesh.inner)
-        return len(self.meshes)
+    @property
+    def meshes(self):
+        return [one for one in self.objects.values() if isinstance(one, rhino3dm.Mesh)]
+
+    def add(self, thing, name=None):
+        self.count += 1
+        one = f"id {self.count}"
+        self.objects[one] = thing
+        if name:
+            self.names[one] = name
+        return one
+
+    def delete(self, ids):
+        for one in ids:
+            del self.objects[one]
+
+    def BeginUndoRecord(self, description):
+        self.before = dict(self.objects), dict(self.texts)
+        return 1
+
+    def EndUndoRecord(self, serial):
+        self.records.append(self.before)
+        self.before = None
+
+    def undo(self):
+        self.objects, self.texts = self.records.pop()
+
+    def set_text(self, one, key, value):
+        assert self.before is not None, "an undo record is open"
+        self.texts[one, key] = value
+
+    def answer(self, prompt, default):
+        """What the user types; Enter takes the default."""
+        self.prompts.append((prompt, default))
+        return next((value for words, value in self.answers.items() if words in prompt), default)
+
+
+def coercecurve(document, one):
+    thing = document.objects.get(one)
+    return Curve(thing) if isinstance(thing, rhino3dm.Curve) else None
+
+
+def add_line(document, a, b):
+    return document.add(rhino3dm.LineCurve(rhino3dm.Point3d(*a), rhino3dm.Point3d(*b)))
 
 
 def install():
@@ -107,8 +150,18 @@ def install():
     names = {
         "Rhino": {"RhinoApp": app, "Geometry": types.SimpleNamespace(Mesh=Mesh, Continuity=continuity)},
         "rhinoscriptsyntax": {
-            "GetObjects": lambda prompt, filter, preselect: list(range(len(document.picked))),
-            "coercecurve": lambda index: Curve(document.picked[index]),
+            "GetObjects": lambda prompt, filter, preselect: list(document.picked),
+            "GetString": lambda prompt, default, strings: document.answer(prompt, default),
+            "GetReal": lambda prompt, default, minimum: document.answer(prompt, default),
+            "GetUserText": lambda one, key: document.texts.get((one, key)),
+            "SetUserText": document.set_text,
+            "ObjectName": document.names.get,
+            "ObjectsByType": lambda filter: list(document.objects),
+            "DeleteObjects": document.delete,
+            "AddLine": lambda a, b: add_line(document, a, b),
+            "AddGroup": lambda: "group",
+            "AddObjectsToGroup": lambda ids, group: len(ids),
+            "coercecurve": lambda one: coercecurve(document, one),
         },
         "scriptcontext": {"doc": document, "escape_test": lambda throw: document.escape},
     }

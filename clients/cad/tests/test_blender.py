@@ -134,7 +134,91 @@ def test_rails_are_joined_in_the_direction_that_a_person_sees():
             assert statistics["reversed"] == [False, runs_against], (k, kind, runs_against)
 
 
-def test_what_cannot_be_solved_is_said():
+SAIL = [(0, 0, 0), (10, 0, 4), (10, 10, 0), (0, 10, 4)]
+
+
+def test_every_kind_in_millimetres_at_survey_coordinates():
+    ring, hole = [(0, 0, 0), (30, 0, 0), (30, 20, 0), (0, 20, 0)], [(10, 8, 0), (20, 8, 0), (20, 12, 0), (10, 12, 0)]
+    spokes = [[corner, (5, 5, 1)] for corner in SAIL]
+    given = {
+        "MINIMAL": ([SAIL], True, {"film_objective": "minimal_mean_curvature", "triangles": 300}, "minimal_surface"),
+        "RULED": ([SAIL[:2], SAIL[2:]], False, {"objective": "minimal_twist"}, "ruled_surface"),
+        "LATTICE": ([ring, hole], True, {"lattice_objective": "fewest_nodes", "edge_length": 2500}, "uniform_mesh"),
+        "MEMBRANE": ([SAIL], True, {"tension": 2e-3, "edge_force": 20, "triangles": 300}, "tensile_structure"),
+        "NET": (spokes, False, {"force_density": 1e-3}, "cable_net"),
+    }
+    for surface, (lines, cyclic, options, kind) in given.items():
+        fresh_scene(0.001)
+        picked = [add_curve([tuple(1000.0 * value for value in point) for point in line], SURVEY, cyclic) for line in lines]
+        made, statistics = solved(surface=surface, **options)
+        job = json.loads(plateau_blender.Server(os.environ["PLATEAU_URL"]).send("GET", "/v1/jobs/" + made["plateau_job"]))
+        assert job["kind"] == kind and plateau_blender.curves_of(made) == picked
+        assert all(abs(float(np.linalg.norm(world(made) - (1000.0 * np.array(point) + SURVEY), axis=1).min())) < 2e-3
+                   for line in lines for point in (line if kind != "cable_net" else line[:1])), surface
+        if kind == "cable_net":
+            assert len(made.data.edges) == 4 and len(made.data.polygons) == 0
+            assert np.abs(world(made) - (1000.0 * np.array([5, 5, 2.0]) + SURVEY)).sum(axis=1).min() < 2e-2
+        elif kind == "tensile_structure":
+            assert statistics["converged"] and len(statistics["cables"]) == 4
+        else:
+            assert statistics["objective"] in options.values()
+
+
+def test_a_result_is_replaced_and_keeps_its_settings():
+    for surface, lines, cyclic in (("MINIMAL", [SAIL], True), ("NET", [[corner, (5, 5, 1)] for corner in SAIL], False)):
+        fresh_scene(1.0)
+        picked = [add_curve(line, (0, 0, 0), cyclic) for line in lines]
+        made, first = solved(surface=surface, triangles=300)
+        made.name = "My roof"
+        made.data.materials.append(bpy.data.materials.new("cloth"))
+        before, count = made["plateau_job"], len(bpy.context.scene.objects)
+        picked[0].data.splines[0].points[0].co.z = 2.0
+        for selected in ([made], picked):
+            bpy.ops.object.select_all(action="DESELECT")
+            for thing in selected:
+                thing.select_set(True)
+            again, statistics = solved()
+            assert again == made and again.name == "My roof" and again.data.materials[0].name.startswith("cloth")
+            assert len(bpy.context.scene.objects) == count and again["plateau_job"] != before
+            if surface == "MINIMAL":
+                # The triangles that were asked for, not the operator's own 2000.
+                assert abs(statistics["triangles"] - 300) <= 30 and statistics["area"] != first["area"]
+        bpy.data.objects.remove(picked[0])
+        bpy.ops.object.select_all(action="DESELECT")
+        made.select_set(True)
+        try:
+            solved()
+        except RuntimeError as error:
+            assert "My roof" in str(error) and "gone" in str(error)
+        else:
+            raise AssertionError("no error")
+
+
+def test_one_undo_brings_the_old_result_back():
+    fresh_scene(1.0)
+    add_curve(SAIL, (0, 0, 0), cyclic=True)
+    made, _ = solved(triangles=300)
+    made.name = "Undone"
+    bpy.ops.ed.undo_push(message="the first result")
+    before, count = made["plateau_job"], len(made.data.polygons)
+    # As from the menu, which adds the operator's own undo step.
+    done = bpy.ops.object.plateau("EXEC_DEFAULT", True, url=os.environ["PLATEAU_URL"], triangles=600)
+    again = bpy.data.objects["Undone"]
+    assert done == {"FINISHED"} and len(again.data.polygons) > 1.5 * count and again["plateau_job"] != before
+    bpy.ops.ed.undo()
+    undone = bpy.data.objects["Undone"]
+    assert len(undone.data.polygons) == count and undone["plateau_job"] == before
+
+
+def test_what_cannot_be_solved_is_said_with_the_object_s_name():
+    fresh_scene(1.0)
+    add_curve([(0, 0, 0), (1, 0, 0), (1, 0, 0)], (0, 0, 0), cyclic=True).name = "Gutter"
+    try:
+        bpy.ops.object.plateau(url=os.environ["PLATEAU_URL"])
+    except RuntimeError as error:
+        assert "Gutter: " in str(error) and "/boundaries" not in str(error), error
+    else:
+        raise AssertionError("no error")
     fresh_scene(1.0)
     add_curve([(0, 0, 0), (1, 0, 0)], (0, 0, 0), cyclic=False)
     for options, text in (({}, "needs two curves"), ({"surface": "MINIMAL"}, "needs closed curves")):

@@ -17,8 +17,14 @@ import rhino3dm  # noqa: E402
 SURVEY = (2_600_123.123456789, 1_200_456.987654321, 431.25)
 
 
-def fresh(*curves, unit="Meters"):
-    document.picked, document.meshes[:], document.said[:], document.escape = list(curves), [], [], False
+def fresh(*curves, unit="Meters", names=(), **answers):
+    """An empty document with these curves, picked. `answers` are what the user types at the prompts with these words."""
+    document.objects.clear()
+    document.texts.clear()
+    document.names.clear()
+    document.picked = [document.add(curve, name) for curve, name in zip(curves, [*names, *[None] * len(curves)])]
+    document.said[:], document.prompts[:], document.records[:], document.escape = [], [], [], False
+    document.answers = {words.replace("_", " "): answer for words, answer in answers.items()}
     document.ModelUnitSystem = f"Rhino.UnitSystem.{unit}"
 
 
@@ -40,7 +46,7 @@ def test_two_open_curves_become_a_strip_at_survey_coordinates_exactly():
     rails = [[(0, 0, 0), (1, 0, 0.2), (2, 0, 0)], [(0, 1, 0), (2, 1, 0.5)]]
     fresh(*(polyline(rail, SURVEY) for rail in rails), unit="Millimeters")
     # The job warns that STL files are relative to an origin, which does not concern Rhino.
-    assert plateau_rhino.main() == 1 and not any("STL" in line for line in document.said), document.said
+    assert len(plateau_rhino.main()) == 1 and not any("STL" in line for line in document.said), document.said
     (mesh,) = document.meshes
     assert mesh.IsValid and len(mesh.Faces) == 3 and len(mesh.Normals) == 5
     expected = [[value + by for value, by in zip(point, SURVEY)] for rail in rails for point in rail]
@@ -53,7 +59,7 @@ def test_two_rings_become_a_film():
     ring = rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0), 1.0).ToNurbsCurve()
     other = rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0.8), 1.0).ToNurbsCurve()
     fresh(ring, other)
-    assert plateau_rhino.main() == 1, document.said
+    assert len(plateau_rhino.main() or ()) == 1, document.said
     job = statistics()
     assert job["statistics"]["converged"] and job["statistics"]["boundary_loops"] == 2
     assert len(document.meshes[0].Faces) == job["statistics"]["triangles"]
@@ -61,7 +67,7 @@ def test_two_rings_become_a_film():
 
 def test_a_closed_polyline_is_not_given_twice_at_its_end():
     fresh(polyline([(0, 0, 0), (8, 0, 3), (8, 8, 0), (0, 8, 3), (0, 0, 0)]))
-    assert plateau_rhino.main() == 1 and document.said == []
+    assert len(plateau_rhino.main()) == 1 and document.said == []
 
 
 def arc(a, b, c):
@@ -79,7 +85,7 @@ def test_corners_are_kept_beside_curved_edges():
     for curve in (sail, sail.ToNurbsCurve()):
         assert curve.IsClosed
         fresh(curve)
-        assert plateau_rhino.main() == 1, document.said
+        assert len(plateau_rhino.main() or ()) == 1, document.said
         (mesh,) = document.meshes
         found = [mesh.Vertices.Point3dAt(index) for index in range(len(mesh.Vertices))]
         for corner in corners:
@@ -104,14 +110,91 @@ def test_a_smooth_closed_curve_is_divided_as_a_whole():
         assert len(points) == len(set(map(tuple, points))) == plateau_rhino.SAMPLES
 
 
-def test_what_cannot_be_solved_is_said():
+def test_what_cannot_be_solved_is_said_with_the_object_s_name():
     line = polyline([(0, 0, 0), (1, 0, 0)])
     fresh(line)
-    assert plateau_rhino.main() is None and "two open curves" in document.said[0]
+    assert plateau_rhino.main() is None and "two curves or more" in document.said[0]
     fresh(line, line, unit="Miles")
     assert plateau_rhino.main() is None and "Miles" in document.said[0]
-    fresh(polyline([(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 0, 0)]))
-    assert plateau_rhino.main() is None and "/boundaries" in document.said[0], document.said
+    ring = polyline([(0, 0, 0), (8, 0, 3), (8, 8, 0), (0, 8, 3), (0, 0, 0)])
+    straight = polyline([(0, 0, 9), (1, 0, 9), (1, 0, 9), (0, 0, 9)])
+    fresh(ring, straight, names=[None, "gutter"])
+    assert plateau_rhino.main() is None and document.said[0].startswith("Plateau: gutter"), document.said
+    fresh(straight)
+    assert plateau_rhino.main() is None and document.said[0].startswith("Plateau: curve 1"), document.said
+    fresh(ring, triangles=10_000_000_000)
+    assert plateau_rhino.main() is None and "the triangles of the resolution" in document.said[0], document.said
+    words = plateau_rhino.in_words("/domain/holes/0/3: twists; /domain/polygon is no polygon (see http://a/b)", ["a", "b"])
+    assert words == "b: twists; a is no polygon (see http://a/b)"
+
+
+SAIL = [(0, 0, 0), (10, 0, 4), (10, 10, 0), (0, 10, 4), (0, 0, 0)]
+
+
+def moved(points, scale):
+    return [tuple(scale * value + by for value, by in zip(point, SURVEY)) for point in points]
+
+
+def test_every_kind_in_millimetres_at_survey_coordinates():
+    ring = [(0, 0, 0), (30, 0, 0), (30, 20, 0), (0, 20, 0), (0, 0, 0)]
+    hole = [(10, 8, 0), (20, 8, 0), (20, 12, 0), (10, 12, 0), (10, 8, 0)]
+    spokes = [[(0, 0, 0), (5, 5, 1)], [(10, 0, 4), (5, 5, 1)], [(10, 10, 0), (5, 5, 1)], [(0, 10, 4), (5, 5, 1)]]
+    given = {
+        "MinimalSurface": ([SAIL], {"objective": "MinimalMeanCurvature", "triangles": 300}),
+        "RuledStrip": ([SAIL[:2], SAIL[2:4]], {"objective": "MinimalTwist"}),
+        "Lattice": ([ring, hole], {"objective": "FewestNodes", "members": 2500.0}),
+        "Membrane": ([SAIL], {"Tension": 2e-3, "cables": 20.0, "triangles": 300}),
+        "CableNet": (spokes, {"Force_per": 1e-3}),
+    }
+    for word, (lines, answers) in given.items():
+        curves = [polyline(moved(line, 1000.0)) for line in lines]
+        fresh(*curves, unit="Millimeters", what_to_make=word, **answers)
+        made = plateau_rhino.main()
+        assert made, (word, document.said)
+        job = statistics()
+        assert job["kind"] == plateau_rhino.SURFACES[word]
+        memory = json.loads(document.texts[made[0], "plateau"])
+        assert memory["curves"] == document.picked and memory["job"] == job["id"]
+        asked = [prompt for prompt, _ in document.prompts]
+        assert all(any(words.replace("_", " ") in prompt for prompt in asked) for words in answers), asked
+        if "objective" in memory["settings"]:
+            assert job["statistics"]["objective"] == memory["settings"]["objective"]
+        if word == "CableNet":
+            middle = [document.objects[one].PointAtEnd for one in made]
+            expected = moved([(5, 5, 2)], 1000.0)[0]
+            assert len(made) == 4
+            assert all(math.dist((point.X, point.Y, point.Z), expected) < 1e-5 for point in middle), middle
+        else:
+            (mesh,) = document.meshes
+            assert len(mesh.Faces) == job["statistics"].get("triangles", len(mesh.Faces))
+            corner = mesh.Vertices.Point3dAt(0)
+            assert [corner.X, corner.Y, corner.Z] == list(moved([lines[0][0]], 1000.0)[0])
+        if word == "Membrane":
+            # The edges are cables: the film is smaller than over straight edges.
+            assert job["statistics"]["converged"] and len(job["statistics"]["cables"]) == 4
+
+
+def test_a_result_is_replaced_in_one_undo_step():
+    for lines, answers in (([SAIL], {"triangles": 200}), ([[(0, 0, 0), (1, 1, 1)], [(2, 0, 0), (1, 1, 1)], [(1, 2, 0), (1, 1, 1)]], {"what_to_make": "CableNet"})):
+        fresh(*map(polyline, lines), **answers)
+        curves = list(document.picked)
+        first = plateau_rhino.main()
+        before = dict(document.objects)
+        for picked in (curves, first[:1]):
+            document.picked, document.answers = picked, {}
+            document.prompts[:] = []
+            again = plateau_rhino.main()
+            # The prompts offer what was chosen before.
+            offered = dict(document.prompts)
+            assert offered["Plateau: what to make"] == ("MinimalSurface" if len(lines) == 1 else "CableNet")
+            assert offered.get("Plateau: Number of triangles", 200) == 200
+            assert set(document.objects) == {*curves, *again} and not set(again) & set(first)
+            document.undo()
+            assert document.objects == before
+    # A curve that is gone is said, and nothing is changed.
+    del document.objects[curves[0]]
+    document.picked = first[:1]
+    assert plateau_rhino.main() is None and "gone" in document.said[-1]
 
 
 def test_escape_cancels_the_job():

@@ -35,7 +35,7 @@ class Hold:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        folder.mkdir()
+        folder.mkdir(exist_ok=True)
 
     @contextlib.contextmanager
     def at(self, stage: str) -> Iterator[None]:
@@ -56,11 +56,19 @@ class Hold:
 
 class Server:
     def __init__(self, data: Path, *arguments: str) -> None:
-        binary = os.environ.get("PLATEAU_BIN") or str(CHECKOUT / "target" / "debug" / "plateau")
         self.log = (data / "log").open("w+")
         self.hold = Hold(data / "hold")
+        self._data = data
+        self._arguments = arguments
+        self.url = ""
+        self.start("127.0.0.1:0")
+
+    def start(self, address: str = "") -> None:
+        """Starts the server on its data: at an address, or where it was before `kill`."""
+        binary = os.environ.get("PLATEAU_BIN") or str(CHECKOUT / "target" / "debug" / "plateau")
+        address = address or self.url.partition("://")[2]
         self.process = subprocess.Popen(
-            [binary, "--listen", "127.0.0.1:0", "--data", str(data / "store"), *arguments],
+            [binary, "--listen", address, "--data", str(self._data / "store"), *self._arguments],
             stdout=subprocess.PIPE,
             stderr=self.log,
             text=True,
@@ -70,6 +78,11 @@ class Server:
         line = self.process.stdout.readline()
         assert line.startswith("listening on "), line
         self.url = line.split()[-1]
+
+    def kill(self) -> None:
+        """Ends the server at once, as a power cut does."""
+        self.process.kill()
+        self.process.wait(timeout=30)
 
     def stop(self) -> None:
         self.process.terminate()

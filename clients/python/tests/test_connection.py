@@ -112,7 +112,7 @@ def test_a_job_is_followed_to_its_end_where_no_stream_passes(server: Server, mon
 def test_after_a_stream_the_job_is_asked_for_and_the_next_stream_waits(ending: str) -> None:
     running: Any = {"id": "j", "status": "running", "progress": {"phase": "newton", "fraction": 0.5}}
     seen: List[Any] = []
-    flow = flows.wait(running, seen.append, None, 60.0)
+    flow = flows.wait(running, seen.append, None, flows.Patience())
     for last_id in ["", "7", "7"]:
         listen = next(flow) if not last_id else flow.send(None)
         assert isinstance(listen, flows.Listen) and listen.headers.get("Last-Event-ID", "") == last_id
@@ -148,8 +148,13 @@ def test_a_busy_server_is_asked_again_for_as_long_as_the_patience_lasts() -> Non
 
 
 def test_a_server_that_is_not_there_and_a_key_that_is_missing(tmp_path_factory: pytest.TempPathFactory) -> None:
+    # By default a mistyped address is told after seconds, and a server that was reached once is waited for.
+    patience = flows.Patience()
+    assert patience.seconds == flows.FIRST_CONTACT_S
+    patience.reached = True
+    assert patience.seconds == flows.PATIENCE_S and flows.Patience(7).seconds == 7
     with pytest.raises(ConnectionFailed):
-        Plateau("http://127.0.0.1:9").limits()
+        Plateau("http://127.0.0.1:9", patience=0.2).limits()
     folder = tmp_path_factory.mktemp("keys")
     key = "0123456789abcdef0123456789abcdef"
     (folder / "config.toml").write_text(f'[auth.keys]\nstudio = "{hashlib.sha256(key.encode()).hexdigest()}"\n')

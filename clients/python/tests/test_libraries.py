@@ -28,11 +28,14 @@ def test_curves_of_shapely() -> None:
 
 
 def test_curves_of_compas() -> None:
-    from compas.geometry import Circle, Line, Point, Polygon, Polyline
+    from compas.geometry import Bezier, Circle, Line, Point, Polygon, Polyline
 
     assert points(Polyline(TENT)) == points(Polygon(TENT)) == points(Polyline([*TENT, TENT[0]])) == TENT
     assert points(Line(TENT[0], TENT[1])) == TENT[:2]
     assert points(Point(1, 2, 3)) == [[1, 2, 3]]
+    bezier = points(Bezier([[0, 0, 0], [1, 2, 0], [3, 0, 0]]), samples=5)
+    assert len(bezier) == 5 and bezier[0] == [0, 0, 0] and bezier[2] == [1.25, 1, 0] and bezier[4] == [3, 0, 0]
+    assert len(points(Bezier([[0, 0, 0], [1, 2, 0], [3, 0, 0], [0, 0, 0]]), samples=5)) == 5
     circle = np.array(points(Circle(5.0), samples=16))
     np.testing.assert_allclose(np.linalg.norm(circle, axis=1), 5.0)
     assert len(np.unique(circle.round(9), axis=0)) == 16
@@ -86,3 +89,27 @@ def test_the_mesh_in_other_libraries_at_survey_coordinates() -> None:
     for index in (0, 100, len(film.vertices) - 1):
         point = of_rhino.Vertices.Point3dAt(index)
         assert [point.X, point.Y, point.Z] == film.vertices[index].tolist()
+
+
+def test_a_cable_net_keeps_its_edges_and_forces() -> None:
+    client = Plateau()
+    net = client.solve(client.example("four-cables"))
+    edges, forces = net.edges.tolist(), net.forces.tolist()
+    assert len(edges) == 4
+
+    of_meshio = net.to_meshio()
+    np.testing.assert_array_equal(of_meshio.cells_dict["line"], net.edges)
+    np.testing.assert_array_equal(of_meshio.cell_data["force"][0], net.forces)
+
+    of_compas = net.to_compas()
+    assert sorted(list(ends) for ends in of_compas.edges()) == sorted(edges)
+    assert [of_compas.edge_attribute(tuple(ends), "force") for ends in edges] == forces
+
+    of_trimesh = net.to_trimesh()
+    assert [entity.points.tolist() for entity in of_trimesh.entities] == edges
+    assert [entity.metadata["force"] for entity in of_trimesh.entities] == forces and of_trimesh.units == "m"
+    np.testing.assert_array_equal(of_trimesh.vertices, net.vertices)
+
+    for curve, (a, b) in zip(net.to_rhino3dm(), edges):
+        for point, vertex in ((curve.PointAtStart, a), (curve.PointAtEnd, b)):
+            assert [point.X, point.Y, point.Z] == net.vertices[vertex].tolist()

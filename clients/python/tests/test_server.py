@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import io
+import json
+import zipfile
 from pathlib import Path
 from typing import Any, Dict, List
 
@@ -10,6 +13,7 @@ import numpy as np
 import pytest
 from conftest import Server, soon
 
+import plateau_client
 from plateau_client import (
     AsyncPlateau,
     InvalidRequest,
@@ -17,6 +21,7 @@ from plateau_client import (
     JobFailed,
     NotFound,
     Plateau,
+    PlateauError,
     TimedOut,
     requests,
 )
@@ -60,8 +65,73 @@ def test_every_kind_is_solved_and_saved(tmp_path: Path) -> None:
         assert strip.save(tmp_path / "strip.svg").read_text().startswith("<svg")
         with pytest.raises(ValueError, match="expected a name that ends in"):
             film.save("film.fbx")
-        assert set(floor.lines()) == {"members_lattice", "members_rim"}
-        np.testing.assert_array_equal(film.vertices[film.lines()["boundaries"][0][0]], TENT[0])
+        members = floor.lines()
+        assert set(members) == {"members lattice", "members rim"} and members["members rim"].unit == "m"
+        ends = floor.vertices[np.array(members["members rim"].paths)]
+        lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+        np.testing.assert_allclose(members["members rim"].values["length"], lengths)
+        np.testing.assert_array_equal(film.vertices[film.lines()["boundaries"].paths[0][0]], TENT[0])
+        assert json.loads(film.save(tmp_path / "film.json").read_text())["vertices"] == film.vertices.tolist()
+
+
+def test_lines_end_at_vertices_and_have_their_forces() -> None:
+    client = Plateau()
+    net = client.solve(client.example("four-cables"))
+    lines = net.lines()
+    assert list(lines) == ["cables low", "cables high", "reactions"]
+    for name in ("cables low", "cables high"):
+        assert all(path.max() < len(net.vertices) for path in lines[name].paths)
+    assert lines["cables low"].values["force"] == pytest.approx([5, 5]) and lines["cables low"].unit == "kN"
+    reactions = lines["reactions"]
+    assert reactions.paths == [] and reactions.arrows.shape == (4, 2, 3)
+    np.testing.assert_array_equal(reactions.arrows[:, 0], net.vertices[:4])
+    assert sorted(reactions.values["force"]) == pytest.approx([5, 5, 6, 6])
+
+
+def test_a_batch_gives_a_mesh_for_each_request_or_its_error(tmp_path: Path) -> None:
+    twisted = [(0, 0, 0), (30, 20, 0), (30, 0, 0), (0, 20, 0)]
+    given = [film(0.01), requests.ruled_surface([TENT[:2], TENT[2:]], direction="auto"), film(0.02)]
+    client = Plateau()
+    batch = client.submit_batch(given)
+    films = batch.wait(timeout=60)
+    assert batch.status == "succeeded" and [one["kind"] for one in batch.info["jobs"]] == [one["kind"] for one in given]
+    assert [one.request for one in films if not isinstance(one, PlateauError)] == given
+    assert client.batch(batch.id).info["jobs"] == batch.info["jobs"]
+    with zipfile.ZipFile(io.BytesIO(batch.download(mesh_format="ply"))) as archive:
+        assert "batch.json" in archive.namelist() and len(archive.namelist()) == 4
+    assert batch.download("glb")[:4] == b"glTF"
+    with pytest.raises(InvalidRequest, match="/requests/1"):
+        client.submit_batch([film(0.03), {**film(0.03), "boundaries": [twisted[:2]]}])
+    batch.delete()
+    with pytest.raises(NotFound):
+        batch.refresh()
+
+
+def test_a_cancelled_batch_says_so_for_each_job(server: Server) -> None:
+    async def cancelled() -> None:
+        async with AsyncPlateau() as client:
+            batch = await client.submit_batch([film(0.04), film(0.05)])
+            await batch.cancel()
+            assert [type(one) for one in await batch.wait()] == [JobCancelled, JobCancelled]
+
+    with server.hold.at("claimed"):
+        asyncio.run(cancelled())
+
+
+def test_the_request_and_the_certificate_come_back() -> None:
+    client = Plateau()
+    request = requests.minimal_surface([TENT], resolution={"triangles": 100}, certify={"seconds": 0.1})
+    proven = client.solve(request)
+    assert proven.request == request and client.job(proven.id).request is None
+    assert client.submit(request).wait().request == request
+    assert proven.certificate()
+    with pytest.raises(NotFound):
+        client.minimal_surface([TENT]).certificate()
+
+
+def test_the_server_is_told_who_asks() -> None:
+    with Plateau() as client:
+        assert client._http.headers["User-Agent"] == f"plateau-client/{plateau_client.__version__} (Python)"
 
 
 def test_vertices_are_the_solver_s_own_numbers_at_survey_coordinates_too() -> None:
@@ -160,10 +230,33 @@ def test_errors_lead_to_the_values() -> None:
     assert local.value.status is None and local.value.errors[0].pointer == "/boundaries/1/1/1"
     with pytest.raises(ValueError, match="/boundaries/0: expected points"):
         client.minimal_surface([["a", "b"]])
-    with pytest.raises(InvalidRequest, match="/boundaries: expected a list of curves"):
+    with pytest.raises(InvalidRequest, match="/boundaries: must be a list of curves"):
         client.minimal_surface(5)
     with pytest.raises(InvalidRequest, match="/kind"):
         client.solve({"boundaries": [TENT]})
+
+
+def test_slips_are_explained_before_they_are_sent() -> None:
+    from shapely.geometry import LineString, Polygon
+
+    client = Plateau("http://127.0.0.1:9", patience=0)  # nothing listens there
+    one_curve: List[Any] = [TENT, np.array(TENT), [list(point) for point in TENT], LineString(TENT)]
+    for curve in one_curve:
+        with pytest.raises(InvalidRequest, match="/boundaries: lacks a level of brackets: it must be a list of curves"):
+            client.minimal_surface(curve)
+    with pytest.raises(InvalidRequest, match="/directrices: lacks a level of brackets"):
+        client.ruled_surface(TENT)
+    polygon = Polygon(TENT, [[(1, 1), (2, 1), (2, 2)]])
+    with pytest.raises(InvalidRequest, match=r"/boundaries: .* pass \[polygon.exterior, \*polygon.interiors\]"):
+        client.minimal_surface(polygon)
+    assert len(requests.minimal_surface([polygon.exterior, *polygon.interiors])["boundaries"]) == 2
+    force = r'/units: must be an object with the units of lengths and forces, such as \{"length": "mm", "force": "kN"\}'
+    with pytest.raises(InvalidRequest, match=force):
+        client.tensile_structure([TENT], {"tension": 1}, units="mm")  # type: ignore[arg-type]
+    with pytest.raises(InvalidRequest, match="/requests/0/units"):
+        client.submit_batch([requests.cable_net(TENT, [(0, 1)], [0], units="mm")])  # type: ignore[arg-type]
+    # A strip from an apex, and one between two points and a curve, are none of these slips.
+    assert requests.ruled_surface([TENT[0], TENT[1:]])["directrices"][0] == [list(TENT[0])]
 
 
 def test_a_job_that_fails_says_why() -> None:

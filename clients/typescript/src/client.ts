@@ -1,21 +1,24 @@
 /** The client. */
-import { type CurveLike, curves, points, toJson } from './curves.js';
-import { ConnectionFailed, JobCancelled, JobFailed, problemOf } from './errors.js';
-import { type FollowControl, Follower, hasEnded } from './follow.js';
-import { Mesh, readLines } from './mesh.js';
+import { checkUnits, type CurveLike, curves, points, toJson } from './curves.js';
+import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
+import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
+import { type Lines, Mesh, readLines } from './mesh.js';
 import type {
-  CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
+  BatchInfo, CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
   Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
-import { abortable, pause } from './waiting.js';
+import { abortable, Patience } from './waiting.js';
 
 export interface PlateauOptions {
   /** The server with its public base path. Default: PLATEAU_URL of Node's environment, then http://127.0.0.1:8080. */
   url?: string;
   /** Default: PLATEAU_API_KEY of Node's environment. */
   apiKey?: string;
-  /** Milliseconds for which a request is tried again while the server is busy. Default: 60,000. */
+  /**
+   * Milliseconds for which a request is tried again while the server cannot be reached or is busy. Default: 60,000, and
+   * 4,000 for an address that was never reached.
+   */
   patienceMs?: number;
   fetch?: typeof fetch;
 }
@@ -34,12 +37,20 @@ export interface SubmitOptions {
   signal?: AbortSignal | undefined;
 }
 
+interface Process {
+  env?: Record<string, string | undefined>;
+  versions?: Record<string, string | undefined>;
+}
+
 interface Sending {
   method?: string;
   headers?: Record<string, string>;
   body?: string;
   signal?: AbortSignal | undefined;
 }
+
+/** The version of this package. */
+export const version = '0.1.0';
 
 const PATHS: Record<Kind, string> = {
   ruled_surface: 'v1/ruled-surfaces',
@@ -51,8 +62,12 @@ const PATHS: Record<Kind, string> = {
 
 /** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
 const SHORT_WAIT_S = 1;
-/** How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice. */
-const ATTEMPTS = 4;
+/** Seconds that one request waits for a batch's end; the server may grant less. */
+const LONG_POLL_S = 20;
+/** Codes of Node.js for connections that were never made. */
+const UNREACHED: readonly string[] = [
+  'ECONNREFUSED', 'ENOTFOUND', 'EAI_AGAIN', 'EHOSTUNREACH', 'ENETUNREACH', 'ETIMEDOUT', 'UND_ERR_CONNECT_TIMEOUT',
+];
 
 /** A mesh whose files and curves can still be fetched from the server. */
 export class Result<Statistics> extends Mesh<Statistics> {
@@ -68,9 +83,14 @@ export class Result<Statistics> extends Mesh<Statistics> {
     return this.#client.download(this.id, format);
   }
 
-  /** The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices of vertices. */
-  async lines(): Promise<Map<string, Uint32Array[]>> {
-    return readLines(new TextDecoder().decode(await this.download('obj')));
+  /** The lines on the mesh by name (`boundaries`, `bridges`, `members rim`, `cables ridge`, `reactions`…). */
+  async lines(): Promise<Map<string, Lines>> {
+    return readLines(parsed(await this.download('json')));
+  }
+
+  /** The proof of a lower bound of the area, for requests with `certify`. */
+  certificate(): Promise<Record<string, unknown>> {
+    return this.#client.getJson(`v1/jobs/${this.id}/certificate`);
   }
 }
 
@@ -78,7 +98,12 @@ export class Result<Statistics> extends Mesh<Statistics> {
 export class Job<Statistics = unknown> {
   readonly #client: Plateau;
 
-  constructor(client: Plateau, public info: JobInfo) {
+  constructor(
+    client: Plateau,
+    public info: JobInfo,
+    /** The request as this client sent it. Undefined for a job that another client submitted. */
+    readonly request?: Request,
+  ) {
     this.#client = client;
   }
 
@@ -97,7 +122,7 @@ export class Job<Statistics = unknown> {
   /** Waits for the end and gets the mesh. Aborting the signal stops the wait; the job goes on. */
   async wait(control: FollowControl = {}): Promise<Result<Statistics>> {
     this.info = await this.#client.waitFor(this.info, control);
-    return this.#client.resultOf<Statistics>(this.info);
+    return this.#client.resultOf<Statistics>(this.info, undefined, this.request);
   }
 
   /** Cancels the job; a job that has ended stays as it is. */
@@ -111,21 +136,83 @@ export class Job<Statistics = unknown> {
   }
 }
 
+/** Requests that were submitted together. `info` is what the server last said of them. */
+export class Batch {
+  readonly #client: Plateau;
+  readonly #requests: readonly Request[] | undefined;
+
+  constructor(client: Plateau, public info: BatchInfo, requests?: readonly Request[]) {
+    this.#client = client;
+    this.#requests = requests;
+  }
+
+  get id(): string {
+    return this.info.id;
+  }
+
+  get status(): Status {
+    return this.info.status;
+  }
+
+  async refresh(): Promise<BatchInfo> {
+    return (this.info = await this.#client.getJson<BatchInfo>(`v1/batches/${this.id}`));
+  }
+
+  /**
+   * Waits until every job has ended, and gets a mesh for each request, in their order. A job without a mesh has its JobFailed
+   * or JobCancelled in the list. Aborting the signal stops the wait; the jobs go on.
+   */
+  async wait(control: { signal?: AbortSignal } = {}): Promise<(Result<unknown> | JobFailed | JobCancelled)[]> {
+    const { signal } = control;
+    while (!hasEnded(this.info.status)) {
+      const sending = { headers: { Prefer: `wait=${LONG_POLL_S}` }, signal };
+      this.info = parsed<BatchInfo>(await this.#client.send(`v1/batches/${this.id}`, sending));
+    }
+    const found: (Result<unknown> | JobFailed | JobCancelled)[] = [];
+    for (const { id, index } of this.info.jobs) {
+      const job = await this.#client.getJson<JobInfo>(`v1/jobs/${id}`);
+      found.push(await this.#client.resultOf<unknown>(job, signal, this.#requests?.[index]).catch((error: unknown) => {
+        if (error instanceof JobFailed || error instanceof JobCancelled) return error;
+        throw error;
+      }));
+    }
+    return found;
+  }
+
+  /** All meshes as one `zip`, each in `meshFormat` (`glb` by default), or as one `glb` scene. */
+  download(format: 'zip' | 'glb' = 'zip', meshFormat?: MeshFormat): Promise<ArrayBuffer> {
+    const chosen = meshFormat ? `&mesh_format=${meshFormat}` : '';
+    return this.#client.send(`v1/batches/${this.id}/meshes?format=${format}${chosen}`);
+  }
+
+  /** Cancels every job that has not ended. */
+  async cancel(): Promise<BatchInfo> {
+    return (this.info = parsed(await this.#client.send(`v1/batches/${this.id}/cancel`, { method: 'POST' })));
+  }
+
+  /** Removes the batch with its jobs and meshes from the server. */
+  async delete(): Promise<void> {
+    await this.#client.send(`v1/batches/${this.id}`, { method: 'DELETE' });
+  }
+}
+
 /** A Plateau server. */
 export class Plateau {
   readonly url: string;
-  readonly #patienceMs: number;
+  readonly #patience: Patience;
   readonly #headers: Record<string, string>;
   readonly #fetch: typeof fetch;
 
   /** `options` may be the address alone. */
   constructor(options: string | PlateauOptions = {}) {
     const { url, apiKey, patienceMs, fetch }: PlateauOptions = typeof options === 'string' ? { url: options } : options;
-    const environment = (globalThis as { process?: { env?: Record<string, string | undefined> } }).process?.env ?? {};
+    const { env: environment = {}, versions } = (globalThis as { process?: Process }).process ?? {};
     this.url = (url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
     const key = apiKey ?? environment['PLATEAU_API_KEY'];
     this.#headers = key ? { Authorization: `Bearer ${key}` } : {};
-    this.#patienceMs = patienceMs ?? 60_000;
+    // Browsers name themselves, and ask the server first about a request with a name of its own.
+    if (versions?.['node']) this.#headers['User-Agent'] = `plateau-client/${version} (Node.js)`;
+    this.#patience = new Patience(patienceMs);
     this.#fetch = fetch ?? ((input, init) => globalThis.fetch(input, init));
   }
 
@@ -192,7 +279,7 @@ export class Plateau {
       if (!(error instanceof ConnectionFailed)) await this.cancel(info.id).catch(() => undefined);
       throw error;
     }
-    return this.resultOf<StatisticsOf<R>>(job, signal);
+    return this.resultOf<StatisticsOf<R>>(job, signal, request);
   }
 
   /** Submits a request and returns the job once it is accepted. */
@@ -201,11 +288,23 @@ export class Plateau {
     signal?.throwIfAborted();
     const posted = this.#post(request, idempotencyKey, waitS);
     try {
-      return new Job(this, await abortable(posted, signal));
+      return new Job(this, await abortable(posted, signal), request);
     } catch (error) {
       if (signal?.aborted) void this.#giveUp(posted, idempotencyKey);
       throw error;
     }
+  }
+
+  /** Submits many requests at once and returns the batch once it is accepted. */
+  async submitBatch(requests: readonly Request[], options: { idempotencyKey?: string } = {}): Promise<Batch> {
+    const key = options.idempotencyKey ?? randomKey();
+    requests.forEach((request, index) => checkUnits(request, `/requests/${index}`));
+    return new Batch(this, await this.#submit<BatchInfo>('v1/batches', { requests }, key, 0), requests);
+  }
+
+  /** A batch by its id. */
+  async batch(id: string): Promise<Batch> {
+    return new Batch(this, await this.getJson<BatchInfo>(`v1/batches/${id}`));
   }
 
   /** For dragging: of the requests that are solved through it only the newest counts. */
@@ -216,6 +315,11 @@ export class Plateau {
   /** A job by its id. */
   async job(id: string): Promise<Job> {
     return new Job(this, await this.getJson<JobInfo>(`v1/jobs/${id}`));
+  }
+
+  /** Waits for a job of an earlier call and gets its mesh. Aborting the signal stops the wait; the job goes on. */
+  async resume(id: string, control: FollowControl = {}): Promise<Result<unknown>> {
+    return about(id, this.job(id).then((job) => job.wait(control)));
   }
 
   /** All jobs, newest first, page by page. */
@@ -230,7 +334,7 @@ export class Plateau {
   }
 
   async cancel(id: string): Promise<JobInfo> {
-    return (await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' })).json() as Promise<JobInfo>;
+    return parsed<JobInfo>(await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' }));
   }
 
   /** Removes a job and its mesh; cancels it if needed. */
@@ -240,7 +344,7 @@ export class Plateau {
 
   async download(id: string, format: MeshFormat | PatternFormat = 'glb', signal?: AbortSignal): Promise<ArrayBuffer> {
     const part = format === 'svg' || format === 'dxf' ? 'pattern' : 'mesh';
-    return (await this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal })).arrayBuffer();
+    return this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal });
   }
 
   objectives(): Promise<ObjectiveList> {
@@ -259,55 +363,93 @@ export class Plateau {
 
   /** Waits until a job has ended, however it ended. Connections that break are made again. */
   waitFor(job: JobInfo, control: FollowControl = {}): Promise<JobInfo> {
-    return new Follower(job, (path, headers, signal) => this.#fetchOnce(path, { headers, signal }), control).end();
+    const get: Get = (path, headers, signal) => this.#fetchOnce(path, { headers, signal });
+    return about(job.id, new Follower(job, get, control, this.#patience).end());
   }
 
   /** The mesh of a job that has ended; throws how it ended if there is none. */
-  async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal): Promise<Result<Statistics>> {
+  async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal, request?: Request): Promise<Result<Statistics>> {
     if (job.status === 'failed') throw new JobFailed(job);
     if (job.status === 'cancelled') throw new JobCancelled(job);
-    return new Result<Statistics>(this, job, await this.download(job.id, 'ply', signal));
+    const made = new Result<Statistics>(this, job, await about(job.id, this.download(job.id, 'ply', signal)));
+    made.request = request;
+    return made;
   }
 
   async getJson<T>(path: string): Promise<T> {
-    return (await this.send(path)).json() as Promise<T>;
+    return parsed<T>(await this.send(path));
   }
 
-  /** Sends a request. Waits and tries again while the server is busy or cannot be reached; throws what it refuses. */
-  async send(path: string, sending: Sending = {}): Promise<Response> {
-    const deadline = Date.now() + this.#patienceMs;
-    for (let attempt = 1; ; ) {
+  /**
+   * Sends a request and reads its answer. Waits and tries again while the server is busy or cannot be reached; throws what it
+   * refuses. Every request may be sent again, because submissions carry an Idempotency-Key.
+   */
+  async send(path: string, sending: Sending = {}): Promise<ArrayBuffer> {
+    const attempts = this.#patience.attempts();
+    for (;;) {
       let response: Response;
+      let body: ArrayBuffer;
       try {
         response = await this.#fetchOnce(path, sending);
+        body = await response.arrayBuffer();
       } catch (error) {
         sending.signal?.throwIfAborted();
-        if (attempt++ >= ATTEMPTS) throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
-        await pause(100 * 3 ** (attempt - 1), sending.signal);
-        continue;
+        if (!this.#patience.reached && (await this.#isBlocked())) throw this.#blocked(error);
+        if (await attempts.again(0, sending.signal)) continue;
+        throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
       }
-      if (response.ok) return response;
-      const retryAfterMs = 1000 * Number(response.headers.get('retry-after') ?? Number.NaN);
-      const pauseMs = Math.max(200, retryAfterMs);
-      const isBusy = response.status === 429 || response.status === 503;
-      if (!isBusy || Number.isNaN(pauseMs) || Date.now() + pauseMs >= deadline) throw await problemOf(response);
-      await response.body?.cancel();
-      await pause(pauseMs, sending.signal);
+      if (response.ok) return body;
+      const problem = problemOf(response, new TextDecoder().decode(body));
+      const isPassing = PASSING.includes(response.status);
+      if (!isPassing || !(await attempts.again(retryAfterMs(response), sending.signal))) throw problem;
     }
   }
 
-  #fetchOnce(path: string, sending: Sending): Promise<Response> {
+  /**
+   * Whether the server answers and the browser keeps the answer from this page (CORS). A browser does not say so: it reports a
+   * blocked answer like a missing one, but lets a request pass that wants no answer.
+   */
+  async #isBlocked(): Promise<boolean> {
+    if (!origin()) return false;
+    return this.#fetch(`${this.url}/health/live`, { mode: 'no-cors' }).then(() => true, () => false);
+  }
+
+  #blocked(cause: unknown): ConnectionFailed {
+    const message = `${this.url} answers, but the browser keeps its answers from pages of ${origin()} (CORS): `
+      + `the server's setting http.cors_origins must name "${origin()}"`;
+    return new ConnectionFailed(message, { cause });
+  }
+
+  async #fetchOnce(path: string, sending: Sending): Promise<Response> {
     const init: RequestInit = { method: sending.method ?? 'GET', headers: { ...this.#headers, ...sending.headers } };
     if (sending.body !== undefined) init.body = sending.body;
     if (sending.signal) init.signal = sending.signal;
-    return this.#fetch(`${this.url}/${path}`, init);
+    try {
+      const response = await this.#fetch(`${this.url}/${path}`, init);
+      this.#patience.reached = true;
+      return response;
+    } catch (error) {
+      // Node.js says why there is no answer. A connection that breaks later had reached a server.
+      const code = (error as { cause?: { code?: unknown } }).cause?.code;
+      if (typeof code === 'string' && !UNREACHED.includes(code)) this.#patience.reached = true;
+      throw error;
+    }
   }
 
   async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    checkUnits(request);
+    return this.#submit<JobInfo>(PATHS[request.kind], request, key, waitS);
+  }
+
+  async #submit<T>(path: string, body: unknown, key: string, waitS: number): Promise<T> {
     const headers: Record<string, string> = { 'Content-Type': 'application/json', 'Idempotency-Key': key };
     if (waitS > 0) headers['Prefer'] = `wait=${waitS}`;
-    const response = await this.send(PATHS[request.kind], { method: 'POST', headers, body: toJson(request) });
-    return (await response.json()) as JobInfo;
+    try {
+      return parsed<T>(await this.send(path, { method: 'POST', headers, body: toJson(body) }));
+    } catch (error) {
+      if (error instanceof ConnectionFailed) error.idempotencyKey = key;
+      throw error;
+    }
   }
 
   /** Cancels a job whose submission is not answered yet: at once by its key, and again when the answer is there. */
@@ -352,7 +494,7 @@ export class Live {
       if (!job) return null;
       job = await this.#client.waitFor(job, { ...control, signal: own.signal });
       if (own.signal.aborted) return null;
-      return await this.#client.resultOf<StatisticsOf<R>>(job, own.signal);
+      return await this.#client.resultOf<StatisticsOf<R>>(job, own.signal, request);
     } catch (error) {
       if (own.signal.aborted) return null;
       // Nobody waits for this job any more: the request was refused, or its caller's function failed.
@@ -379,6 +521,15 @@ export class Live {
     this.#accepted = undefined;
     if (job && !hasEnded(job.status)) await this.#client.cancel(job.id).catch(() => undefined);
   }
+}
+
+/** The origin of the page that runs this; undefined outside of browsers. */
+function origin(): string | undefined {
+  return (globalThis as { location?: { origin?: string } }).location?.origin;
+}
+
+function parsed<T>(json: ArrayBuffer): T {
+  return JSON.parse(new TextDecoder().decode(json)) as T;
 }
 
 /** A key that nobody else has. Pages without TLS have no `crypto.randomUUID`. */

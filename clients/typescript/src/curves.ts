@@ -12,12 +12,13 @@ export function points(curve: CurveLike): number[][] {
     return Array.from({ length: curve.length / 3 }, (_, i) => Array.from(curve.subarray(3 * i, 3 * i + 3)));
   }
   if (!Array.isArray(curve)) throw invalid('', 'expected points as [[x, y, z], …]');
+  if (!curve.every(isPoint)) throw invalid('', 'expected points as [[x, y, z], …]');
   return curve.map((point: PointLike) => ('x' in point ? [point.x, point.y, point.z] : [...point]));
 }
 
 /** The curves of a field of a request; the pointers of errors lead to the curve. */
 export function curves(field: string, given: readonly CurveLike[]): number[][][] {
-  if (!Array.isArray(given)) throw invalid(`/${field}`, 'expected a list of curves');
+  if (!Array.isArray(given) || (given.length > 0 && given.every(isPoint))) throw invalid(`/${field}`, BRACKETS);
   return given.map((curve: CurveLike, index) => {
     try {
       return points(curve);
@@ -25,6 +26,22 @@ export function curves(field: string, given: readonly CurveLike[]): number[][][]
       throw error instanceof InvalidRequest ? invalid(`/${field}/${index}`, error.detail) : error;
     }
   });
+}
+
+const BRACKETS = 'lacks a level of brackets: it must be a list of curves, which are lists of points [x, y, z], '
+  + 'such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]';
+
+/** Whether a value is x y z, and not a list of points. */
+function isPoint(value: unknown): boolean {
+  if (Array.isArray(value)) return value.length > 0 && value.every((one) => typeof one === 'number');
+  return typeof value === 'object' && value !== null && 'x' in value;
+}
+
+/** Membranes and nets have a unit of force too, so that the unit of length alone is not enough. */
+export function checkUnits({ kind, units }: { kind?: unknown; units?: unknown }, pointer = ''): void {
+  if ((kind !== 'tensile_structure' && kind !== 'cable_net') || typeof units !== 'string') return;
+  const example = `{"length": "${units}", "force": "kN"}`;
+  throw invalid(`${pointer}/units`, `must be an object with the units of lengths and forces, such as ${example}`);
 }
 
 /** The body of a request. JSON has no NaN: a number that is not finite is an error with its pointer. */
@@ -44,5 +61,5 @@ function checkFinite(value: unknown, pointer: string): void {
 }
 
 function invalid(pointer: string, detail: string): InvalidRequest {
-  return new InvalidRequest({ title: 'The request cannot be worked on', detail, errors: [{ pointer, detail }] });
+  return new InvalidRequest({ title: 'The request is invalid', detail, errors: [{ pointer, detail }] });
 }

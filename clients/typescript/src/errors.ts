@@ -3,6 +3,9 @@ import type { FieldError, JobInfo, Problem } from './types.js';
 
 /** Base class of all errors of this package. An aborted signal's own reason is passed on as it is. */
 export class PlateauError extends Error {
+  /** The id of the job that the error is about, if the server had accepted one. `resume` comes back to the job. */
+  jobId: string | undefined;
+
   constructor(message: string, options?: ErrorOptions) {
     super(message, options);
     this.name = new.target.name;
@@ -60,6 +63,7 @@ export class ServerError extends ProblemError {}
 export class JobFailed extends ProblemError {
   constructor(readonly job: JobInfo) {
     super(job.error ?? { title: 'The job failed', detail: '' });
+    this.jobId = job.id;
   }
 }
 
@@ -67,17 +71,41 @@ export class JobFailed extends ProblemError {
 export class JobCancelled extends PlateauError {
   constructor(readonly job: JobInfo) {
     super(`job ${job.id} was cancelled`);
+    this.jobId = job.id;
   }
 }
 
-/** The server cannot be reached. If it was lost while a job ran, `job` is what it last said of the job, which goes on. */
+/** The server could not be reached for as long as the client tried. A job that it had accepted goes on there. */
 export class ConnectionFailed extends PlateauError {
+  /** What the server last said of the job. */
   readonly job: JobInfo | undefined;
+  /** The key of a submission that got no answer. `submit` with the same request and key makes no second job. */
+  idempotencyKey: string | undefined;
 
   constructor(message: string, { job, ...options }: ErrorOptions & { job?: JobInfo } = {}) {
     super(message, options);
     this.job = job;
+    this.jobId = job?.id;
   }
+}
+
+/** Gives an error of a step about a job the job's id. */
+export async function about<T>(jobId: string, step: Promise<T>): Promise<T> {
+  try {
+    return await step;
+  } catch (error) {
+    if (error instanceof PlateauError) error.jobId ??= jobId;
+    throw error;
+  }
+}
+
+/** Answers of proxies, and of a server that is busy or starts again. */
+export const PASSING: readonly number[] = [408, 425, 429, 502, 503, 504];
+
+/** Milliseconds that an answer asks to wait for, or 0. */
+export function retryAfterMs(response: Response): number {
+  const text = response.headers.get('retry-after') ?? '';
+  return /^\d+$/.test(text) ? Math.max(200, 1000 * Number(text)) : 0;
 }
 
 const BY_STATUS: Record<number, typeof ProblemError> = {
@@ -86,8 +114,7 @@ const BY_STATUS: Record<number, typeof ProblemError> = {
 };
 
 /** The error for an answer that is a failure. */
-export async function problemOf(response: Response): Promise<ProblemError> {
-  const text = await response.text();
+export function problemOf(response: Response, text: string): ProblemError {
   let problem: ProblemFacts = { title: `HTTP ${response.status}`, detail: text.slice(0, 200) };
   try {
     const found = JSON.parse(text) as Partial<Problem>;

@@ -1,8 +1,8 @@
 /** Follows a job to its end over connections that break. */
 import { createParser, type EventSourceMessage } from 'eventsource-parser';
-import { ConnectionFailed, problemOf } from './errors.js';
+import { ConnectionFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
 import type { JobInfo, Progress, Status } from './types.js';
-import { abortable, Connection, pause } from './waiting.js';
+import { abortable, Connection, type Patience, pause } from './waiting.js';
 
 export interface FollowControl {
   /** Called with each step of the solver. */
@@ -26,16 +26,9 @@ const ANSWER_MS = 15_000;
 const RECONNECT_MS = 1_000;
 /** Longest time that a server can ask for between two connections, in milliseconds. */
 const LONGEST_RETRY_MS = 60_000;
-/** The pause doubles with each failure in a row, up to so many milliseconds. */
-const LONGEST_BACKOFF_MS = 15_000;
-/** Number of failures in a row after which the server counts as lost: about a minute. */
-const FAILURES = 8;
 /** Number of streams without any event in a row after which the job is polled instead. */
 const STREAMS = 2;
 const POLL_MS = 2_000;
-/** Answers of proxies and of a server that is busy or starts again. */
-const PASSING: readonly number[] = [408, 425, 429, 502, 503, 504];
-
 export const hasEnded = (status: Status): boolean => status === 'succeeded' || status === 'failed' || status === 'cancelled';
 
 /** A connection that broke, or an answer that may be another one later. */
@@ -55,16 +48,18 @@ export class Follower {
   #job: JobInfo;
   readonly #get: Get;
   readonly #control: FollowControl;
+  readonly #patience: Patience;
   #lastId = '';
   #retryMs = RECONNECT_MS;
   /** Number of streams that are still tried if none of them brings an event. */
   #streams = STREAMS;
   #connected = true;
 
-  constructor(job: JobInfo, get: Get, control: FollowControl) {
+  constructor(job: JobInfo, get: Get, control: FollowControl, patience: Patience) {
     this.#job = job;
     this.#get = get;
     this.#control = control;
+    this.#patience = patience;
   }
 
   async end(): Promise<JobInfo> {
@@ -133,16 +128,15 @@ export class Follower {
 
   /** Asks for the job, again and again while the server cannot be reached. */
   async #lookUntilAnswered(): Promise<void> {
-    for (let failures = 0; ; failures += 1) {
+    const attempts = this.#patience.attempts();
+    for (;;) {
       try {
         this.#job = await this.#look();
         return;
       } catch (error) {
         if (!(error instanceof Interrupted)) throw error;
         this.#tell(false);
-        if (failures + 1 >= FAILURES) throw this.#lost(error.cause);
-        const backoffMs = Math.min(this.#retryMs * 2 ** failures, LONGEST_BACKOFF_MS);
-        await pause(Math.max(this.#retryMs, backoffMs, error.pauseMs), this.#control.signal);
+        if (!(await attempts.again(error.pauseMs, this.#control.signal))) throw this.#lost(error.cause);
       }
     }
   }
@@ -152,10 +146,9 @@ export class Follower {
     try {
       const response = await this.#reach(connection, (signal) => this.#get(this.#path, {}, signal));
       if (!response.ok) {
-        const problem = await this.#reach(connection, () => problemOf(response));
+        const problem = problemOf(response, await this.#reach(connection, () => response.text()));
         if (!PASSING.includes(response.status)) throw problem;
-        const retryAfterMs = 1000 * Number(response.headers.get('retry-after') ?? 0);
-        throw new Interrupted(problem, Math.min(retryAfterMs || 0, LONGEST_RETRY_MS));
+        throw new Interrupted(problem, retryAfterMs(response));
       }
       return await this.#reach(connection, () => response.json() as Promise<JobInfo>);
     } finally {
@@ -179,7 +172,7 @@ export class Follower {
 
   #lost(cause: unknown): ConnectionFailed {
     const { id } = this.#job;
-    const message = `the connection was lost; job ${id} goes on at the server, and \`client.job('${id}')\` comes back to it`;
+    const message = `the connection was lost; job ${id} goes on at the server, and \`client.resume('${id}')\` comes back to it`;
     return new ConnectionFailed(message, { cause, job: this.#job });
   }
 

@@ -1,5 +1,6 @@
 /** The mesh of a job as typed arrays. */
-import type { JobInfo, JobWarning, Units, UpAxis } from './types.js';
+import type { components } from './openapi.js';
+import type { JobInfo, JobWarning, Request, Units, UpAxis } from './types.js';
 
 /**
  * A triangle mesh in the axes and the unit of its request. The coordinates are the very f64 numbers that the solver
@@ -20,6 +21,8 @@ export class Mesh<Statistics> {
   readonly up: UpAxis;
   /** How good the mesh is; its fields depend on the kind. */
   readonly statistics: Statistics;
+  /** The request as this client sent it. Undefined for a job that another client submitted. */
+  request: Request | undefined;
 
   constructor(
     /** The finished job: times, links, warnings. */
@@ -110,16 +113,24 @@ export function readPly(buffer: ArrayBuffer) {
   return { vertices, triangles, edges, forces, meanCurvature, unit: unit.replace(',', ''), up };
 }
 
-/** The curves of an OBJ file by the names of their sets, as indices of vertices. */
-export function readLines(obj: string): Map<string, Uint32Array[]> {
-  const sets = new Map<string, Uint32Array[]>();
-  let name = '';
-  for (const line of obj.split('\n')) {
-    if (line.startsWith('o ')) name = line.slice(2);
-    if (!line.startsWith('l ')) continue;
-    const set = sets.get(name) ?? [];
-    set.push(Uint32Array.from(line.slice(2).split(' '), (index) => Number(index) - 1));
-    sets.set(name, set);
-  }
-  return sets;
+/** Lines along a mesh that have a name in common, and their values. */
+export interface Lines {
+  /** Each line as indices of vertices. A closed line ends with its first vertex. */
+  paths: Uint32Array[];
+  /** Six coordinates for each straight line between points that are no vertices, such as those of `reactions`. */
+  arrows: Float64Array;
+  /** A number for each path or arrow, by its name, such as `force` or `length`. Empty if the lines have none. */
+  values: Record<string, Float64Array>;
+  /** Unit of the values. */
+  unit: string | null;
+}
+
+/** The lines of a mesh in the server's JSON, by name. */
+export function readLines(mesh: components['schemas']['Mesh']): Map<string, Lines> {
+  return new Map(mesh.lines.map(({ name, paths, arrows, values }) => [name, {
+    paths: paths.map((path) => Uint32Array.from(path)),
+    arrows: Float64Array.from(arrows.flat(2)),
+    values: values ? { [values.name]: Float64Array.from(values.values) } : {},
+    unit: values?.unit ?? null,
+  }]));
 }

@@ -8,6 +8,7 @@ export type Status = Schemas['Status'];
 export type Units = Schemas['Units'];
 export type UpAxis = Schemas['UpAxis'];
 export type JobInfo = Schemas['Job'];
+export type BatchInfo = Schemas['Batch'];
 export type JobSummary = Schemas['JobSummary'];
 export type JobWarning = Schemas['JobWarning'];
 export type Progress = Schemas['Progress'];

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Vector3 } from 'three';
 import {
-  Busy, ConnectionFailed, InvalidRequest, JobCancelled, JobFailed, NotFound, Plateau, Unauthorized,
+  Busy, ConnectionFailed, InvalidRequest, JobCancelled, JobFailed, NotFound, Plateau, Unauthorized, version,
 } from 'plateau-client';
 import { toBufferGeometry } from 'plateau-client/three';
 import { until } from './hold.mjs';
@@ -69,9 +69,53 @@ test('every kind is solved', async () => {
   assert.equal(film.meanCurvature.length, film.statistics.vertices);
   assert.deepEqual([film.unit, film.up], ['mm', 'z']);
   assert.equal(floor.vertices.length, 3 * floor.statistics.nodes);
-  assert.deepEqual([...(await floor.lines()).keys()], ['members_lattice', 'members_rim']);
+  const members = await floor.lines();
+  assert.deepEqual([...members.keys()], ['members lattice', 'members rim']);
+  assert.equal(members.get('members rim').values.length.length, members.get('members rim').paths.length);
+  const lines = await net.lines();
+  const [cable] = [...lines.values()];
+  assert.ok(cable.paths.flatMap((path) => [...path]).every((vertex) => vertex < net.vertices.length / 3));
+  assert.ok(cable.values.force.length === cable.paths.length && cable.unit === 'kN');
+  const { arrows, values } = lines.get('reactions');
+  assert.ok(arrows.length === 6 * 4 && values.force.every((force) => Math.abs(force - Math.sqrt(0.75)) < 1e-12));
   assert.ok(new TextDecoder().decode(await strip.download('svg')).startsWith('<svg'));
   assert.equal(new TextDecoder().decode((await film.download('glb')).slice(0, 4)), 'glTF');
+});
+
+test('a batch gives a mesh for each request or its error', async () => {
+  const requests = [small(0.1), small(0.2)];
+  const batch = await client.submitBatch(requests);
+  const films = await batch.wait();
+  assert.deepEqual(films.map((film) => film.request), requests);
+  assert.deepEqual(films.map((film) => film.vertices[2]), [0.1, 0.2]);
+  assert.deepEqual((await client.batch(batch.id)).info.jobs, batch.info.jobs);
+  assert.equal(new TextDecoder().decode((await batch.download('zip', 'ply')).slice(0, 2)), 'PK');
+  assert.equal(new TextDecoder().decode((await batch.download('glb')).slice(0, 4)), 'glTF');
+  const refused = await client.submitBatch([small(0.3), { ...small(0.3), boundaries: [] }]).catch((error) => error);
+  assert.match(refused.errors[0].pointer, /^\/requests\/1\/boundaries/);
+  await batch.delete();
+  await assert.rejects(batch.refresh(), NotFound);
+  await server.hold.during('claimed', async () => {
+    const late = await client.submitBatch([small(0.4), small(0.5)]);
+    await late.cancel();
+    assert.ok((await late.wait()).every((one) => one instanceof JobCancelled));
+  });
+});
+
+test('the request and the certificate come back', async () => {
+  const request = { ...small(0.6), certify: { seconds: 0.1 } };
+  const proven = await client.solve(request);
+  assert.equal(proven.request, request);
+  assert.equal((await (await client.submit(request)).wait()).request, request);
+  assert.equal((await client.job(proven.id)).request, undefined);
+  assert.ok(Object.keys(await proven.certificate()).length > 0);
+  await assert.rejects((await client.solve(small(0.7))).certificate(), NotFound);
+});
+
+test('the server is told who asks', async () => {
+  const { seen, client: make } = lossy((number, response) => response);
+  await make().limits();
+  assert.equal(seen[0].headers['User-Agent'], `plateau-client/${version} (Node.js)`);
 });
 
 test("vertices are the solver's own numbers, at survey coordinates too", async () => {
@@ -175,6 +219,35 @@ test('errors lead to the values', async () => {
   assert.ok(failed.detail);
 });
 
+test('slips are explained before they are sent', async () => {
+  const nowhere = new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 0 });
+  const refused = (step) => step.then(() => assert.fail('accepted'), (error) => {
+    assert.ok(error instanceof InvalidRequest, String(error));
+    return `${error.errors[0].pointer}: ${error.errors[0].detail}`;
+  });
+  for (const curve of [TENT, TENT.map((point) => new Vector3(...point)), new Float64Array(TENT.flat())]) {
+    assert.match(await refused(nowhere.minimalSurface(curve)), /^\/boundaries: lacks a level of brackets: it must be a list of curves/);
+  }
+  assert.match(await refused(nowhere.ruledSurface(TENT)), /^\/directrices: lacks a level of brackets/);
+  assert.match(await refused(nowhere.minimalSurface([TENT, [TENT]])), /^\/boundaries\/1: expected points/);
+  const force = '/units: must be an object with the units of lengths and forces, such as {"length": "mm", "force": "kN"}';
+  assert.equal(await refused(nowhere.tensileStructure([TENT], { tension: 1 }, { units: 'mm' })), force);
+  const net = { kind: 'cable_net', vertices: TENT, edges: [[0, 1]], supports: [0], units: 'mm' };
+  assert.equal(await refused(nowhere.submitBatch([net])), `/requests/0${force}`);
+});
+
+test('a page that CORS blocks is told the setting', async (context) => {
+  globalThis.location = { origin: 'https://page.example' };
+  context.after(() => delete globalThis.location);
+  // As browsers do: no answer at all, except to requests that want none.
+  const blocking = (input, init) => (init.mode === 'no-cors' ? fetch(input) : Promise.reject(new TypeError('Failed to fetch')));
+  const error = await new Plateau({ url: server.url, fetch: blocking }).limits().catch((reason) => reason);
+  assert.ok(error instanceof ConnectionFailed);
+  assert.match(error.message, /answers, but the browser keeps .*http\.cors_origins must name "https:\/\/page\.example"/);
+  const absent = await new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 0 }).limits().catch((reason) => reason);
+  assert.match(absent.message, /cannot be reached/);
+});
+
 test('only the newest of a drag is delivered', async () => {
   const live = client.live();
   const solved = [];
@@ -215,7 +288,7 @@ test('a busy server is asked again for as long as the patience lasts', async () 
 });
 
 test('a server that is not there, and an answer without a problem document', async () => {
-  await assert.rejects(new Plateau({ url: 'http://127.0.0.1:9' }).limits(), ConnectionFailed);
+  await assert.rejects(new Plateau({ url: 'http://127.0.0.1:9', patienceMs: 200 }).limits(), ConnectionFailed);
   const { client: make } = lossy(() => new Response('<html>', { status: 401 }));
   await assert.rejects(make().limits(), Unauthorized);
 });

@@ -1,14 +1,17 @@
 // The package itself: generated types, a tarball in a fresh folder, the README's code, a browser.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync } from 'node:fs';
 import { cp, mkdir, mkdtemp, readFile, readdir, rm, symlink, writeFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { build } from 'esbuild';
+import { version } from 'plateau-client';
 import { isSkipped } from '../../../scripts/skips.mjs';
 import { startServer } from './server.mjs';
 
@@ -38,10 +41,19 @@ test('a fresh folder installs the package; the code of its pages compiles strict
   const folder = await mkdtemp(join(tmpdir(), 'plateau-package-'));
   context.after(() => rm(folder, { recursive: true, force: true }));
   const inFolder = { cwd: folder, env: { ...process.env, PLATEAU_URL: server.url } };
-  await run('npm', 'pack', '--ignore-scripts', '--pack-destination', folder);
-  const [tarball] = await readdir(folder);
   await writeFile(join(folder, 'package.json'), '{ "type": "module" }');
-  await run('npm', 'install', '--no-audit', '--no-fund', '--omit=peer', join(folder, tarball), inFolder);
+  // The README's own command.
+  const [, options] = /^npm install (.*)\.\/clients\/typescript$/m.exec(await readFile(join(ROOT, 'README.md'), 'utf8'));
+  const quiet = ['--no-audit', '--no-fund', '--omit=peer', '--ignore-scripts'];
+  await run('npm', 'install', ...quiet, ...options.split(' ').filter(Boolean), ROOT, inFolder);
+  for (const name of ['LICENSE-MIT', 'LICENSE-APACHE']) {
+    const [own, packed] = [join(CHECKOUT, name), join(folder, 'node_modules/plateau-client', name)];
+    assert.equal(await readFile(packed, 'utf8'), await readFile(own, 'utf8'));
+  }
+  const manifest = JSON.parse(await readFile(join(ROOT, 'package.json'), 'utf8'));
+  assert.equal(manifest.version, version);
+  const workspace = await readFile(join(CHECKOUT, 'Cargo.toml'), 'utf8');
+  assert.equal(manifest.repository.url, /^repository = "(.*)"$/m.exec(workspace)[1]);
   const installed = await readdir(join(folder, 'node_modules'));
   assert.deepEqual(installed.filter((name) => !name.startsWith('.')), ['eventsource-parser', 'plateau-client']);
 
@@ -56,9 +68,13 @@ test('a fresh folder installs the package; the code of its pages compiles strict
   await run(process.execPath, TSC, ...strict, '--lib', 'es2022,dom', 'block0.ts', inFolder);
   await run(process.execPath, 'block0.js', inFolder);
   await mkdir(join(folder, 'node_modules/@types'));
-  for (const name of ['three', '@types/three']) {
-    await symlink(join(ROOT, 'node_modules', name), join(folder, 'node_modules', name));
-  }
+  // A page has its own three.js, and the package must use that one.
+  await cp(join(ROOT, 'node_modules/three'), join(folder, 'node_modules/three'), { recursive: true });
+  const contents = "export { Mesh } from 'three'; export { toBufferGeometry } from 'plateau-client/three';";
+  const { metafile } = await build({ stdin: { contents, resolveDir: folder }, bundle: true, write: false, metafile: true });
+  const copies = Object.keys(metafile.inputs).filter((path) => path.endsWith('node_modules/three/build/three.core.js'));
+  assert.equal(copies.length, 1, copies.join(', '));
+  await symlink(join(ROOT, 'node_modules/@types/three'), join(folder, 'node_modules/@types/three'));
   await cp(join(ROOT, 'test/node.d.ts'), join(folder, 'node.d.ts'));
   const others = blocks.slice(1).map((_, index) => `block${index + 1}.ts`);
   const lenient = [...strict.slice(0, -1), 'true', '--lib', 'es2022,dom'];
@@ -96,6 +112,15 @@ test('a browser solves, follows progress and drags', async (t) => {
       const positions = toBufferGeometry(film).getAttribute('position').count;
       return { phases, vertices: film.vertices.length, positions, dragged, refused };
     });
+    // A page of another origin, which the server's settings do not name.
+    const other = createServer((_, response) => response.setHeader('Content-Type', 'text/html').end('<p>A page'));
+    await once(other.listen(0, '127.0.0.1'), 'listening');
+    await page.goto(`http://127.0.0.1:${other.address().port}`);
+    await page.evaluate(`${bundle.outputFiles[0].text}; globalThis.client = client;`);
+    const blocked = await page.evaluate((url) => new globalThis.client.Plateau({ url }).limits().catch(({ message }) => message), server.url);
+    other.closeAllConnections();
+    other.close();
+    assert.match(blocked, /http\.cors_origins must name/);
     assert.equal(seen.phases.at(-1), 'finished');
     assert.equal(seen.vertices, 3 * seen.positions);
     assert.deepEqual(seen.dragged, [null, null, 6]);

@@ -11,22 +11,35 @@ import { Hold } from './hold.mjs';
 
 const binary = process.env.PLATEAU_BIN ?? fileURLToPath(new URL('../../../target/debug/plateau', import.meta.url));
 
-/** Starts a server on a free port: { url, hold, stop }. */
-export async function startServer() {
+/**
+ * Starts a server on a free port: { url, hold, kill, restart, stop }. `restart` starts it again after `kill`, on the same
+ * data and where it was. `settings` are variables of its environment.
+ */
+export async function startServer(settings = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'plateau-client-'));
   const hold = new Hold(join(folder, 'hold'));
-  const env = { ...process.env, ...hold.environment };
-  const server = spawn(binary, ['--listen', '127.0.0.1:0', '--data', folder], { stdio: ['ignore', 'pipe', 'pipe'], env });
+  const env = { ...process.env, ...settings, ...hold.environment };
   let log = '';
-  server.stderr.on('data', (text) => (log += text));
-  const [line] = await once(createInterface({ input: server.stdout }), 'line');
-  const [, url] = /^listening on (\S+)/.exec(line) ?? [];
-  assert.ok(url, line);
-  const stop = async () => {
-    server.kill();
+  let server;
+  const start = async (address) => {
+    const process = spawn(binary, ['--listen', address, '--data', folder], { stdio: ['ignore', 'pipe', 'pipe'], env });
+    server = process;
+    process.stderr.on('data', (text) => (log += text));
+    const [line] = await once(createInterface({ input: process.stdout }), 'line');
+    const [, found] = /^listening on (\S+)/.exec(line) ?? [];
+    assert.ok(found, line);
+    return found;
+  };
+  const url = await start('127.0.0.1:0');
+  const end = async (signal) => {
+    if (server.exitCode !== null || server.signalCode !== null) return; // ended by `kill` and not started again
+    server.kill(signal);
     await once(server, 'exit');
+  };
+  const stop = async () => {
+    await end('SIGTERM');
     await rm(folder, { recursive: true, force: true, maxRetries: 5 });
     assert.ok(!log.includes('panic'), log);
   };
-  return { url, hold, stop };
+  return { url, hold, kill: () => end('SIGKILL'), restart: () => start(new URL(url).host), stop };
 }

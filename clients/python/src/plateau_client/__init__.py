@@ -1,8 +1,10 @@
-"""Client of Plateau, a service for form finding: minimal surfaces, ruled surfaces and uniform meshes."""
+"""Client of Plateau, a service for form finding: films, strips, lattices, membranes and cable nets."""
+
+from importlib.metadata import version
 
 from . import api_types, requests
-from .aio import AsyncJob, AsyncPlateau, AsyncResult, Live
-from .client import Job, Plateau, Result
+from .aio import AsyncBatch, AsyncJob, AsyncPlateau, AsyncResult, Live
+from .client import Batch, Job, Plateau, Result
 from .curves import CurveLike, points
 from .errors import (
     Busy,
@@ -18,12 +20,16 @@ from .errors import (
     TimedOut,
     Unauthorized,
 )
-from .mesh import Mesh
+from .mesh import Lines, Mesh
+
+__version__ = version("plateau-client")
 
 __all__ = [
+    "AsyncBatch",
     "AsyncJob",
     "AsyncPlateau",
     "AsyncResult",
+    "Batch",
     "Busy",
     "ConnectionFailed",
     "CurveLike",
@@ -32,6 +38,7 @@ __all__ = [
     "Job",
     "JobCancelled",
     "JobFailed",
+    "Lines",
     "Live",
     "Mesh",
     "NotFound",
@@ -42,6 +49,7 @@ __all__ = [
     "ServerError",
     "TimedOut",
     "Unauthorized",
+    "__version__",
     "api_types",
     "points",
     "requests",

@@ -12,14 +12,13 @@ import httpx
 
 from . import flows, requests
 from .curves import CurveLike
-from .mesh import Mesh, Statistics
+from .errors import PlateauError
+from .mesh import Lines, Mesh, Statistics
 from .progress import ProgressCallback, Watch
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    import numpy as np
-    import numpy.typing as npt
     from typing_extensions import Unpack
 
     from . import api_types as api
@@ -35,7 +34,7 @@ class AsyncResult(Mesh[Statistics]):
         self._client = client
 
     async def download(self, format: str = "glb") -> bytes:
-        """The mesh as `glb`, `gltf`, `obj`, `ply` or `stl`; the flat pattern of a ruled surface as `svg` or `dxf`."""
+        """The mesh as `glb`, `gltf`, `obj`, `ply`, `stl` or `json`; a strip's flat pattern as `svg` or `dxf`."""
         return await self._client.download(self.id, format)
 
     async def save(self, path: Union[str, Path]) -> Path:
@@ -44,17 +43,23 @@ class AsyncResult(Mesh[Statistics]):
         Path(path).write_bytes(data)
         return Path(path)
 
-    async def lines(self) -> Dict[str, List[npt.NDArray[np.int64]]]:
-        """The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices into `vertices`."""
-        return await self._client._run(flows.lines(self.id, self._client.patience))
+    async def lines(self) -> Dict[str, Lines]:
+        """The lines on the mesh by name (`boundaries`, `bridges`, `members rim`, `cables ridge`, `reactions`…)."""
+        return await self._client._run(flows.lines(self.id, self._client._patience))
+
+    async def certificate(self) -> Dict[str, Any]:
+        """The proof of a lower bound of the area, for requests with `certify`."""
+        return await self._client._run(flows.certificate(self.id, self._client._patience))
 
 
 class AsyncJob:
     """A job on the server. `info` is what the server last said of it."""
 
-    def __init__(self, client: AsyncPlateau, info: api.Job) -> None:
+    def __init__(self, client: AsyncPlateau, info: api.Job, request: Optional[Dict[str, Any]] = None) -> None:
         self._client = client
         self.info = info
+        self.request = request
+        """The request as this client sent it. None for a job that another client submitted."""
 
     @property
     def id(self) -> str:
@@ -66,7 +71,7 @@ class AsyncJob:
 
     async def refresh(self) -> api.Job:
         """Asks the server for the job's present state."""
-        self.info = await self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client.patience))
+        self.info = await self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client._patience))
         return self.info
 
     async def wait(
@@ -78,7 +83,7 @@ class AsyncJob:
         """
         watch = Watch(on_progress, bar)
         try:
-            flow = flows.wait(self.info, watch, flows.deadline(timeout), self._client.patience)
+            flow = flows.wait(self.info, watch, flows.deadline(timeout), self._client._patience)
             self.info = await self._client._run(flow)
         finally:
             watch.close()
@@ -86,7 +91,9 @@ class AsyncJob:
 
     async def result(self) -> AsyncResult[Any]:
         """The mesh of a job that has ended."""
-        return await self._client._run(flows.mesh(self._client._result, self.info, self._client.patience))
+        made = await self._client._run(flows.mesh(self._client._result, self.info, self._client._patience))
+        made.request = self.request
+        return made
 
     async def cancel(self) -> api.Job:
         """Cancels the job; a job that has ended stays as it is."""
@@ -95,10 +102,64 @@ class AsyncJob:
 
     async def delete(self) -> None:
         """Removes the job and its mesh from the server."""
-        await self._client._run(flows.call(flows.Call("DELETE", f"v1/jobs/{self.id}"), self._client.patience))
+        await self._client._run(flows.call(flows.Call("DELETE", f"v1/jobs/{self.id}"), self._client._patience))
 
     def __repr__(self) -> str:
         return f"<job {self.id}: {self.info['kind']}, {self.status}>"
+
+
+class AsyncBatch:
+    """Requests that were submitted together. `info` is what the server last said of them."""
+
+    def __init__(
+        self, client: AsyncPlateau, info: api.Batch, requests: Optional[Sequence[Mapping[str, Any]]] = None
+    ) -> None:
+        self._client = client
+        self._requests = requests
+        self.info = info
+
+    @property
+    def id(self) -> str:
+        return self.info["id"]
+
+    @property
+    def status(self) -> api.Status:
+        return self.info["status"]
+
+    async def refresh(self) -> api.Batch:
+        """Asks the server for the batch's present state."""
+        self.info = await self._client._run(flows.get_json(f"v1/batches/{self.id}", self._client._patience))
+        return self.info
+
+    async def wait(self, *, timeout: Optional[float] = None) -> List[Union[AsyncResult[Any], PlateauError]]:
+        """Waits until every job has ended, and returns a mesh for each request, in their order.
+
+        A job without a mesh has its JobFailed or JobCancelled in the list. Raises TimedOut; the jobs go on then.
+        """
+        flow = flows.wait_for_batch(self.info, flows.deadline(timeout), self._client._patience)
+        self.info = await self._client._run(flow)
+        found = await self._client._run(flows.batch_results(self._client._result, self.info, self._client._patience))
+        for job, one in zip(self.info["jobs"], found):
+            if isinstance(one, AsyncResult) and self._requests is not None:
+                one.request = dict(self._requests[job["index"]])
+        return found
+
+    async def download(self, format: str = "zip", mesh_format: Optional[str] = None) -> bytes:
+        """All meshes as one `zip`, each in `mesh_format` (`glb` by default), or as one `glb` scene."""
+        flow = flows.batch_meshes(self.id, format, mesh_format, self._client._patience)
+        return await self._client._run(flow)
+
+    async def cancel(self) -> api.Batch:
+        """Cancels every job that has not ended."""
+        self.info = await self._client._post(f"v1/batches/{self.id}/cancel")
+        return self.info
+
+    async def delete(self) -> None:
+        """Removes the batch with its jobs and meshes from the server."""
+        await self._client._run(flows.call(flows.Call("DELETE", f"v1/batches/{self.id}"), self._client._patience))
+
+    def __repr__(self) -> str:
+        return f"<batch {self.id}: {len(self.info['jobs'])} jobs, {self.status}>"
 
 
 class AsyncPlateau:
@@ -106,7 +167,8 @@ class AsyncPlateau:
 
     `url` defaults to the environment's PLATEAU_URL, then http://127.0.0.1:8080; `api_key` to PLATEAU_API_KEY. A path in
     the URL is the server's public base path. `patience`: seconds for which a request is tried again while
-    the server is busy. `timeout` limits each request, in seconds.
+    the server cannot be reached or is busy. The default is 60, and 4 for an address that was never reached. `timeout`
+    limits each request, in seconds.
     Use it as an async context manager, or call `close`.
     """
 
@@ -115,15 +177,15 @@ class AsyncPlateau:
         url: Optional[str] = None,
         *,
         api_key: Optional[str] = None,
-        patience: float = 60.0,
+        patience: Optional[float] = None,
         timeout: float = 30.0,
         transport: Optional[httpx.AsyncBaseTransport] = None,
     ) -> None:
         self.url = (url or os.environ.get("PLATEAU_URL") or "http://127.0.0.1:8080").rstrip("/")
-        self.patience = patience
+        self._patience = flows.Patience(patience)
         self._timeout = timeout
         key = api_key or os.environ.get("PLATEAU_API_KEY")
-        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        headers = {"User-Agent": flows.USER_AGENT, **({"Authorization": f"Bearer {key}"} if key else {})}
         self._http = httpx.AsyncClient(base_url=self.url + "/", headers=headers, timeout=timeout, transport=transport)
 
     async def ruled_surface(
@@ -215,7 +277,18 @@ class AsyncPlateau:
     async def submit(self, request: Mapping[str, Any], *, idempotency_key: Optional[str] = None) -> AsyncJob:
         """Submits a request with its `kind` in it and returns the job at once. `requests` makes such requests."""
         key = idempotency_key or uuid.uuid4().hex
-        return AsyncJob(self, await self._run(flows.submit(dict(request), key, 0, self.patience)))
+        return AsyncJob(self, await self._run(flows.submit(dict(request), key, 0, self._patience)), dict(request))
+
+    async def submit_batch(
+        self, requests: Sequence[Mapping[str, Any]], *, idempotency_key: Optional[str] = None
+    ) -> AsyncBatch:
+        """Submits many requests at once, each with its `kind` in it, and returns the batch at once."""
+        key = idempotency_key or uuid.uuid4().hex
+        return AsyncBatch(self, await self._run(flows.submit_batch(requests, key, self._patience)), requests)
+
+    async def batch(self, batch_id: str) -> AsyncBatch:
+        """A batch by its id."""
+        return AsyncBatch(self, await self._run(flows.get_json(f"v1/batches/{batch_id}", self._patience)))
 
     def live(self) -> Live:
         """For dragging: of the requests that are solved through it only the newest counts."""
@@ -223,12 +296,25 @@ class AsyncPlateau:
 
     async def job(self, job_id: str) -> AsyncJob:
         """A job by its id."""
-        return AsyncJob(self, await self._run(flows.get_json(f"v1/jobs/{job_id}", self.patience)))
+        return AsyncJob(self, await self._run(flows.get_json(f"v1/jobs/{job_id}", self._patience)))
+
+    async def resume(
+        self,
+        job_id: str,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+    ) -> AsyncResult[Any]:
+        """Waits for a job of an earlier call and returns its mesh. Every error has the id as `job_id`."""
+        with flows.about(job_id):
+            job = await self.job(job_id)
+            return await job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
 
     async def jobs(self, **filters: Any) -> AsyncIterator[api.JobSummary]:
         """All jobs, newest first, page by page; `status`, `kind` and `idempotency_key` choose among them."""
         while True:
-            page = await self._run(flows.get_json("v1/jobs", self.patience, filters))
+            page = await self._run(flows.get_json("v1/jobs", self._patience, filters))
             for job in page["jobs"]:
                 yield job
             if not page.get("next_cursor"):
@@ -237,19 +323,19 @@ class AsyncPlateau:
 
     async def download(self, job_id: str, format: str = "glb") -> bytes:
         """A file of a job that has succeeded."""
-        return await self._run(flows.download(job_id, format, self.patience))
+        return await self._run(flows.download(job_id, format, self._patience))
 
     async def objectives(self) -> api.ObjectiveList:
         """What can be asked for."""
-        return cast("api.ObjectiveList", await self._run(flows.get_json("v1/objectives", self.patience)))
+        return cast("api.ObjectiveList", await self._run(flows.get_json("v1/objectives", self._patience)))
 
     async def limits(self) -> api.Limits:
         """How large requests to this server may be."""
-        return cast("api.Limits", await self._run(flows.get_json("v1/limits", self.patience)))
+        return cast("api.Limits", await self._run(flows.get_json("v1/limits", self._patience)))
 
     async def example(self, name: str) -> Dict[str, Any]:
         """The request of an example, its `kind` in it, ready for `solve`."""
-        found = await self._run(flows.get_json(f"v1/examples/{name}", self.patience))
+        found = await self._run(flows.get_json(f"v1/examples/{name}", self._patience))
         return {"kind": found["kind"], **found["request"]}
 
     async def close(self) -> None:
@@ -268,10 +354,12 @@ class AsyncPlateau:
         return AsyncResult(self, job, ply)
 
     async def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> AsyncResult[Any]:
-        return await self._run(flows.solve(self._result, request, watch, timeout, self.patience, first_wait_s=0))
+        made = await self._run(flows.solve(self._result, request, watch, timeout, self._patience, first_wait_s=0))
+        made.request = request
+        return made
 
     async def _post(self, path: str) -> Any:
-        return (await self._run(flows.call(flows.Call("POST", path), self.patience))).json()
+        return (await self._run(flows.call(flows.Call("POST", path), self._patience))).json()
 
     async def _run(self, flow: flows.Flow[T]) -> T:
         """Carries out the steps of a flow."""

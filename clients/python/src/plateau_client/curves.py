@@ -77,7 +77,10 @@ def _of_compas(curve: Any, samples: int) -> Points:
     if not hasattr(curve, "point_at"):
         raise InvalidRequest("Not a curve", f"a {kind} of compas is not a curve")
     start, end = getattr(curve, "domain", None) or (0.0, 1.0)
-    closed = bool(getattr(curve, "is_closed", False))
+    try:
+        closed = bool(getattr(curve, "is_closed", False))
+    except NotImplementedError:  # Bézier curves of compas do not say it.
+        closed = bool(np.allclose(list(curve.point_at(start)), list(curve.point_at(end)), rtol=1e-12, atol=0.0))
     return _of_array([list(curve.point_at(t)) for t in _steps(start, end, samples, closed)])
 
 
@@ -116,14 +119,24 @@ def _steps(start: float, end: float, samples: int, closed: bool) -> List[float]:
     return [float(t) for t in np.linspace(start, end, samples, endpoint=not closed)]
 
 
+BRACKETS = (
+    "lacks a level of brackets: it must be a list of curves, which are lists of points [x, y, z], "
+    "such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]"
+)
+
+
 def curves(field: str, given: Any) -> List[Points]:
     """A list of curves for a field of a request; the pointers of errors lead to the curve."""
+    if getattr(given, "geom_type", None) in ("Polygon", "MultiPolygon", "MultiLineString"):
+        parts = "[polygon.exterior, *polygon.interiors]" if given.geom_type == "Polygon" else "list(shape.geoms)"
+        raise _slip(f"/{field}", f"must be a list of curves, not a {given.geom_type} of shapely: pass {parts}")
     if not isinstance(given, (list, tuple, np.ndarray)):
-        raise InvalidRequest(
-            "Not a list of curves",
-            "expected a list with one curve or more",
-            errors=[FieldError(f"/{field}", f"expected a list of curves, got {type(given).__name__}")],
-        )
+        library = type(given).__module__.split(".")[0]
+        if library in ("shapely", "compas", "compas_occ", "compas_rhino", "rhino3dm"):
+            raise _slip(f"/{field}", f"lacks a level of brackets: it must be a list of curves, not one {_name(given)}")
+        raise _slip(f"/{field}", f"must be a list of curves, not {_name(given)}")
+    if len(given) > 0 and all(_is_point(one) for one in given):
+        raise _slip(f"/{field}", BRACKETS)
     found: List[Points] = []
     for index, curve in enumerate(given):
         try:
@@ -132,6 +145,32 @@ def curves(field: str, given: Any) -> List[Points]:
             place = FieldError(f"/{field}/{index}", error.detail)
             raise InvalidRequest(error.title, error.detail, errors=[place]) from None
     return found
+
+
+def _is_point(value: Any) -> bool:
+    """Whether a value is x y z, and not a list of points."""
+    if isinstance(value, np.ndarray):
+        return value.ndim == 1 and value.shape[0] in (2, 3)
+    numbers = (int, float, np.number)
+    return isinstance(value, (list, tuple)) and len(value) in (2, 3) and all(isinstance(one, numbers) for one in value)
+
+
+def _slip(pointer: str, detail: str) -> InvalidRequest:
+    return InvalidRequest("The request is invalid", "", errors=[FieldError(pointer, detail)])
+
+
+def _name(value: Any) -> str:
+    return type(value).__name__
+
+
+def check_units(request: Any, pointer: str = "") -> None:
+    """Membranes and nets have a unit of force too, so that the unit of length alone is not enough."""
+    units = request.get("units")
+    if request.get("kind") in ("tensile_structure", "cable_net") and isinstance(units, str):
+        detail = (
+            f'must be an object with the units of lengths and forces, such as {{"length": "{units}", "force": "kN"}}'
+        )
+        raise _slip(f"{pointer}/units", detail)
 
 
 def domain(given: Any) -> Dict[str, Any]:

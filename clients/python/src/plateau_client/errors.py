@@ -19,6 +19,9 @@ class FieldError(NamedTuple):
 class PlateauError(Exception):
     """Base class of all errors of this package."""
 
+    job_id: Optional[str] = None
+    """The id of the job that the error is about, if the server had accepted one. `resume` comes back to the job."""
+
 
 class ProblemError(PlateauError):
     """The server refused a request. The message holds its reason and every pointer."""
@@ -75,6 +78,7 @@ class JobFailed(ProblemError):
 
     def __init__(self, job: Job) -> None:
         self.job = job
+        self.job_id = job["id"]
         error = job.get("error")
         errors = [FieldError(item["pointer"], item["detail"]) for item in error["errors"]] if error else []
         super().__init__(
@@ -90,6 +94,7 @@ class JobCancelled(PlateauError):
 
     def __init__(self, job: Job) -> None:
         self.job = job
+        self.job_id = job["id"]
         super().__init__(f"job {job['id']} was cancelled")
 
 
@@ -98,4 +103,16 @@ class TimedOut(PlateauError):
 
 
 class ConnectionFailed(PlateauError):
-    """The server cannot be reached."""
+    """The server could not be reached for as long as the client tried. A job that it had accepted goes on there."""
+
+    idempotency_key: Optional[str] = None
+    """The key of a submission that got no answer. `submit` with the same request and key makes no second job."""
+
+    def __str__(self) -> str:
+        text = super().__str__()
+        if self.job_id is not None:
+            return f"{text}; job {self.job_id} goes on at the server, and resume({self.job_id!r}) comes back to it"
+        if self.idempotency_key is not None:
+            key = f"idempotency_key={self.idempotency_key!r}"
+            return f"{text}; submit() with {key} and the same request makes no second job"
+        return text

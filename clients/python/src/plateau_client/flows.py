@@ -6,22 +6,41 @@ carry the steps out. A flow never touches a socket, so both clients behave alike
 
 from __future__ import annotations
 
+import contextlib
 import json
 import time
 import uuid
-from typing import TYPE_CHECKING, Any, Callable, Dict, Generator, List, NamedTuple, Optional, TypeVar, Union, cast
+from importlib.metadata import version
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Callable,
+    Dict,
+    Generator,
+    Iterator,
+    List,
+    Mapping,
+    NamedTuple,
+    Optional,
+    Sequence,
+    TypeVar,
+    Union,
+    cast,
+)
 
 import httpx
 
 from . import errors
-from .curves import to_json
-from .mesh import read_lines
+from .curves import check_units, to_json
+from .mesh import Lines, read_lines
 
 if TYPE_CHECKING:
-    from .api_types import Job, Problem, Progress
+    from .api_types import Batch, Job, Problem, Progress
     from .progress import Watch
 
 T = TypeVar("T")
+
+USER_AGENT = f"plateau-client/{version('plateau-client')} (Python)"
 
 PATHS = {
     "ruled_surface": "v1/ruled-surfaces",
@@ -41,8 +60,29 @@ RECONNECT_S = 1.0
 STREAMS = 2
 """Number of streams without any event in a row after which the job is polled instead."""
 POLL_S = 2.0
-ATTEMPTS = 4
-"""How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice."""
+PATIENCE_S = 60.0
+"""Seconds for which a server that cannot be reached, or is busy, is tried again."""
+FIRST_CONTACT_S = 4.0
+"""The same for an address that was never reached: it may be mistyped, and its user should not wait for a minute."""
+LONGEST_PAUSE_S = 3.0
+"""The pause between two attempts grows from 0.1 s to this length."""
+PASSING = (408, 425, 429, 502, 503, 504)
+"""Answers of proxies, and of a server that is busy or starts again."""
+
+
+class Patience:
+    """How long a client tries again. It counts from the first failure after an answer."""
+
+    def __init__(self, seconds: Optional[float] = None) -> None:
+        self._given = seconds
+        self.reached = False
+        """Whether a connection to the server has been made before."""
+
+    @property
+    def seconds(self) -> float:
+        if self._given is not None:
+            return self._given
+        return PATIENCE_S if self.reached else FIRST_CONTACT_S
 
 
 class Call(NamedTuple):
@@ -99,28 +139,42 @@ class EventReader:
         return self._hear(fields.get("event", "message"), fields.get("id", ""), fields["data"])
 
 
-def call(request: Call, patience_s: float) -> Flow[httpx.Response]:
-    """Sends a request; waits and tries again while the server is busy or cannot be reached; raises what it refuses."""
-    deadline = time.monotonic() + patience_s
-    attempt = 0
+def call(request: Call, patience: Patience, until: Optional[float] = None) -> Flow[httpx.Response]:
+    """Sends a request; waits and tries again while the server is busy or cannot be reached; raises what it refuses.
+
+    Every request may be sent again, because submissions carry an Idempotency-Key. `until` is the caller's own deadline.
+    """
+    give_up_at: Optional[float] = None
+    pause_s = 0.1
     while True:
+        failure: errors.PlateauError
+        cause: Optional[Exception] = None
+        asked_s = 0.0
         try:
             response: httpx.Response = yield request
+            patience.reached = True
+            if response.status_code < 400:
+                return response
+            failure = problem(response)
+            if response.status_code not in PASSING:
+                raise failure
+            retry_after = response.headers.get("retry-after", "")
+            asked_s = max(0.2, float(retry_after)) if retry_after.isdigit() else 0.0
         except httpx.TransportError as error:
-            attempt += 1
-            if attempt >= ATTEMPTS or isinstance(error, httpx.UnsupportedProtocol):
-                raise errors.ConnectionFailed(f"{type(error).__name__}: {error}") from error
-            yield Pause(0.1 * 3**attempt)
-            continue
-        if response.status_code < 400:
-            return response
-        retry_after = response.headers.get("retry-after", "")
-        if response.status_code in (429, 503) and retry_after.isdigit():
-            pause = max(0.2, float(retry_after))
-            if time.monotonic() + pause < deadline:
-                yield Pause(pause)
-                continue
-        raise problem(response)
+            failure, cause = errors.ConnectionFailed(f"{type(error).__name__}: {error}"), error
+            if isinstance(error, httpx.UnsupportedProtocol):
+                raise failure from error
+            # A connection that breaks later had reached a server.
+            patience.reached = patience.reached or not isinstance(error, (httpx.ConnectError, httpx.ConnectTimeout))
+        now = time.monotonic()
+        give_up_at = now + patience.seconds if give_up_at is None else give_up_at
+        if now + asked_s >= give_up_at:
+            raise failure from cause
+        pause = asked_s or min(pause_s, give_up_at - now)
+        left = _left(until)
+        yield Pause(pause if left is None else min(pause, left))
+        _left(until)
+        pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
 
 
 def problem(response: httpx.Response) -> errors.ProblemError:
@@ -156,36 +210,56 @@ def problem(response: httpx.Response) -> errors.ProblemError:
     return cast(errors.ProblemError, made)
 
 
-def get_json(path: str, patience_s: float, params: Optional[Dict[str, Any]] = None) -> Flow[Any]:
-    response = yield from call(Call("GET", path, params or {}), patience_s)
+def get_json(
+    path: str, patience: Patience, params: Optional[Dict[str, Any]] = None, until: Optional[float] = None
+) -> Flow[Any]:
+    response = yield from call(Call("GET", path, params or {}), patience, until)
     return response.json()
 
 
-def submit(request: Dict[str, Any], key: str, wait_s: int, patience_s: float) -> Flow[Job]:
+def submit(
+    request: Dict[str, Any], key: str, wait_s: int, patience: Patience, until: Optional[float] = None
+) -> Flow[Job]:
     """Posts a request. Its `kind` says where to; `wait_s` is how long the answer may wait for the end."""
     kind = request.get("kind")
     if kind not in PATHS:
         detail = f"expected one of {', '.join(PATHS)}"
         raise errors.InvalidRequest("The kind is missing", detail, errors=[errors.FieldError("/kind", detail)])
+    check_units(request)
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
     if wait_s > 0:
         headers["Prefer"] = f"wait={wait_s}"
     posted = Call("POST", PATHS[kind], {}, headers, to_json(request), longer_s=wait_s, whole=True)
-    response = yield from call(posted, patience_s)
+    try:
+        response = yield from call(posted, patience, until)
+    except errors.ConnectionFailed as error:
+        error.idempotency_key = key
+        raise
     return cast("Job", response.json())
 
 
-def wait(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
+@contextlib.contextmanager
+def about(job_id: Optional[str]) -> Iterator[None]:
+    """Gives every error of the block the id of its job."""
+    try:
+        yield
+    except errors.PlateauError as error:
+        error.job_id = error.job_id or job_id
+        raise
+
+
+def wait(job: Job, watch: Watch, deadline: Optional[float], patience: Patience) -> Flow[Job]:
     """Waits until a job has ended, however it ended."""
-    if watch and job["status"] in ENDED:
-        watch(job["progress"])
-    elif watch:
-        job = yield from _listen(job, watch, deadline, patience_s)
-    while job["status"] not in ENDED:
-        left = _left(deadline)
-        seconds = LONG_POLL_S if left is None else max(1, min(LONG_POLL_S, int(left)))
-        request = Call("GET", f"v1/jobs/{job['id']}", {}, {"Prefer": f"wait={seconds}"}, longer_s=seconds)
-        job = cast("Job", (yield from call(request, patience_s)).json())
+    with about(job["id"]):
+        if watch and job["status"] in ENDED:
+            watch(job["progress"])
+        elif watch:
+            job = yield from _listen(job, watch, deadline, patience)
+        while job["status"] not in ENDED:
+            left = _left(deadline)
+            seconds = LONG_POLL_S if left is None else max(1, min(LONG_POLL_S, int(left)))
+            request = Call("GET", f"v1/jobs/{job['id']}", {}, {"Prefer": f"wait={seconds}"}, longer_s=seconds)
+            job = cast("Job", (yield from call(request, patience, deadline)).json())
     return job
 
 
@@ -199,11 +273,11 @@ def _left(deadline: Optional[float]) -> Optional[float]:
         return None
     left = deadline - time.monotonic()
     if left <= 0:
-        raise errors.TimedOut("the job has not ended in the time that was given")
+        raise errors.TimedOut("the job has not ended within the timeout")
     return left
 
 
-def _listen(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
+def _listen(job: Job, watch: Watch, deadline: Optional[float], patience: Patience) -> Flow[Job]:
     """Follows the events of a job and passes its progress on.
 
     After a stream has ended or broken, the job is asked for, and after a pause the stream is opened again from the last
@@ -242,7 +316,7 @@ def _listen(job: Job, watch: Watch, deadline: Optional[float], patience_s: float
             if newest[0]["status"] in ENDED:
                 break
             _left(deadline)
-        newest[0] = cast("Job", (yield from get_json(f"v1/jobs/{job['id']}", patience_s)))
+        newest[0] = cast("Job", (yield from get_json(f"v1/jobs/{job['id']}", patience, until=deadline)))
         if newest[0]["status"] in ENDED or streams[0] == 0:
             watch(newest[0]["progress"])
         if newest[0]["status"] not in ENDED:
@@ -260,21 +334,69 @@ def finished(job: Job) -> Job:
     return job
 
 
-def mesh(make: Callable[[Job, bytes], T], job: Job, patience_s: float) -> Flow[T]:
+def mesh(make: Callable[[Job, bytes], T], job: Job, patience: Patience) -> Flow[T]:
     """The mesh of a job that has ended. PLY, because it keeps f64 coordinates and the mean curvature."""
-    ply = yield from download(finished(job)["id"], "ply", patience_s)
+    with about(job["id"]):
+        ply = yield from download(finished(job)["id"], "ply", patience)
     return make(job, ply)
 
 
-def download(job_id: str, format: str, patience_s: float) -> Flow[bytes]:
+def download(job_id: str, format: str, patience: Patience) -> Flow[bytes]:
     part = "pattern" if format in ("svg", "dxf") else "mesh"
-    response = yield from call(Call("GET", f"v1/jobs/{job_id}/{part}", {"format": format}), patience_s)
+    response = yield from call(Call("GET", f"v1/jobs/{job_id}/{part}", {"format": format}), patience)
     return response.content
 
 
-def lines(job_id: str, patience_s: float) -> Flow[Dict[str, Any]]:
-    """The curves on a mesh. From OBJ, which names them and keeps the mesh's own vertex indices."""
-    return read_lines((yield from download(job_id, "obj", patience_s)))
+def lines(job_id: str, patience: Patience) -> Flow[Dict[str, Lines]]:
+    """The lines on a mesh. From JSON, which has their values and the mesh's own vertex indices."""
+    return read_lines((yield from download(job_id, "json", patience)))
+
+
+def certificate(job_id: str, patience: Patience) -> Flow[Dict[str, Any]]:
+    return cast("Dict[str, Any]", (yield from get_json(f"v1/jobs/{job_id}/certificate", patience)))
+
+
+def submit_batch(requests: Sequence[Mapping[str, Any]], key: str, patience: Patience) -> Flow[Batch]:
+    for index, request in enumerate(requests):
+        check_units(request, f"/requests/{index}")
+    headers = {"Content-Type": "application/json", "Idempotency-Key": key}
+    body = to_json({"requests": [dict(request) for request in requests]})
+    posted = Call("POST", "v1/batches", {}, headers, body, whole=True)
+    try:
+        response = yield from call(posted, patience)
+    except errors.ConnectionFailed as error:
+        error.idempotency_key = key
+        raise
+    return cast("Batch", response.json())
+
+
+def wait_for_batch(batch: Batch, deadline: Optional[float], patience: Patience) -> Flow[Batch]:
+    """Waits until every job of a batch has ended."""
+    while batch["status"] not in ENDED:
+        left = _left(deadline)
+        seconds = LONG_POLL_S if left is None else max(1, min(LONG_POLL_S, int(left)))
+        request = Call("GET", f"v1/batches/{batch['id']}", {}, {"Prefer": f"wait={seconds}"}, longer_s=seconds)
+        batch = cast("Batch", (yield from call(request, patience, deadline)).json())
+    return batch
+
+
+def batch_results(
+    make: Callable[[Job, bytes], T], batch: Batch, patience: Patience
+) -> Flow[List[Union[T, errors.PlateauError]]]:
+    """The mesh of each job of a batch that has ended, or the error that its own call would have raised."""
+    found: List[Union[T, errors.PlateauError]] = []
+    for one in batch["jobs"]:
+        job = cast("Job", (yield from get_json(f"v1/jobs/{one['id']}", patience)))
+        try:
+            found.append((yield from mesh(make, job, patience)))
+        except (errors.JobFailed, errors.JobCancelled) as error:
+            found.append(error)
+    return found
+
+
+def batch_meshes(batch_id: str, format: str, mesh_format: Optional[str], patience: Patience) -> Flow[bytes]:
+    params = {"format": format, **({"mesh_format": mesh_format} if mesh_format else {})}
+    return (yield from call(Call("GET", f"v1/batches/{batch_id}/meshes", params), patience)).content
 
 
 def solve(
@@ -282,27 +404,28 @@ def solve(
     request: Dict[str, Any],
     watch: Watch,
     timeout: Optional[float],
-    patience_s: float,
+    patience: Patience,
     first_wait_s: int,
 ) -> Flow[T]:
     """Submits, waits, and gets the mesh. The answer to the submission may wait `first_wait_s` for the end.
 
     A caller that stops waiting (Ctrl-C, a cancelled task, a timeout, an exception of its own function) cancels the job.
+    A lost connection does not: the job goes on at the server, and `resume` comes back to it.
     """
     key = uuid.uuid4().hex
     end = deadline(timeout)
     job: Optional[Job] = None
     try:
-        job = yield from submit(request, key, 0 if watch else first_wait_s, patience_s)
-        job = yield from wait(job, watch, end, patience_s)
-    except (GeneratorExit, errors.ProblemError):
+        job = yield from submit(request, key, 0 if watch else first_wait_s, patience, end)
+        job = yield from wait(job, watch, end, patience)
+    except (GeneratorExit, errors.ProblemError, errors.ConnectionFailed):
         raise
     except BaseException:
         yield from give_up(job, key)
         raise
     finally:
         watch.close()
-    return (yield from mesh(make, job, patience_s))
+    return (yield from mesh(make, job, patience))
 
 
 def give_up(job: Optional[Job], key: str) -> Flow[None]:
@@ -322,6 +445,6 @@ def give_up(job: Optional[Job], key: str) -> Flow[None]:
 def suffix_format(path: str) -> str:
     """The format that a file's name asks for."""
     suffix = path.rsplit(".", 1)[-1].lower() if "." in path else ""
-    if suffix not in ("glb", "gltf", "obj", "ply", "stl", "svg", "dxf"):
-        raise ValueError(f"{path}: expected a name that ends in .glb, .gltf, .obj, .ply, .stl, .svg or .dxf")
+    if suffix not in ("glb", "gltf", "obj", "ply", "stl", "json", "svg", "dxf"):
+        raise ValueError(f"{path}: expected a name that ends in .glb, .gltf, .obj, .ply, .stl, .json, .svg or .dxf")
     return suffix

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Generic, List, Optional, TypeVar
+import json
+from typing import TYPE_CHECKING, Any, Dict, Generic, List, NamedTuple, Optional, TypeVar
 
 import numpy as np
 
@@ -12,6 +13,19 @@ if TYPE_CHECKING:
     from .api_types import Job, JobWarning
 
 Statistics = TypeVar("Statistics")
+
+
+class Lines(NamedTuple):
+    """Lines along a mesh that have a name in common, and their values."""
+
+    paths: List[npt.NDArray[np.int64]]
+    """Each line as indices into `vertices`. A closed line ends with its first vertex."""
+    arrows: npt.NDArray[np.float64]
+    """Shape (k, 2, 3): straight lines between points that are no vertices, such as those of `reactions`."""
+    values: Dict[str, npt.NDArray[np.float64]]
+    """A number for each path or arrow, by its name, such as `force` or `length`. Empty if the lines have none."""
+    unit: Optional[str]
+    """Unit of the values."""
 
 
 class Mesh(Generic[Statistics]):
@@ -38,6 +52,8 @@ class Mesh(Generic[Statistics]):
     """The finished job: times, links, warnings."""
     statistics: Statistics
     """How good the mesh is; its fields depend on the kind."""
+    request: Optional[Dict[str, Any]] = None
+    """The request as this client sent it. None for a job that another client submitted."""
 
     def __init__(self, job: Job, ply: bytes) -> None:
         self.job = job
@@ -66,24 +82,49 @@ class Mesh(Generic[Statistics]):
         return f"<{kind}: {len(self.vertices)} vertices, {len(self.triangles)} triangles, unit {unit}, {self.up} up>"
 
     def to_trimesh(self) -> Any:
-        """A `trimesh.Trimesh` with f64 vertices, none merged. Needs trimesh."""
+        """A `trimesh.Trimesh` with f64 vertices, none merged; a `trimesh.path.Path3D` for a cable net.
+
+        The path's entities are the edges in their order, each with its force as `metadata["force"]`. Needs trimesh.
+        """
         import trimesh
 
-        attributes = {} if self.mean_curvature is None else {"mean_curvature": self.mean_curvature}
+        made: Any
+        if len(self.edges) > 0:
+            from trimesh.path import Path3D
+            from trimesh.path.entities import Line
+
+            entities = [Line(ends) for ends in self.edges.tolist()]
+            for entity, force in zip(entities, self.forces.tolist()):
+                entity.metadata["force"] = force
+            made = Path3D(entities=entities, vertices=self.vertices, process=False)
+        else:
+            attributes = {} if self.mean_curvature is None else {"mean_curvature": self.mean_curvature}
+            made = trimesh.Trimesh(self.vertices, self.triangles, process=False, vertex_attributes=attributes)
         names = {"in": "inches", "ft": "feet"}
-        mesh = trimesh.Trimesh(self.vertices, self.triangles, process=False, vertex_attributes=attributes)
-        mesh.units = names.get(self.unit, self.unit)
-        return mesh
+        made.units = names.get(self.unit, self.unit)
+        return made
 
     def to_meshio(self) -> Any:
-        """A `meshio.Mesh` with one block of triangles. Needs meshio."""
+        """A `meshio.Mesh` with one block of triangles; of lines with their `force` for a cable net. Needs meshio."""
         import meshio
 
         data = {} if self.mean_curvature is None else {"mean_curvature": self.mean_curvature}
+        if len(self.edges) > 0:
+            return meshio.Mesh(self.vertices, [("line", self.edges)], cell_data={"force": [self.forces]})
         return meshio.Mesh(self.vertices, [("triangle", self.triangles)], point_data=data)
 
     def to_compas(self) -> Any:
-        """A `compas.datastructures.Mesh`, its vertices with `mean_curvature` where it is known. Needs compas."""
+        """A `compas.datastructures.Mesh`, its vertices with `mean_curvature` where it is known. Needs compas.
+
+        A cable net becomes a `compas.datastructures.Graph`, its edges with `force`.
+        """
+        if len(self.edges) > 0:
+            from compas.datastructures import Graph
+
+            graph = Graph.from_nodes_and_edges(self.vertices.tolist(), [tuple(ends) for ends in self.edges.tolist()])
+            for ends, force in zip(self.edges.tolist(), self.forces.tolist()):
+                graph.edge_attribute(tuple(ends), "force", force)
+            return graph
         from compas.datastructures import Mesh as CompasMesh
 
         mesh = CompasMesh.from_vertices_and_faces(self.vertices.tolist(), self.triangles.tolist())
@@ -93,9 +134,15 @@ class Mesh(Generic[Statistics]):
         return mesh
 
     def to_rhino3dm(self) -> Any:
-        """A `rhino3dm.Mesh` with double-precision vertices and normals. Needs rhino3dm."""
+        """A `rhino3dm.Mesh` with double-precision vertices and normals. Needs rhino3dm.
+
+        A cable net becomes a list of `rhino3dm.LineCurve`, one for each edge.
+        """
         import rhino3dm
 
+        if len(self.edges) > 0:
+            points = [rhino3dm.Point3d(*point) for point in self.vertices.tolist()]
+            return [rhino3dm.LineCurve(points[a], points[b]) for a, b in self.edges.tolist()]
         mesh = rhino3dm.Mesh()
         for x, y, z in self.vertices.tolist():
             mesh.Vertices.AddPoint3d(x, y, z)  # `Add` keeps f32
@@ -146,13 +193,15 @@ def _columns(header: List[List[str]], element: str) -> Any:
     return np.dtype(found)
 
 
-def read_lines(obj: bytes) -> Dict[str, List[npt.NDArray[np.int64]]]:
-    """The curves of an OBJ file by the names of their sets, as indices into the vertices."""
-    sets: Dict[str, List[npt.NDArray[np.int64]]] = {}
-    name = ""
-    for line in obj.split(b"\n"):
-        if line.startswith(b"o "):
-            name = line[2:].decode("utf-8")
-        elif line.startswith(b"l "):
-            sets.setdefault(name, []).append(np.array(line[2:].split(), dtype=np.int64) - 1)
-    return sets
+def read_lines(data: bytes) -> Dict[str, Lines]:
+    """The lines of a mesh in the server's JSON, by name."""
+    found: Dict[str, Lines] = {}
+    for line in json.loads(data)["lines"]:
+        said = line["values"]
+        found[line["name"]] = Lines(
+            [np.array(path, dtype=np.int64) for path in line["paths"]],
+            np.array(line["arrows"], dtype=np.float64).reshape(-1, 2, 3),
+            {said["name"]: np.array(said["values"], dtype=np.float64)} if said else {},
+            said["unit"] if said else None,
+        )
+    return found
