@@ -1,4 +1,4 @@
-// What the tests in JavaScript leave out. scripts/skips.py and scripts/skips.sh do the same for Python and the shell.
+// Records which tests in JavaScript are left out. scripts/skips.py and scripts/skips.sh do the same for Python and the shell.
 
 import { appendFileSync } from 'node:fs';
 

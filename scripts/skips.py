@@ -1,4 +1,4 @@
-"""What the tests in Python leave out. skips.mjs and skips.sh do the same for JavaScript and the shell."""
+"""Records which tests in Python are left out. skips.mjs and skips.sh do the same for JavaScript and the shell."""
 import os
 
 
