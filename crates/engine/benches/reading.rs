@@ -1,8 +1,8 @@
 //! Reads valid and invalid requests of 10, 1,000 and 200,000 points.
 //!
-//! `cargo bench -p plateau-engine --bench reading` measures with criterion. With `-- --case` it reads each request a few
-//! times and prints the medians as one JSON line. The line also has the times of the first valid and the first invalid
-//! request of the process. The latter includes compiling schemas.
+//! `cargo bench -p plateau-engine --bench reading` measures with criterion. With `-- --case` it reads each request a
+//! few times and prints the medians as one JSON line. The line also has the times of the first valid and the first
+//! invalid request of the process. The latter includes compiling schemas.
 
 #![allow(
     clippy::disallowed_macros,

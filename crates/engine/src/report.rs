@@ -55,8 +55,8 @@ pub struct SolveError {
     pub errors: Vec<FieldError>,
 }
 
-/// Declares kinds of failures. Every kind is in `ALL`, from which the catalogue is made, so that no error has a kind that
-/// the catalogue does not explain.
+/// Declares kinds of failures. Every kind is in `ALL`, from which the catalogue is made, so that no error has a kind
+/// that the catalogue does not explain.
 #[macro_export]
 macro_rules! failure_kinds {
     ($(#[$attribute:meta])* $kinds:ident { $($kind:ident = $name:literal: $title:literal,)+ }) => {

@@ -78,7 +78,8 @@ pub trait Support: fmt::Debug + Send + Sync {
 }
 
 /// The area on the left of an edge that slides on a surface, as seen from the side to which the surface's normal
-/// points. It is determined up to a constant, as a sum over the segments of the edge ([`ContactEnergy`](super::ContactEnergy)).
+/// points. It is determined up to a constant, as a sum over the segments of the edge
+/// ([`ContactEnergy`](super::ContactEnergy)).
 pub trait AreaBeside: fmt::Debug + Send + Sync {
     /// The part of the area that belongs to the segment from `a` to `b`.
     fn part(&self, a: DVec3, b: DVec3) -> AreaPart;

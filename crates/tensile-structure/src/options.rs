@@ -151,8 +151,8 @@ pub struct Sliding {
     /// The line or surface on which the part slides. Directions and axes are unit vectors.
     pub on: Arc<dyn Support>,
     /// The contact angle in radians: the angle between the film and the surface on the left of the edge's direction, as
-    /// seen from the side to which the surface's normal points ([`ContactEnergy`](plateau_equilibrium::ContactEnergy)). `None`
-    /// stands for a right angle.
+    /// seen from the side to which the surface's normal points ([`ContactEnergy`](plateau_equilibrium::ContactEnergy)).
+    /// `None` stands for a right angle.
     pub contact_angle: Option<f64>,
 }
 

@@ -1,8 +1,8 @@
 //! Regression tests: requests that are known to have given wrong results which looked right. Each is checked against
 //! the right result.
 //!
-//! The requests are in `crates/engine/tests/cases`. References are closed forms, or Surface Evolver's results on the same
-//! boundary.
+//! The requests are in `crates/engine/tests/cases`. References are closed forms, or Surface Evolver's results on the
+//! same boundary.
 
 use crate::read;
 use plateau_engine::solved::{Signal, Unsolved};

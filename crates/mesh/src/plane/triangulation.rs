@@ -77,9 +77,10 @@ pub struct Triangulation {
 /// n).
 ///
 /// # Errors
-/// A [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, in any direction and nested
-/// in any way. A loop may visit a place several times if its points there have the same coordinates and it does not
-/// cross itself ([`touching`](super::touching)). Each of these points is a vertex of its own.
+/// An [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, in any
+/// direction and nested in any way. A loop may visit a place several times if its points there have the same
+/// coordinates and it does not cross itself ([`touching`](super::touching)). Each of these points is a vertex of its
+/// own.
 #[inline]
 pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, InvalidConstraints> {
     if let Some(shared) = SharedPlaces::of(points, constraints)? {
@@ -330,8 +331,8 @@ impl Triangulation {
     /// outside the holes, and outside the lattice. O(n log n).
     ///
     /// # Errors
-    /// A [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, which may touch at
-    /// points as in [`triangles_inside`].
+    /// An [`InvalidConstraints`] if the constraints bound no region. Outlines must be disjoint simple loops, which may
+    /// touch at points as in [`triangles_inside`].
     pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, InvalidConstraints> {
         if let Some(mut shared) = SharedPlaces::of(&points, constraints)? {
             let mut whole = Self::build(std::mem::take(&mut shared.points), &shared.constraints)?;

@@ -63,8 +63,8 @@ impl From<Interruption> for Failure {
 /// The reported progress runs over `span`.
 ///
 /// # Errors
-/// [`Failure::InvalidConstraints`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes after the
-/// region has been triangulated, the valid mesh that was reached is returned instead.
+/// [`Failure::InvalidConstraints`] if the outline crosses itself, or [`Failure::Interrupted`]. If the deadline passes
+/// after the region has been triangulated, the valid mesh that was reached is returned instead.
 pub(crate) fn mesh(
     outlines: &[&Outline],
     objective: Objective,
