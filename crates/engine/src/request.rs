@@ -142,7 +142,8 @@ impl Request {
         self.kind
     }
 
-    /// Solves the request on the calling thread. The solver calls `signal` at least every 50 ms.
+    /// Solves the request on the calling thread. The solver calls `signal` as often as
+    /// [`Execution`](plateau_mesh::Execution) promises.
     ///
     /// # Errors
     /// Returns the error of the solver.

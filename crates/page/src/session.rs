@@ -82,7 +82,7 @@ struct Failure<'a> {
 
 impl Session {
     /// Solves a request that names its kind, as `plateau solve` reads it. The solver calls `signal` at the same places
-    /// as in the service, where the calls are at most 50 ms apart. The result replaces that of the previous request.
+    /// as in the service. The result replaces that of the previous request.
     pub fn solve(&mut self, request: &[u8], signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Ending {
         match self.read(request) {
             Ok(request) => self.solve_anew(request, signal, report),

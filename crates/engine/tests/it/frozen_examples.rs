@@ -17,8 +17,8 @@
 //! conflict in a rebase do the same from the other side's file:
 //! `git checkout --ours crates/engine/tests/frozen_examples.txt` takes the file of the branch that is rebased upon.
 //!
-//! A new C library may change the last digits of sines and cosines, and thereby whole rows. In that case write the file
-//! again in a separate commit.
+//! The sines are those of the crate libm, so that the C library of a machine changes nothing. The kernels of faer follow
+//! the vector instructions of the processor and round differently on another one.
 
 use crate::skips::skipped;
 use crate::{read, root};

@@ -293,12 +293,13 @@ impl RuledSurfaceRequest {
     }
 
     /// Returns true if solving takes at most about a millisecond. Closed strips and exact convexity may take longer
-    /// than the number of their cells suggests.
+    /// than the number of their cells suggests, and each strip costs some 40 µs beside its cells.
     fn is_quick(&self, points: usize, cells: u64) -> bool {
+        const QUICK_STRIPS: usize = 20;
         const QUICK_POINTS: usize = 1_000;
         const QUICK_CELLS: u64 = 50_000;
         let simple = !self.closed && self.convexity_tolerance_deg.get() != 0.0 && self.sampling.is_none();
-        simple && points <= QUICK_POINTS && cells <= QUICK_CELLS
+        simple && self.directrices.len() <= QUICK_STRIPS + 1 && points <= QUICK_POINTS && cells <= QUICK_CELLS
     }
 
     /// Converts the request to the geometry's types.
