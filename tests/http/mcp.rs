@@ -61,7 +61,7 @@ fn size_of_picture(result: &Value) -> (u32, u32) {
 }
 
 #[tokio::test]
-async fn every_tool_has_schemas_and_describe_lists_what_can_be_solved() {
+async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_solved() {
     let app = TestApp::start_with(&[ON]).await;
     let answer: Value = post(&app, None, &message("tools/list", json!({}))).await.json().await.unwrap();
     let tools = answer["result"]["tools"].as_array().unwrap();
@@ -70,6 +70,7 @@ async fn every_tool_has_schemas_and_describe_lists_what_can_be_solved() {
     for tool in tools {
         for schema in [&tool["inputSchema"], &tool["outputSchema"]] {
             assert_eq!(schema["type"], "object", "{tool:#}");
+            jsonschema::validator_for(schema).expect("a valid schema without outer references");
         }
     }
     let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
@@ -81,8 +82,14 @@ async fn every_tool_has_schemas_and_describe_lists_what_can_be_solved() {
         let described = &succeed(&app, "describe", &json!({ "kind": kind })).await["structuredContent"];
         let request = &described["example"]["request"];
         assert_eq!(request["kind"], kind);
+        let schema = jsonschema::validator_for(&described["request_schema"]).unwrap();
+        assert!(schema.is_valid(request) && !schema.is_valid(&json!({ "kind": kind })), "{kind}");
         let solved = &succeed(&app, "solve", &json!({ "request": request })).await["structuredContent"];
         assert_eq!(solved["status"], "succeeded");
+        let schema = jsonschema::validator_for(&described["statistics_schema"]).unwrap();
+        assert!(schema.is_valid(&solved["statistics"]), "{kind}");
+        let schema = jsonschema::validator_for(&tools[1]["outputSchema"]).unwrap();
+        assert!(schema.is_valid(solved), "{kind}");
     }
     let helicoid = &succeed(&app, "describe", &json!({ "example": "helicoid" })).await["structuredContent"];
     assert_eq!(helicoid["example"]["request"], example("helicoid"));
@@ -95,8 +102,10 @@ async fn a_kind_that_only_the_table_names_is_described_and_solved() {
     assert_eq!(described["kinds"][0]["summary"], "Enlarges the mesh of a finished job");
     let film = app.solve("/v1/minimal-surfaces", &small_film(0.3)).await;
     let request = enlargement(&film, 2.0);
+    assert!(jsonschema::validator_for(&described["request_schema"]).unwrap().is_valid(&request));
     let solved = &succeed(&app, "solve", &json!({ "request": request })).await["structuredContent"];
     assert_eq!(solved["status"], "succeeded");
+    assert!(jsonschema::validator_for(&described["statistics_schema"]).unwrap().is_valid(&solved["statistics"]));
     let missing = enlargement(&json!({ "id": "01J00000000000000000000000" }), 2.0);
     let text = fail(&app, None, "solve", &json!({ "request": missing })).await;
     assert!(text.contains("/request/source/job"), "{text}");
