@@ -1,15 +1,18 @@
 //! Wires configuration, keys, store, jobs and HTTP together, starts them and shuts them down.
 
 use crate::auth::Keys;
-use crate::config::Config;
+use crate::config::{Config, HttpConfig};
 use crate::http::budget::Budget;
+#[cfg(feature = "mcp")]
+use crate::http::mcp;
 use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
-use crate::http::{mcp, openapi, router, serve};
+use crate::http::{openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
+use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
@@ -97,15 +100,17 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
             Role::Mcp => eprintln!("listening on http://{address}"),
             Role::Serve | Role::Worker => println!("listening on http://{address}"),
         }
-        tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
+        log_doors(&config.http, address, count, role);
         let (http, limits) = (&config.http, &config.limits);
         let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
         let seats = Arc::new(OpenRequests::new(config.open_requests()));
         let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
         let document = openapi::served_at;
         let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, document };
+        #[cfg(feature = "mcp")]
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
+            #[cfg(feature = "mcp")]
             if let Some(tools) = tools {
                 // The task fails only if it panics. The process stops then too.
                 let _ = tools.await;
@@ -127,6 +132,21 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         return Err(StartError::Failed(detail));
     }
     Ok(())
+}
+
+/// Logs where the service can be reached, and which of its doors are shut.
+fn log_doors(http: &HttpConfig, address: SocketAddr, workers: usize, role: Role) {
+    if http.studio {
+        tracing::info!(%address, workers, "open http://{address}/ in a browser");
+    } else {
+        tracing::info!(%address, workers, "the studio is off (http.studio)");
+    }
+    if !http.hops {
+        tracing::info!("Hops is off (http.hops)");
+    }
+    if !http.mcp && role == Role::Serve {
+        tracing::info!("MCP over HTTP is off (http.mcp)");
+    }
 }
 
 /// Checks all settings on which a start depends, without changing anything and without reaching the database. Returns

@@ -39,6 +39,7 @@ enum Command {
     Worker,
     /// Offer the service as tools for a language model (Model Context Protocol) on standard input and output, until the
     /// input ends. Meshes are served on a free port of this machine; --listen sets another address.
+    #[cfg(feature = "mcp")]
     Mcp,
     /// Solve one request without a server, and print its statistics.
     Solve {
@@ -124,6 +125,7 @@ impl Settings {
 fn role(command: &Command) -> app::Role {
     match command {
         Command::Worker => app::Role::Worker,
+        #[cfg(feature = "mcp")]
         Command::Mcp => app::Role::Mcp,
         _ => app::Role::Serve,
     }
@@ -134,7 +136,11 @@ const USAGE: u8 = 2;
 
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    let defaults = if matches!(cli.command, Some(Command::Mcp)) { Config::of_mcp() } else { Config::default() };
+    let defaults = match cli.command {
+        #[cfg(feature = "mcp")]
+        Some(Command::Mcp) => Config::of_mcp(),
+        _ => Config::default(),
+    };
     let config = match cli.settings.load(defaults) {
         Ok(config) => config,
         Err(message) => return fail(USAGE, &message),

@@ -88,6 +88,8 @@ pub struct HttpConfig {
     /// Whether long answers are compressed with gzip for clients that accept it. Turn it off if a proxy does
     /// it.
     pub compression: bool,
+    /// Whether `/` shows the studio, the page on which curves are drawn and results are looked at.
+    pub studio: bool,
     /// Whether `/mcp` offers this server as tools for language models (Model Context Protocol). `plateau mcp` needs no
     /// setting.
     pub mcp: bool,
@@ -125,8 +127,9 @@ impl Default for HttpConfig {
             files_kept_bytes: 64 << 20,
             files_disk_bytes: 4 << 30,
             compression: true,
+            studio: cfg!(feature = "studio"),
             mcp: false,
-            hops: true,
+            hops: cfg!(feature = "hops"),
             hops_wait_s: 90,
             metrics_listen: String::new(),
         }
@@ -467,6 +470,14 @@ impl Config {
         if let Some((name, _)) = percentages.iter().find(|(_, value)| !(1..=100).contains(value)) {
             return Err(format!("{name} must be from 1 to 100"));
         }
+        let parts = [
+            ("studio", self.http.studio, cfg!(feature = "studio")),
+            ("mcp", self.http.mcp, cfg!(feature = "mcp")),
+            ("hops", self.http.hops, cfg!(feature = "hops")),
+        ];
+        if let Some((part, ..)) = parts.iter().find(|(_, wanted, built)| *wanted && !built) {
+            return Err(format!("http.{part}: this program was built without the feature {part}"));
+        }
         if self.jobs.lease_ms < 1000 {
             return Err("jobs.lease_ms must be at least 1000: a claim is renewed three times in it".into());
         }
@@ -689,7 +700,10 @@ mod tests {
     #[test]
     fn the_default_file_and_the_operators_table_come_from_the_doc_comments() {
         let sections = sections();
-        let defaults = Table::try_from(Config::default()).unwrap();
+        // The files say what a build with every part does.
+        let mut every_part = Config::default();
+        (every_part.http.studio, every_part.http.hops) = (true, true);
+        let defaults = Table::try_from(&every_part).unwrap();
         for Section { name, doc, settings } in &sections {
             assert!(
                 doc.ends_with('.') && settings.iter().all(|(_, doc)| doc.ends_with('.')),
@@ -700,7 +714,7 @@ mod tests {
         }
         assert_eq!(sections.len(), defaults.len());
         let file = default_file(&sections, &defaults);
-        assert_eq!(toml::from_str::<Config>(&file).unwrap(), Config::default());
+        assert_eq!(toml::from_str::<Config>(&file).unwrap(), every_part);
         check_or_write(DEFAULT_FILE, &file);
         let operations = std::fs::read_to_string(OPERATIONS).unwrap();
         let (before, rest) = operations.split_once(TABLE[0]).expect("the mark before the table");

@@ -26,10 +26,3 @@ pub enum HopsError {
     /// Values of the inputs cannot be used.
     Invalid(Vec<String>),
 }
-
-/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by
-/// later versions, at the root of the host.
-#[must_use]
-pub fn is_solve(path: &str) -> bool {
-    matches!(path, "/solve" | "/hops/solve")
-}

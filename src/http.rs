@@ -7,6 +7,7 @@ pub mod body;
 pub mod budget;
 pub mod compress;
 pub mod entry;
+#[cfg(feature = "mcp")]
 pub mod mcp;
 pub mod negotiate;
 pub mod observe;

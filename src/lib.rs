@@ -9,6 +9,7 @@ mod app;
 mod auth;
 pub mod cli;
 pub mod config;
+#[cfg(feature = "hops")]
 pub mod hops;
 mod http;
 pub mod jobs;

@@ -35,12 +35,19 @@ mod migrations;
 mod operations;
 mod outage;
 mod pool;
+#[cfg(feature = "postgres")]
+mod postgres;
+#[cfg(not(feature = "postgres"))]
+#[path = "store/no_postgres.rs"]
 mod postgres;
 mod queue;
+mod redact;
 mod results;
 mod retention;
+#[cfg(feature = "postgres")]
 mod session;
 mod sqlite;
+#[cfg(feature = "postgres")]
 mod tls;
 mod tx;
 mod value;
@@ -54,9 +61,9 @@ pub use claims::{Claimed, Renewed, Room};
 pub use handle::Store;
 pub use history::{EventId, StatusEvent};
 pub use jobs::{Addition, EarlyEnd, Filter, JobRow, Lookup, NewJob, Outcome};
+pub use redact::redacted;
 pub use results::Artefact;
 pub use retention::Swept;
-pub use session::redacted;
 pub use watch::JobWatch;
 
 pub(crate) type Result<T> = std::result::Result<T, StoreError>;

@@ -2,7 +2,6 @@
 
 use crate::auth::{AuthError, Left};
 use crate::config::HttpConfig;
-use crate::hops;
 use crate::http::open_requests::{self, NoConnection};
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -38,6 +37,13 @@ impl<S: Sync> FromRequestParts<S> for Caller {
 /// Header in which Hops sends a key.
 const RHINO_COMPUTE_KEY: HeaderName = HeaderName::from_static("rhinocomputekey");
 
+/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by
+/// later versions, at the root of the host.
+#[must_use]
+pub fn is_message_of_hops(path: &str) -> bool {
+    cfg!(feature = "hops") && matches!(path, "/solve" | "/hops/solve")
+}
+
 /// Returns true for paths that need no key: the API document, its page, the studio, the health checks, and the
 /// descriptions of the components of Hops.
 #[must_use]
@@ -46,7 +52,7 @@ pub fn is_public(path: &str) -> bool {
     path == "/"
         || path == "/openapi.json"
         || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
-        || (below("/hops") && !hops::is_solve(path))
+        || (below("/hops") && !is_message_of_hops(path))
 }
 
 /// Returns true for the paths of the health checks, to which no limit of requests applies.
@@ -145,7 +151,7 @@ fn presented_key<'r>(headers: &'r HeaderMap, path: &str) -> Option<&'r str> {
         .and_then(|value| value.split_once(' '))
         .filter(|(scheme, _)| scheme.eq_ignore_ascii_case("bearer"))
         .map(|(_, key)| key.trim());
-    bearer.or_else(|| text(&RHINO_COMPUTE_KEY).filter(|_| hops::is_solve(path)).map(str::trim))
+    bearer.or_else(|| text(&RHINO_COMPUTE_KEY).filter(|_| is_message_of_hops(path)).map(str::trim))
 }
 
 const SEC_FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");

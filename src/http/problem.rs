@@ -1,7 +1,9 @@
 //! The only place that knows the status codes of failures. Every error is sent as a problem document (RFC 9457).
 
-use crate::hops;
-use crate::hops::answer::Answer;
+#[cfg(feature = "hops")]
+use crate::hops::{self, answer::Answer};
+#[cfg(feature = "hops")]
+use crate::http::access::is_message_of_hops;
 use crate::jobs::JobsError;
 use crate::wire::job::Problem;
 use axum::body::Body;
@@ -62,6 +64,7 @@ failures! {
 }
 
 /// Error text after which Hops requests the description of a component again.
+#[cfg(feature = "hops")]
 const BAD_INPUTS: &str = "Bad inputs";
 
 impl Failure {
@@ -77,6 +80,7 @@ impl Failure {
     }
 
     /// Returns the failure for a status that a library has chosen. Its text becomes the detail.
+    #[cfg(feature = "mcp")]
     #[must_use]
     pub fn of_library(status: StatusCode, detail: String) -> Self {
         match status {
@@ -86,44 +90,6 @@ impl Failure {
             StatusCode::UNSUPPORTED_MEDIA_TYPE => Self::malformed(detail),
             status if status.is_client_error() => Self::bad_header(detail),
             _ => Self::internal(detail),
-        }
-    }
-
-    /// Returns the response to a message of Hops, which reads no problem documents. The answer's errors are the lines
-    /// that Hops shows on the component.
-    #[must_use]
-    pub fn to_hops(&self, answer: &Answer<'_>) -> Response<Body> {
-        let mut response = Response::new(Body::from(answer.to_json()));
-        *response.status_mut() = self.status;
-        for (name, value) in &self.headers {
-            response.headers_mut().insert(name, value.clone());
-        }
-        response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
-        response
-    }
-
-    /// Returns the failure for a refused message of Hops, and the lines of text that Hops shows for it.
-    #[must_use]
-    pub fn of_hops(refusal: hops::HopsError) -> (Self, Vec<String>) {
-        match refusal {
-            hops::HopsError::Malformed(line) => (Self::malformed(""), vec![line]),
-            hops::HopsError::Unknown(line) => (Self::not_found(""), vec![line]),
-            hops::HopsError::Invalid(lines) => (Self::invalid(""), lines),
-            // Hops asks for the description again if the status is 500 and the first line has this text. It then shows
-            // the component with its present inputs.
-            hops::HopsError::Outdated(mut lines) => {
-                lines.insert(0, BAD_INPUTS.into());
-                (Self::internal(""), lines)
-            }
-        }
-    }
-
-    /// Returns this failure as the lines of text that Hops shows. `line` formats an offending value as a line.
-    pub fn lines(&self, line: impl Fn(&FieldError) -> String) -> Vec<String> {
-        match self.errors.as_slice() {
-            [] if self.detail.is_empty() => vec![self.title.into()],
-            [] => vec![format!("{}: {}", self.title, self.detail)],
-            errors => errors.iter().take(MAX_ERRORS).map(line).collect(),
         }
     }
 
@@ -234,11 +200,53 @@ impl IntoResponse for Failure {
     }
 }
 
+#[cfg(feature = "hops")]
+impl Failure {
+    /// Returns the response to a message of Hops, which reads no problem documents. The answer's errors are the lines
+    /// that Hops shows on the component.
+    #[must_use]
+    pub fn to_hops(&self, answer: &Answer<'_>) -> Response<Body> {
+        let mut response = Response::new(Body::from(answer.to_json()));
+        *response.status_mut() = self.status;
+        for (name, value) in &self.headers {
+            response.headers_mut().insert(name, value.clone());
+        }
+        response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+        response
+    }
+
+    /// Returns the failure for a refused message of Hops, and the lines of text that Hops shows for it.
+    #[must_use]
+    pub fn of_hops(refusal: hops::HopsError) -> (Self, Vec<String>) {
+        match refusal {
+            hops::HopsError::Malformed(line) => (Self::malformed(""), vec![line]),
+            hops::HopsError::Unknown(line) => (Self::not_found(""), vec![line]),
+            hops::HopsError::Invalid(lines) => (Self::invalid(""), lines),
+            // Hops asks for the description again if the status is 500 and the first line has this text. It then shows
+            // the component with its present inputs.
+            hops::HopsError::Outdated(mut lines) => {
+                lines.insert(0, BAD_INPUTS.into());
+                (Self::internal(""), lines)
+            }
+        }
+    }
+
+    /// Returns this failure as the lines of text that Hops shows. `line` formats an offending value as a line.
+    pub fn lines(&self, line: impl Fn(&FieldError) -> String) -> Vec<String> {
+        match self.errors.as_slice() {
+            [] if self.detail.is_empty() => vec![self.title.into()],
+            [] => vec![format!("{}: {}", self.title, self.detail)],
+            errors => errors.iter().take(MAX_ERRORS).map(line).collect(),
+        }
+    }
+}
+
 /// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an
 /// answer in its own form. `base` is the base path of this server, and `path` is the request's path below it.
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
-        if hops::is_solve(path) {
+        #[cfg(feature = "hops")]
+        if is_message_of_hops(path) {
             let answer = Answer::of_errors(vec![format!("{}: {}", problem.title, problem.detail)]);
             *response.body_mut() = Body::from(answer.to_json());
             response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));

@@ -45,6 +45,7 @@ impl Resource {
     }
 
     /// Adds the handler of another protocol's messages, which are not part of the API.
+    #[cfg(any(feature = "hops", feature = "mcp"))]
     #[must_use]
     pub fn post_beside_api<H: Handler<T, App>, T: 'static>(self, handler: H) -> Self {
         self.with("post", post(handler), None)

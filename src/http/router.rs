@@ -2,7 +2,13 @@
 
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
-use crate::http::routes::{batches, catalogue, docs, events, health, hops, jobs, mcp, mesh, studio, submit};
+#[cfg(feature = "hops")]
+use crate::http::routes::hops;
+#[cfg(feature = "mcp")]
+use crate::http::routes::mcp;
+#[cfg(feature = "studio")]
+use crate::http::routes::studio;
+use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mesh, submit};
 use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
@@ -50,16 +56,23 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/examples/{name}").get(catalogue::example, catalogue::example_entry()),
         Resource::at("/health/live").get(health::live, health::live_entry()),
         Resource::at("/health/ready").get(health::ready, health::ready_entry()),
-        Resource::at("/mcp").post_beside_api(mcp::post),
-        Resource::at("/hops").get_beside_api(hops::list),
-        Resource::at("/hops/{name}").get_beside_api(hops::describe),
-        Resource::at("/hops/solve").post_beside_api(hops::solve),
-        Resource::at("/solve").post_beside_api(hops::solve),
         Resource::at("/openapi.json").get_beside_api(catalogue::openapi),
         Resource::at("/problems/{name}").get_beside_api(catalogue::problem_kind),
         Resource::at("/docs").get_beside_api(docs::redirect),
         Resource::at("/docs/").get_beside_api(docs::page),
         Resource::at("/docs/{file}").get_beside_api(docs::file),
+    ]);
+    #[cfg(feature = "mcp")]
+    resources.push(Resource::at("/mcp").post_beside_api(mcp::post));
+    #[cfg(feature = "hops")]
+    resources.extend([
+        Resource::at("/hops").get_beside_api(hops::list),
+        Resource::at("/hops/{name}").get_beside_api(hops::describe),
+        Resource::at("/hops/solve").post_beside_api(hops::solve),
+        Resource::at("/solve").post_beside_api(hops::solve),
+    ]);
+    #[cfg(feature = "studio")]
+    resources.extend([
         Resource::at("/").get_beside_api(studio::page),
         Resource::at("/studio/{file}").get_beside_api(studio::file),
     ]);

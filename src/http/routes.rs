@@ -5,9 +5,12 @@ pub mod catalogue;
 pub mod docs;
 pub mod events;
 pub mod health;
+#[cfg(feature = "hops")]
 pub mod hops;
 pub mod jobs;
+#[cfg(feature = "mcp")]
 pub mod mcp;
 pub mod mesh;
+#[cfg(feature = "studio")]
 pub mod studio;
 pub mod submit;

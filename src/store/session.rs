@@ -16,11 +16,13 @@ use tokio::time::timeout;
 use tokio_postgres::config::{Host, SslMode};
 use tokio_postgres::error::SqlState;
 use tokio_postgres::tls::MakeTlsConnect;
-use tokio_postgres::types::{ToSql, Type};
+use tokio_postgres::types::private::BytesMut;
+use tokio_postgres::types::{IsNull, ToSql, Type, to_sql_checked};
 use tokio_postgres::{AsyncMessage, Client, Config, NoTls, Row, Socket, Statement};
 
-use super::tls::{Connector, Disagreement, Parameters};
+use super::tls::{BoxError, Connector, Disagreement, Parameters};
 use super::value::Value;
+
 use super::{Result, StoreError};
 
 /// Time limit for getting a free connection, and for opening a connection to the server.
@@ -238,6 +240,33 @@ impl Session {
     }
 }
 
+impl Value<'_> {
+    fn postgres_type(&self) -> Type {
+        match self {
+            Self::Int(_) => Type::INT8,
+            Self::Text(_) => Type::TEXT,
+            Self::Bytes(_) => Type::BYTEA,
+        }
+    }
+}
+
+impl ToSql for Value<'_> {
+    fn to_sql(&self, as_type: &Type, out: &mut BytesMut) -> std::result::Result<IsNull, BoxError> {
+        match self {
+            Self::Int(value) => value.to_sql(as_type, out),
+            Self::Text(value) => value.to_sql(as_type, out),
+            Self::Bytes(value) => value.to_sql(as_type, out),
+        }
+    }
+
+    fn accepts(_: &Type) -> bool {
+        // Statements are prepared with the types of their values, so every type fits.
+        true
+    }
+
+    to_sql_checked!();
+}
+
 fn parameters<'v>(values: &'v [Value<'_>]) -> Vec<&'v (dyn ToSql + Sync)> {
     values.iter().map(|value| value as &(dyn ToSql + Sync)).collect()
 }
@@ -337,46 +366,9 @@ fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
     })
 }
 
-/// Returns `url` without its passwords, for logs and errors.
-#[must_use]
-pub fn redacted(url: &str) -> String {
-    const PARAMETER: &str = "password=";
-    let mut parts = url.split(PARAMETER);
-    let before = without_user_password(parts.next().unwrap_or_default());
-    let mut text = before.into_owned();
-    for part in parts {
-        let end = part.find('&').unwrap_or(part.len());
-        text.push_str(PARAMETER);
-        text.push_str("***");
-        text.push_str(&part[end..]);
-    }
-    text
-}
-
-fn without_user_password(url: &str) -> Cow<'_, str> {
-    let Some((scheme, rest)) = url.split_once("://") else { return Cow::Borrowed(url) };
-    let authority_end = rest.find(['/', '?']).unwrap_or(rest.len());
-    let Some(at) = rest[..authority_end].rfind('@') else { return Cow::Borrowed(url) };
-    let Some(colon) = rest[..at].find(':') else { return Cow::Borrowed(url) };
-    Cow::Owned(format!("{scheme}://{}:***{}", &rest[..colon], &rest[at..]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn passwords_are_removed_from_urls() {
-        assert_eq!(redacted("postgres://me:secret@db:5432/plateau"), "postgres://me:***@db:5432/plateau");
-        assert_eq!(redacted("postgres://me:a@b@db/plateau"), "postgres://me:***@db/plateau");
-        assert_eq!(redacted("postgres://db/plateau?user=a:b@c"), "postgres://db/plateau?user=a:b@c");
-        assert_eq!(redacted("postgres://a:b@db/x?password=c&host=d"), "postgres://a:***@db/x?password=***&host=d");
-        assert_eq!(
-            redacted("postgres://db/x?password=a&password=b&user=c"),
-            "postgres://db/x?password=***&password=***&user=c"
-        );
-        assert_eq!(redacted("sqlite:///data/plateau.db"), "sqlite:///data/plateau.db");
-    }
 
     #[test]
     fn a_host_parameter_overrides_the_host_before_the_path() {

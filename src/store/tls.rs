@@ -216,7 +216,7 @@ impl ServerCertVerifier for Verifier {
     }
 }
 
-type BoxError = Box<dyn std::error::Error + Send + Sync>;
+pub(super) type BoxError = Box<dyn std::error::Error + Sync + Send>;
 
 /// The two sides do not agree on encryption, so a further attempt would fail too.
 #[derive(Debug, thiserror::Error)]

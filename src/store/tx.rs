@@ -8,10 +8,8 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use rusqlite::types::{FromSql as FromSqlite, Value as SqliteValue, ValueRef};
-use tokio_postgres::Row as PgRow;
-use tokio_postgres::types::FromSql as FromPostgres;
 
-use super::session::Session;
+use super::postgres::{FromSql as FromPostgres, Row as PgRow, Session};
 use super::value::Value;
 use super::{Result, StoreError};
 #[cfg(feature = "test-hooks")]
@@ -33,6 +31,7 @@ pub(super) struct Tx<'c> {
 #[derive(Debug)]
 enum Connection<'c> {
     Sqlite(&'c rusqlite::Connection),
+    #[cfg_attr(not(feature = "postgres"), expect(dead_code, reason = "such a build has no sessions"))]
     Postgres(&'c mut Session),
 }
 
@@ -52,6 +51,7 @@ impl<'c> Tx<'c> {
         Self { connection: Connection::Sqlite(connection), after_commit: AfterCommit::default() }
     }
 
+    #[cfg(feature = "postgres")]
     pub(super) fn postgres(session: &'c mut Session) -> Self {
         Self { connection: Connection::Postgres(session), after_commit: AfterCommit::default() }
     }

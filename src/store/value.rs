@@ -1,8 +1,6 @@
 //! Parameters of statements of either engine.
 
 use rusqlite::types::{ToSqlOutput, ValueRef};
-use tokio_postgres::types::private::BytesMut;
-use tokio_postgres::types::{IsNull, ToSql, Type, to_sql_checked};
 
 /// A parameter of a statement. `None` means NULL. The variant is the type, which PostgreSQL needs even for a NULL.
 #[derive(Debug, Clone, Copy)]
@@ -69,31 +67,4 @@ impl rusqlite::ToSql for Value<'_> {
             Self::Int(None) | Self::Text(None) | Self::Bytes(None) => ValueRef::Null,
         }))
     }
-}
-
-impl Value<'_> {
-    pub(super) fn postgres_type(&self) -> Type {
-        match self {
-            Self::Int(_) => Type::INT8,
-            Self::Text(_) => Type::TEXT,
-            Self::Bytes(_) => Type::BYTEA,
-        }
-    }
-}
-
-impl ToSql for Value<'_> {
-    fn to_sql(&self, as_type: &Type, out: &mut BytesMut) -> Result<IsNull, Box<dyn std::error::Error + Sync + Send>> {
-        match self {
-            Self::Int(value) => value.to_sql(as_type, out),
-            Self::Text(value) => value.to_sql(as_type, out),
-            Self::Bytes(value) => value.to_sql(as_type, out),
-        }
-    }
-
-    fn accepts(_: &Type) -> bool {
-        // Statements are prepared with the types of their values, so every type fits.
-        true
-    }
-
-    to_sql_checked!();
 }

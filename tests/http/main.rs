@@ -11,6 +11,7 @@ mod bucket;
 mod cable_nets;
 mod cancel;
 mod catalogue;
+#[cfg(feature = "certificates")]
 mod certificates;
 mod command_line;
 mod compression;
@@ -25,12 +26,14 @@ mod health;
 #[path = "../hold/mod.rs"]
 mod hold;
 mod hooks;
+#[cfg(feature = "hops")]
 mod hops;
 mod idempotency;
 mod initial_meshes;
 mod jobs;
 mod limits;
 mod load;
+#[cfg(feature = "mcp")]
 mod mcp;
 mod memory;
 mod meshes;
@@ -48,6 +51,7 @@ mod shutdown;
 mod skips;
 mod slow_uploads;
 mod sources;
+#[cfg(feature = "studio")]
 mod studio;
 mod tensile_structures;
 mod uniform_meshes;

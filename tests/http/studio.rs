@@ -92,3 +92,13 @@ async fn other_files_are_not_found() {
         problem(app.get(path).await, 404).await;
     }
 }
+
+#[tokio::test]
+async fn an_operator_turns_the_studio_off() {
+    let off = TestApp::start_with(&[("PLATEAU_HTTP__STUDIO", "false")]).await;
+    for path in ["/", "/studio/studio.js"] {
+        let problem = problem(off.get(path).await, 404).await;
+        assert!(problem["detail"].as_str().unwrap().contains("http.studio"), "{path}: {problem}");
+    }
+    assert_eq!(off.get("/docs/").await.status(), 200);
+}

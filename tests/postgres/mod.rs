@@ -36,6 +36,10 @@ impl Postgres {
 
     /// Starts a server with further arguments, which `arguments` returns. It may put files into the server's folder.
     pub fn start_with(arguments: impl FnOnce(&Path) -> String) -> Option<Self> {
+        if cfg!(not(feature = "postgres")) {
+            skipped("PostgreSQL without its feature", "this build leaves it out");
+            return None;
+        }
         let Some(binaries) = binaries() else {
             skipped("PostgreSQL", "no `initdb` in PLATEAU_POSTGRES_BIN, /usr/lib/postgresql/*/bin or the PATH");
             return None;

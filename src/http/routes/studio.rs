@@ -8,7 +8,8 @@
 
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use crate::http::problem::Failure;
-use axum::extract::Path;
+use crate::http::state::App;
+use axum::extract::{Path, State};
 use axum::http::{HeaderMap, HeaderName, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
@@ -54,15 +55,20 @@ const MODULES: &[(&str, &str, &[u8])] = assets! {
     "structures.wasm": "application/wasm",
 };
 
-pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
-    asset("index.html", &headers)
+pub async fn page(State(app): State<App>, headers: HeaderMap) -> Result<Response, Failure> {
+    asset(&app, "index.html", &headers)
 }
 
-pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
-    asset(&name, &headers)
+pub async fn file(State(app): State<App>, Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
+    asset(&app, &name, &headers)
 }
 
-fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
+fn asset(app: &App, name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
+    if !app.config.http.studio {
+        return Err(Failure::not_found(
+            "the studio is off on this server; the setting http.studio turns it on. GET /docs describes the API",
+        ));
+    }
     let found = ASSETS.iter().chain(MODULES).find(|(file, ..)| *file == name);
     let &(_, media_type, bytes) = found.ok_or_else(|| Failure::not_found("the studio has no such file"))?;
     let tag = entity_tag(bytes);
