@@ -206,6 +206,16 @@ pub fn endless_film(height: f64) -> Value {
 }
 
 /// Asserts that a response is a problem document of this status, and returns it.
+/// Returns false for the path of a part that this build leaves out.
+pub fn is_built(path: &str) -> bool {
+    match path {
+        "/" => cfg!(feature = "studio"),
+        _ if path.starts_with("/studio/") => cfg!(feature = "studio"),
+        "/hops" | "/solve" => cfg!(feature = "hops"),
+        _ => true,
+    }
+}
+
 pub async fn problem(response: Response, status: u16) -> Value {
     let path = response.url().path().to_owned();
     assert_eq!(response.status().as_u16(), status, "{path}");

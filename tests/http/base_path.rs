@@ -1,7 +1,7 @@
 //! Operation behind a proxy. Every address that the server sends begins with the public base path, whether or not the
 //! proxy removes it from requests.
 
-use crate::app::{MINIMAL, TestApp, client_builder, problem, small_film};
+use crate::app::{MINIMAL, TestApp, client_builder, is_built, problem, small_film};
 use reqwest::{Method, StatusCode, redirect};
 use serde_json::Value;
 
@@ -26,7 +26,9 @@ async fn every_address_begins_with_the_base_path_and_works_with_and_without_it()
         assert!(events.contains(&format!("\"self\":\"{location}\"")), "{events}");
         let document = app.get_json(&format!("{kept}/openapi.json")).await;
         assert_eq!(document["servers"][0]["url"], "/tools/plateau/");
-        assert_eq!(app.get(&format!("{kept}/")).await.status(), StatusCode::OK);
+        if is_built("/") {
+            assert_eq!(app.get(&format!("{kept}/")).await.status(), StatusCode::OK);
+        }
     }
     problem(app.get("/tools/plateau/v1/jobs/none").await, 404).await;
     assert_eq!(app.get("/tools/plateaux/v1/jobs").await.status(), StatusCode::NOT_FOUND);

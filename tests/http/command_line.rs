@@ -89,6 +89,7 @@ async fn wrong_usage_and_configuration_exit_with_2_and_name_the_setting() {
     }
 }
 
+#[cfg(all(feature = "studio", feature = "hops"))]
 #[tokio::test]
 async fn a_valid_configuration_passes_its_check() {
     let run =
