@@ -12,8 +12,13 @@ const MEETS: f64 = 1e-9;
 /// meet in space. The cables must then cross on the film, but nothing says where they are joined.
 pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError>) {
     let [boundary] = &structure.boundaries[..] else { return };
-    let place = |point: &DVec3| boundary.iter().position(|own| own == point);
-    let lines: Vec<(usize, &[DVec3], [usize; 2])> = structure
+    // The place along the boundary: the number of a point or of a segment, and the distance from its first point.
+    let place = |point: &DVec3| {
+        let on_segment = || structure.across_ends.iter().find(|end| end.place == *point).map(|end| end.segment);
+        let number = boundary.iter().position(|own| own == point).or_else(on_segment)?;
+        Some((number, boundary.get(number)?.distance(*point)))
+    };
+    let lines: Vec<(usize, &[DVec3], [(usize, f64); 2])> = structure
         .cables
         .iter()
         .enumerate()
@@ -25,7 +30,7 @@ pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError
     let near = MEETS * polyline::radius(boundary);
     for (i, (k, points, ends)) in lines.iter().enumerate() {
         for (other, others, other_ends) in &lines[..i] {
-            let inside = |end: usize| (other_ends[0] < end) != (other_ends[1] < end);
+            let inside = |end: (usize, f64)| (other_ends[0] < end) != (other_ends[1] < end);
             let common = ends.iter().any(|end| other_ends.contains(end));
             if !common && inside(ends[0]) != inside(ends[1]) && !meet(points, others, near) {
                 let detail =
