@@ -361,6 +361,7 @@ fn crossing_curves(
         [points[k], points[(k + 1) % points.len()]]
     };
     for k in 0..curves.len() {
+        exec.look(lines.len() as u64)?;
         for l in k..lines.len() {
             let apart = |c: &MeetingSegments| {
                 let [first, second] = [piece(k, c.first), piece(l, c.second)];
@@ -452,6 +453,14 @@ fn refusal(
         PlaneError::PointOutside(_) => {
             let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";
             let place = plane.and_then(|frame| outside(boundaries, constraints, frame));
+            if let (None, Some(frame)) = (&place, plane) {
+                // Only points that were added on a curve lie outside.
+                match crossing_curves(boundaries, &constraints.polylines, frame, exec) {
+                    Ok(crossing) if !crossing.is_empty() => return Error::Input(crossing),
+                    Ok(_) => {}
+                    Err(interruption) => return interruption.into(),
+                }
+            }
             Error::input(place.unwrap_or_else(|| Place::field("constraints")), detail)
         }
         PlaneError::TooCoarse { triangles } => {

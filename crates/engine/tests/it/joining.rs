@@ -206,7 +206,8 @@ fn design(random: &mut SplitMix64) -> Design {
     let guide = |points: Value, more: Value| {
         let side = [[0.0, 0.0, 0.0], [0.5 * w, 0.0, 0.0], [w, 0.0, 0.0], [w, 0.5 * d, 0.0]];
         let other = [[w, d, 0.0], [0.5 * w, d, 0.0], [0.0, d, 0.0], [0.0, 0.5 * d, 0.0]];
-        json!({ "kind": "minimal_surface", "boundaries": [[side, other].concat()], "resolution": { "triangles": 250 },
+        let outline = [side, other].concat();
+        json!({ "kind": "minimal_surface", "boundaries": [outline], "resolution": { "triangles": 250 },
                 "constraints": { "polylines": [points, more] } })
     };
     let arch = |random: &mut SplitMix64| -> Vec<[f64; 3]> {
@@ -230,8 +231,8 @@ fn design(random: &mut SplitMix64) -> Design {
         }
         // A mast and two guys hold a free corner.
         1 => {
-            tent["masts"] = json!([{ "points": [[w, 0.0, 0.0], corners[1]], "value": heights[1] }]);
             cables.push(json!({ "points": [corners[1], out(1, 4.0 * scale, 0.0)], "value": 25 }));
+            tent["masts"] = json!([{ "points": [[w, 0.0, 0.0], corners[1]], "value": heights[1] }]);
             tent["free_points"] = json!([{ "point": 1 }]);
             (tent, "/masts/0/points/1")
         }
@@ -366,15 +367,15 @@ fn points_of_slits_and_near_double_points_of_boundaries_stay_apart() {
         let (x, depth) = (random.between(3.0, 7.0), random.between(2.0, 6.0));
         // A slit from the lower side, whose two rims are `width` apart, and a guide from each rim.
         let boundary = json!([
-            [0, 0, 0],
-            [x - width, 0, 0],
+            [0.0, 0.0, 0.0],
+            [x - width, 0.0, 0.0],
             [x - width, 0.5 * depth, 0.2],
             [x, depth, 0.4],
             [x + width, 0.5 * depth, 0.2],
-            [x + width, 0, 0],
-            [10, 0, 0],
-            [10, 10, 0],
-            [0, 10, 0]
+            [x + width, 0.0, 0.0],
+            [10.0, 0.0, 0.0],
+            [10.0, 10.0, 0.0],
+            [0.0, 10.0, 0.0]
         ]);
         let left = json!([[x - width, 0.5 * depth, 0.2], [1.0, 0.5 * depth, 0.3]]);
         let right = json!([[x + width, 0.5 * depth, 0.2], [9.0, 0.5 * depth, 0.3]]);
