@@ -415,7 +415,8 @@ fn not_simple(
     Ok(Error::NoResult { reason: Reason::SelfIntersectingBoundary, detail: detail.into(), places })
 }
 
-/// Finds the first point of the constraints whose projection onto the plane does not lie inside the boundaries.
+/// Finds the first point of the constraints whose projection onto the plane does not lie inside the boundaries. Middles
+/// of pieces of curves come after all points, at the points with which the pieces begin.
 fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) -> Option<Place> {
     let loops: Vec<Vec<DVec2>> =
         boundaries.iter().map(|points| points.iter().map(|&p| frame.project(p)).collect()).collect();
@@ -428,11 +429,17 @@ fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) 
     if let Some(k) = constraints.points.iter().position(is_outside) {
         return Some(place.then("points").at(k));
     }
-    let curves = constraints.polylines.iter().enumerate();
-    curves
-        .filter_map(|(k, curve)| Some((k, curve.iter().position(is_outside)?)))
-        .next()
-        .map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
+    let is_side = |pair: &[DVec3]| {
+        let side = |points: &Vec<DVec3>, k: usize| [points[k], points[(k + 1) % points.len()]];
+        let joins = |[a, b]: [DVec3; 2]| [a, b] == *pair || [b, a] == *pair;
+        boundaries.iter().any(|points| (0..points.len()).any(|k| joins(side(points, k))))
+    };
+    let middle_is_outside = |pair: &[DVec3]| is_outside(&pair[0].midpoint(pair[1])) && !is_side(pair);
+    let curves = || constraints.polylines.iter().enumerate();
+    let points = curves().filter_map(|(k, curve)| Some((k, curve.iter().position(is_outside)?)));
+    let middles = curves().filter_map(|(k, curve)| Some((k, curve.windows(2).position(middle_is_outside)?)));
+    let mut found = points.chain(middles);
+    found.next().map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
 }
 
 /// Converts a failure of the plane mesher into the error for the caller. `plane` is the plane of the mesh, if the mesh
@@ -453,14 +460,6 @@ fn refusal(
         PlaneError::PointOutside(_) => {
             let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";
             let place = plane.and_then(|frame| outside(boundaries, constraints, frame));
-            if let (None, Some(frame)) = (&place, plane) {
-                // Only points that were added on a curve lie outside.
-                match crossing_curves(boundaries, &constraints.polylines, frame, exec) {
-                    Ok(crossing) if !crossing.is_empty() => return Error::Input(crossing),
-                    Ok(_) => {}
-                    Err(interruption) => return interruption.into(),
-                }
-            }
             Error::input(place.unwrap_or_else(|| Place::field("constraints")), detail)
         }
         PlaneError::TooCoarse { triangles } => {

@@ -154,9 +154,10 @@ fn oval(count: u32, centre: [f64; 2], radii: [f64; 2], z: f64) -> Vec<[f64; 3]> 
 #[cfg(feature = "minimal-surface")]
 fn film_with_a_flat_part(number: u64) -> Value {
     let random = &mut SplitMix64::new(number);
+    let triangles = 400 + random.below(1200);
     let film = |boundary: Vec<[f64; 3]>, guide: Vec<[f64; 3]>| {
         json!({ "kind": "minimal_surface", "boundaries": [boundary], "constraints": { "polylines": [guide] },
-                "resolution": { "triangles": 400 + random.below(1200) } })
+                "resolution": { "triangles": triangles } })
     };
     if number % 3 == 2 {
         let (width, depth) = (random.between(2.0, 6.0), random.between(5.0, 10.0));
