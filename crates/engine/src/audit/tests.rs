@@ -186,15 +186,24 @@ fn film_with_a_flat_part(number: u64) -> Value {
 #[cfg(feature = "minimal-surface")]
 fn films_with_flat_parts_are_right_and_their_faults_are_found() {
     let is_full = ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some());
-    // Vertices that move have a curvature, as far as the film is not flat, and the largest is far above the tolerance.
-    let faults: [Fault; 5] = [
+    let faults: [Fault; 4] = [
+        ("a flat vertex that is stated to be curved", |contents, _| {
+            let values = &mut contents.vertex_attributes[0].values;
+            let v = values.iter().rposition(|value| *value == 0.0).expect("a flat part");
+            values[v] = 0.01;
+        }),
+        ("a curvature on a boundary", |contents, _| contents.vertex_attributes[0].values[0] = 0.1),
+        ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-2),
+        ("a lost triangle", |contents, _| remove_last(&mut contents.mesh.triangles)),
+    ];
+    // Around a closed guide the curvature is above the tolerance.
+    let of_curved: [Fault; 2] = [
         ("a curved vertex that is stated to be flat", |contents, _| {
             let values = &mut contents.vertex_attributes[0].values;
             let v = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).expect("vertices");
             assert!(values[v] > 1e-5, "{}", values[v]);
             values[v] = 0.0;
         }),
-        ("a curvature on a boundary", |contents, _| contents.vertex_attributes[0].values[0] = 0.1),
         ("a mean over curved vertices only", |contents, statistics| {
             let count = |flat: bool| {
                 let values = contents.vertex_attributes[0].values.iter();
@@ -203,13 +212,14 @@ fn films_with_flat_parts_are_right_and_their_faults_are_found() {
             let mean = statistics["mean_curvature"]["mean"].as_f64().expect("a number");
             statistics["mean_curvature"]["mean"] = json!(mean * (1.0 + count(true) / count(false)).max(1.5));
         }),
-        ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-2),
-        ("a lost triangle", |contents, _| remove_last(&mut contents.mesh.triangles)),
     ];
     for number in 0..if is_full { 60 } else { 6 } {
         let request = film_with_a_flat_part(number);
         println!("{number}: {request}");
         finds(&request, &faults);
+        if number % 3 != 2 {
+            finds(&request, &of_curved);
+        }
     }
 }
 
