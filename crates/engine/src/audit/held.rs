@@ -28,7 +28,7 @@ pub(crate) fn mark(audit: &mut Audit, edges: &Edges, points: &[DVec3], curves: &
             missing = missing.or(Some(k));
         }
     }
-    let neighbours = (!curves.is_empty()).then(|| Neighbours::of(edges, vertices.len())).unwrap_or_default();
+    let neighbours = if curves.is_empty() { Neighbours::default() } else { Neighbours::of(edges, vertices.len()) };
     let mut lost = None;
     for (k, curve) in curves.iter().enumerate() {
         for (i, pair) in curve.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]) {
