@@ -26,7 +26,8 @@ use tree::Tree;
 const DEFAULT: f64 = 1e-6;
 /// Lower bound of the tolerance, in units in the last place of the largest coordinate.
 const ROUNDING: f64 = 8.0;
-/// Distance up to which an end that is not joined gets the warning `nearly_joined`, as a fraction of the request's size.
+/// Distance up to which an end that is not joined gets the warning `nearly_joined`, as a fraction of the request's
+/// size.
 const NEAR: f64 = 1e-2;
 /// A point is named in the warning `nearly_joined` in place of a nearer segment up to this multiple of the segment's
 /// distance.
@@ -228,9 +229,9 @@ struct Joiner<'a> {
 /// Joins the points of a request. O(n log n) in the number of points.
 ///
 /// # Errors
-/// Fails if a point is within the tolerance of two that stay apart, if the two ends of a cable, a mast or a curve become
-/// one, if a cable in the air or a mast ends on a segment of a boundary, and if a curve does where the boundaries get no
-/// further points.
+/// Fails if a point is within the tolerance of two that stay apart, and if the two ends of a cable, a mast or a curve
+/// become one. Fails if a cable in the air or a mast ends on a segment of a boundary, or if a curve does where the
+/// boundaries get no further points.
 pub(crate) fn join(request: &Points<'_>) -> Result<Joined, Rejection> {
     let given: Vec<Vec<DVec3>> = request.members.iter().map(|member| member.points.clone()).collect();
     let all: Vec<DVec3> = request.boundaries.iter().chain(&given).flatten().copied().collect();
@@ -434,8 +435,8 @@ impl Joiner<'_> {
         cluster.segment.is_some() || self.sites[cluster.anchor as usize].on_boundary
     }
 
-    /// Returns whether a site becomes a point that a cable in the air is tied to: a point of the request's boundaries, a
-    /// joint or a hub.
+    /// Returns whether a site becomes a point to which a cable in the air is tied: a point of the request's boundaries,
+    /// a joint or a hub.
     fn is_tied(&self, site: u32) -> bool {
         let cluster = self.cluster_of(site);
         cluster.has_joint || self.sites[cluster.anchor as usize].on_boundary

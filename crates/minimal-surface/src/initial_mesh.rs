@@ -402,8 +402,8 @@ fn not_simple(
         if !crossing.is_empty() {
             return Ok(Error::Input(crossing));
         }
-        let detail = "seen in the plane of the boundaries, the curves touch each other or the boundaries elsewhere than \
-                      at their points";
+        let detail = "seen in the plane of the boundaries, the curves touch each other or the boundaries elsewhere \
+                      than at their points";
         return Ok(Error::input(Place::field("constraints").then("polylines"), detail));
     }
     if places.is_empty() {
@@ -474,8 +474,9 @@ fn refusal(
                 "points of the boundary are so close together that they cannot be told apart",
             ),
             None => {
-                let detail = "the curves cross each other or a boundary where the film is laid out flat to be meshed: \
-                              give curves that cross a common point, and let only the ends of a curve lie on a boundary";
+                let detail = "the curves cross each other or a boundary where the film is laid out flat to be \
+                              meshed: give curves that cross a common point, and let only the ends of a curve lie on \
+                              a boundary";
                 Error::input(Place::field("constraints").then("polylines"), detail)
             }
         },

@@ -236,8 +236,8 @@ impl Structure {
         self.layers.first().and_then(FilmStress::weave)
     }
 
-    /// For each point of the boundaries whether it can move: inside a stretch on which a cable runs or an edge slides, a
-    /// free or a sliding point, or a point of a ring. Parts whose points do not exist are left out.
+    /// For each point of the boundaries whether it can move: inside a stretch on which a cable runs or an edge slides,
+    /// a free or a sliding point, or a point of a ring. Parts whose points do not exist are left out.
     #[must_use]
     pub fn moves(&self) -> Vec<Vec<bool>> {
         let mut moves: Vec<Vec<bool>> = self.boundaries.iter().map(|points| vec![false; points.len()]).collect();

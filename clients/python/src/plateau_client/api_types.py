@@ -246,8 +246,8 @@ class Cable(TypedDict):
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `cable 0`."""
     points: NotRequired[Sequence[Point]]
-    """Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one of
-    `joints` or the hub of a ring is joined to it; any other point is a support."""
+    """Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
+    of `joints` or the hub of a ring is joined to it; any other point is a support."""
     value: float
     """Value that the mode holds constant: a force, a force per length (`force_density`) or a length."""
     weight: NotRequired[float]

@@ -6,7 +6,8 @@ use plateau_mesh::axis_box::AxisBox;
 /// Largest number of items in a box that is not halved further.
 const RUN: usize = 4;
 
-/// Boxes of numbered items in a binary tree. Box 1 contains all items; the halves of box k are the boxes 2 k and 2 k + 1.
+/// Boxes of numbered items in a binary tree. Box 1 contains all items; the halves of box k are the boxes 2 k and
+/// 2 k + 1.
 pub(super) struct Tree {
     items: Vec<u32>,
     boxes: Vec<AxisBox>,

@@ -24,8 +24,8 @@ pub struct Cable {
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<Point, 2>")]
     pub across: Option<List<Point, 2>>,
-    /// Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one of
-    /// `joints` or the hub of a ring is joined to it; any other point is a support.
+    /// Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
+    /// of `joints` or the hub of a ring is joined to it; any other point is a support.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "[Point; 2]")]
     pub points: Option<[Point; 2]>,
