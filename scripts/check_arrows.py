@@ -33,7 +33,7 @@ LAYERS = {
     "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
     "engine": """
-        rejection limits json bounds strict common resolution explain report mesh audit solved source checked blocks
+        rejection limits json bounds strict common resolution explain report join mesh audit solved source checked blocks
         kind kinds components schema request lib""",
     "plateau": """
         status threads test_hooks store config telemetry auth webhook wire hops jobs http app cli lib main""",

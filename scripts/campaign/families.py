@@ -593,3 +593,99 @@ def fault_unequal_loop_sampled_with_its_end(random):
     loop = wavy(random, random.randint(8, 40))
     loop.append([x + random.uniform(-1, 1) * 1e-12 for x in loop[0]])
     return Case(film([loop], 300), (), [succeeds])
+
+
+# Points that should be one, and parts of films that are flat.
+
+def size_of(points):
+    mean = [math.fsum(p[k] for p in points) / len(points) for k in range(3)]
+    return max(math.dist(p, mean) for p in points)
+
+
+def beside(random, point, distance):
+    """A point at this distance; 0 stands for one unit in the last place."""
+    if distance == 0:
+        return [math.nextafter(x, math.inf) for x in point]
+    way = [random.gauss(0, 1) for _ in range(3)]
+    length = math.hypot(*way)
+    return [x + distance * w / length for x, w in zip(point, way)]
+
+
+def joins(distance):
+    """Expects that an end at this fraction of the size from its point was joined, or that the message is about it."""
+    def check(outcome):
+        code = "joined" if distance <= 1e-7 else "nearly_joined"
+        if outcome.succeeded and not outcome.warns(code):
+            return f"an end {distance:g} of the size beside its point has no warning {code}"
+        if not outcome.succeeded and (distance <= 1e-7 or "join" not in outcome.texts):
+            return f"an end {distance:g} of the size beside its point ends with {outcome.error}: {outcome.texts[:160]}"
+    return check
+
+
+DISTANCES = [0, 1e-12, 1e-9, 1e-7, 1e-4, 1e-3]
+
+
+@family
+def fault_guide_beside_its_point(random):
+    width, depth, rise = random.uniform(6, 10), random.uniform(6, 10), random.uniform(0.5, 2)
+    outline = [[0, 0, 0], [width / 2, 0, 0], [width, 0, 0], [width, depth, 0], [width / 2, depth, 0], [0, depth, 0]]
+    count = random.randint(3, 30)
+    arch = [[width / 2, depth * k / count, rise * math.sin(math.pi * k / count)] for k in range(count + 1)]
+    arch[0], arch[-1] = list(outline[1]), list(outline[4])
+    distance, end = random.choice(DISTANCES), random.choice([0, -1])
+    arch[end] = beside(random, arch[end], distance * size_of(outline + arch))
+    return Case({**film([outline], random.choice([400, 1000])), "constraints": {"polylines": [arch]}}, (), [joins(distance)])
+
+
+@family
+def fault_guide_ends_on_a_side(random):
+    width, depth, rise = random.uniform(6, 10), random.uniform(6, 10), random.uniform(0.5, 2)
+    outline = [[0, 0, 0], [width, 0, 0], [width, depth, 0], [0, depth, 0]]
+    x, count = random.uniform(0.1, 0.9) * width, random.randint(3, 30)
+    arch = [[x, depth * k / count, rise * math.sin(math.pi * k / count)] for k in range(count + 1)]
+    arch[0][2] = arch[-1][2] = 0
+    return Case({**film([outline], 500), "constraints": {"polylines": [arch]}}, (), [succeeds])
+
+
+@family
+def fault_level_guide(random):
+    outline = ring(random.choice([4, 8, 40]), random.uniform(8, 12))
+    guide = ring(random.choice([3, 6, 30]), random.uniform(2, 3.5), random.uniform(0.3, 2),
+                 (random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)), random.random())
+    guide.append(guide[0])
+    return Case({**film([outline], random.choice([500, 2000])), "constraints": {"polylines": [guide]}}, (), [succeeds])
+
+
+@family
+def fault_half_flat_roof(random):
+    width, depth = random.uniform(2, 6), random.uniform(5, 10)
+    end = width + random.uniform(2, 6)
+    roof = [[0, 0, 0], [width, 0, 0], [end, 0, random.uniform(0.5, 3)], [end, depth, random.uniform(0.5, 3)], [width, depth, 0],
+            [0, depth, 0]]
+    request = {**film([roof], random.choice([500, 2000])), "constraints": {"polylines": [[roof[1], roof[4]]]}}
+    return Case(request, (), [succeeds])
+
+
+@family
+def fault_guy_beside_its_corner(random):
+    case = sail_with_cables(random)
+    corners, tension = case.request["boundaries"][0], case.request["film"]["tension"]
+    corner, anchor = corners[1], [13, -3, corners[1][2]]
+    distance = random.choice(DISTANCES)
+    far = size_of(corners + [anchor, [10.5, -6, 0]])
+    guys = [[corner, anchor], [beside(random, corner, distance * far), [10.5, -6, 0]]]
+    case.request["cables"] += [{"points": ends, "value": tension * force} for ends, force in zip(guys, (20, 7))]
+    case.request["free_points"] = [{"point": 1}]
+    return Case(case.request, (), [joins(distance)])
+
+
+@family
+def fault_mast_beside_its_corner(random):
+    case = sail_with_cables(random)
+    corners, tension = case.request["boundaries"][0], case.request["film"]["tension"]
+    corner, distance = corners[1], random.choice(DISTANCES)
+    far = size_of(corners + [[10, 0, 0], [14, -4, 0]])
+    case.request["masts"] = [{"points": [[10, 0, 0], beside(random, corner, distance * far)], "value": corner[2]}]
+    case.request["cables"].append({"points": [corner, [14, -4, 0]], "value": tension * 25})
+    case.request["free_points"] = [{"point": 1}]
+    return Case(case.request, (), [joins(distance)])

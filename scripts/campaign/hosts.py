@@ -19,7 +19,7 @@ class Outcome:
 
     def __init__(self, seconds):
         self.seconds = seconds
-        self.succeeded, self.error, self.detail, self.pointers = False, None, "", []
+        self.succeeded, self.error, self.detail, self.pointers, self.texts = False, None, "", [], ""
         self.statistics, self.mesh, self.warnings = {}, None, []
 
     def stated(self, pointer):
@@ -34,7 +34,10 @@ class Outcome:
     def fail(self, problem):
         self.error = str(problem.get("type", "")).rsplit("/", 1)[-1]
         self.detail = problem.get("detail") or ""
-        self.pointers = [error.get("pointer", "") for error in problem.get("errors") or []]
+        errors = problem.get("errors") or []
+        self.pointers = [error.get("pointer", "") for error in errors]
+        # The detail, and those of all errors.
+        self.texts = " ".join([self.detail, *(error.get("detail", "") for error in errors)])
         return self
 
 

@@ -26,6 +26,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   folds: (v) => `Strip ${nth(v, 'strip')}: neighbouring triangles fold back, by up to ${figure(v, 'largest_fold_deg')}°.`,
   held_points: (v) => `${many(v, 'count', 'fixed point')} ${verb(v, 'count', 'holds', 'hold')} the film, but a film cannot hang on a single point: what the mesh shows there shrinks as it gets finer. Draw a small closed curve in place of a point.`,
   identical_directrices: (v) => `Rails ${nth(v, 'directrix')} and ${nth(v, 'directrix', 1)} are the same line, so the strip between them has no area.`,
+  joined: (v, u) => `${many(v, 'count', 'point')} ${verb(v, 'count', 'was', 'were')} joined to others that were almost in the same place, by up to ${figure(v, 'distance', 3)} ${u}.`,
   junction_point: (v) => `In ${many(v, 'points', 'point')} a number of junctions other than four meet, for example ${figure(v, 'junctions')}. A soap film would split there.`,
   large_area: (v) => `Strip ${nth(v, 'strip')} has ${figure(v, 'factor', 3)} times the area of the strip of least area.`,
   layers_cross: (v, u) => `Layer ${nth(v, 'layer')} lies in front of the layer above it: the volume between them is ${figure(v, 'volume')} ${u}³. Change the pressures.`,
@@ -33,6 +34,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   mechanism: () => 'Nothing resists a motion of the structure.',
   merged_points: (v) => `${v.directrix === undefined ? '' : `Rail ${nth(v, 'directrix')}: `}${many(v, 'count', 'point')} ${verb(v, 'count', 'was', 'were')} merged with a neighbour that is equal or nearly equal.`,
   near_critical: (v) => `The film is near its limit and may collapse if the boundary changes a little. Its margin is ${figure(v, 'margin', 3)}, and that of a flat film is 1.`,
+  nearly_joined: (v, u) => `An end lies ${figure(v, 'distance', 3)} ${u} beside a point or a side and is not joined to it.`,
   no_certificate: () => 'No lower bound of the area was found.',
   no_connected_film: (v) => `No film connects all boundaries.${v.largest_gap_fraction === undefined ? '' : ` One would if the gap between them were at most ${number(100 * v.largest_gap_fraction, 3)} % as wide.`}`,
   no_lattice: () => 'No edge of the lattice fits into the domain, which is too narrow for this edge length.',
@@ -61,7 +63,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
 };
 
 /** Codes whose sentence leaves out what only the service's own text says. */
-const INCOMPLETE = ['film', 'mechanism', 'no_certificate', 'not_balanced', 'not_converged', 'opposite_directions'];
+const INCOMPLETE = ['film', 'mechanism', 'nearly_joined', 'no_certificate', 'not_balanced', 'not_converged', 'opposite_directions'];
 
 export interface Said { sentence: string; detail: string | null }
 

@@ -1774,6 +1774,13 @@ export interface components {
              */
             fairing_tolerance?: number | null;
             initial_mesh?: components["schemas"]["InitialMesh"];
+            /**
+             * Format: double
+             * @description Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+             *     request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+             *     of all points. It counts as at least 8 units in the last place of the largest coordinate.
+             */
+            join_tolerance?: number | null;
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["MinimalSurfaceKind"] | null;
             /** @description Name of the job for people. The job and lists of jobs show it. */
@@ -1865,6 +1872,13 @@ export interface components {
              */
             fairing_tolerance?: number | null;
             initial_mesh?: components["schemas"]["InitialMesh"];
+            /**
+             * Format: double
+             * @description Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+             *     request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+             *     of all points. It counts as at least 8 units in the last place of the largest coordinate.
+             */
+            join_tolerance?: number | null;
             /**
              * @description Kind of the request. (enum property replaced by openapi-typescript)
              * @enum {string}
@@ -2928,6 +2942,14 @@ export interface components {
              *     on both sides; cables in the air can tie it back.
              */
             free_points?: components["schemas"]["BoundaryPoint"][];
+            /**
+             * Format: double
+             * @description Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+             *     points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+             *     is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+             *     of the largest coordinate.
+             */
+            join_tolerance?: number | null;
             /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
             joints?: components["schemas"]["Point"][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
@@ -3015,6 +3037,14 @@ export interface components {
              *     on both sides; cables in the air can tie it back.
              */
             free_points?: components["schemas"]["BoundaryPoint"][];
+            /**
+             * Format: double
+             * @description Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+             *     points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+             *     is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+             *     of the largest coordinate.
+             */
+            join_tolerance?: number | null;
             /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
             joints?: components["schemas"]["Point"][];
             /**

@@ -9,6 +9,7 @@ pub(crate) mod crossings;
 pub(crate) mod curvature;
 pub(crate) mod edges;
 pub(crate) mod figure;
+pub(crate) mod held;
 pub(crate) mod points;
 #[cfg(feature = "ruled-surface")]
 pub(crate) mod strip;

@@ -73,6 +73,8 @@ names! {
         HeldPoints = "held_points",
         /// Neighbouring directrices are the same polyline: `directrix`.
         IdenticalDirectrices = "identical_directrices",
+        /// Points of the request were joined to others within the tolerance: `count`, and the largest `distance`.
+        Joined = "joined",
         /// Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.
         JunctionPoint = "junction_point",
         /// A strip has a much larger area than the strip of minimal area: `strip`, `factor`.
@@ -87,6 +89,8 @@ names! {
         MergedPoints = "merged_points",
         /// A slightly different boundary or a finer mesh may have no such film: `margin`.
         NearCritical = "near_critical",
+        /// An end lies near a point or a segment of the request to which it is not joined: `distance`.
+        NearlyJoined = "nearly_joined",
         /// No lower bound was computed. The detail has the reason.
         NoCertificate = "no_certificate",
         /// No film that connects all boundaries was found: `largest_gap_fraction`, if a film connects nearer ones.

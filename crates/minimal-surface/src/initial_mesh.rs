@@ -339,7 +339,84 @@ fn crossing_places(
     Ok(Vec::new())
 }
 
-/// Finds the first point of the constraints whose projection onto the plane does not lie inside the boundaries.
+/// Finds the first piece of a fixed curve that meets another piece or a side of a boundary when both are projected onto
+/// the plane. Pieces may meet at a point that both have. Returns an error for each of the two curves, or for the one.
+/// Empty if no pieces meet.
+fn crossing_curves(
+    boundaries: &[Vec<DVec3>],
+    curves: &[Vec<DVec3>],
+    frame: &Frame,
+    exec: &Execution,
+) -> Result<Vec<InputError>, Interruption> {
+    let flat =
+        |points: &Vec<DVec3>| -> Vec<DVec3> { points.iter().map(|&point| frame.project(point).extend(0.0)).collect() };
+    let lines: Vec<(&Vec<DVec3>, bool)> =
+        curves.iter().map(|curve| (curve, false)).chain(boundaries.iter().map(|points| (points, true))).collect();
+    let flat: Vec<Vec<DVec3>> = lines.iter().map(|(points, _)| flat(points)).collect();
+    let segments: Vec<Segments> =
+        flat.iter().zip(&lines).map(|(points, (_, closed))| Segments::new(points, *closed)).collect();
+    let tolerance = TOUCHING * extent(boundaries);
+    let piece = |line: usize, k: usize| {
+        let points = lines[line].0;
+        [points[k], points[(k + 1) % points.len()]]
+    };
+    for k in 0..curves.len() {
+        exec.look(lines.len() as u64)?;
+        for l in k..lines.len() {
+            let apart = |c: &MeetingSegments| {
+                let [first, second] = [piece(k, c.first), piece(l, c.second)];
+                let is_same = k == l && c.first >= c.second;
+                !is_same && !first.iter().any(|point| second.contains(point))
+            };
+            let Some(contact) = first_contact(&segments[k], &segments[l], tolerance, apart, exec)? else { continue };
+            let place = |curve: usize, i: usize| Place::field("constraints").then("polylines").at(curve).at(i);
+            if l >= curves.len() {
+                let detail = "seen in the plane of the boundaries, the curve meets a side of a boundary between this \
+                              point and the next one: a curve stays inside, and only its ends lie on the boundaries";
+                let side = Place::field("boundaries").at(l - curves.len()).at(contact.second);
+                let other = "a fixed curve meets the side from this point";
+                return Ok(vec![InputError::new(place(k, contact.first), detail), InputError::new(side, other)]);
+            }
+            let detail = "seen in the plane of the boundaries, two curves meet between this point and the next one, \
+                          where they have no common point: give both the same point there";
+            return Ok(vec![
+                InputError::new(place(k, contact.first), detail),
+                InputError::new(place(l, contact.second), detail),
+            ]);
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// Returns the error for boundaries and fixed curves that cross or touch, seen in their plane. The curves are named if
+/// the boundaries alone do not.
+fn not_simple(
+    (boundaries, constraints): (&[Vec<DVec3>], &Constraints),
+    frame: &Frame,
+    exec: &Execution,
+) -> Result<Error, Interruption> {
+    let mut places = crossing_places(boundaries, frame, exec)?;
+    let curves = &constraints.polylines;
+    if places.is_empty() && !curves.is_empty() {
+        let crossing = crossing_curves(boundaries, curves, frame, exec)?;
+        if !crossing.is_empty() {
+            return Ok(Error::Input(crossing));
+        }
+        let detail = "seen in the plane of the boundaries, the curves touch each other or the boundaries elsewhere \
+                      than at their points";
+        return Ok(Error::input(Place::field("constraints").then("polylines"), detail));
+    }
+    if places.is_empty() {
+        let detail = "is part of a boundary that is not simple";
+        places = (0..boundaries.len()).map(|k| InputError::new(Place::field("boundaries").at(k), detail)).collect();
+    }
+    let detail = "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
+                  move the points apart, or ask for the initial mesh disk if the boundary is a curve in space";
+    Ok(Error::NoResult { reason: Reason::SelfIntersectingBoundary, detail: detail.into(), places })
+}
+
+/// Finds the first point of the constraints whose projection onto the plane does not lie inside the boundaries. Middles
+/// of pieces of curves come after all points, at the points with which the pieces begin.
 fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) -> Option<Place> {
     let loops: Vec<Vec<DVec2>> =
         boundaries.iter().map(|points| points.iter().map(|&p| frame.project(p)).collect()).collect();
@@ -352,11 +429,17 @@ fn outside(boundaries: &[Vec<DVec3>], constraints: &Constraints, frame: &Frame) 
     if let Some(k) = constraints.points.iter().position(is_outside) {
         return Some(place.then("points").at(k));
     }
-    let curves = constraints.polylines.iter().enumerate();
-    curves
-        .filter_map(|(k, curve)| Some((k, curve.iter().position(is_outside)?)))
-        .next()
-        .map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
+    let is_side = |pair: &[DVec3]| {
+        let side = |points: &Vec<DVec3>, k: usize| [points[k], points[(k + 1) % points.len()]];
+        let joins = |[a, b]: [DVec3; 2]| [a, b] == *pair || [b, a] == *pair;
+        boundaries.iter().any(|points| (0..points.len()).any(|k| joins(side(points, k))))
+    };
+    let middle_is_outside = |pair: &[DVec3]| is_outside(&pair[0].midpoint(pair[1])) && !is_side(pair);
+    let curves = || constraints.polylines.iter().enumerate();
+    let points = curves().filter_map(|(k, curve)| Some((k, curve.iter().position(is_outside)?)));
+    let middles = curves().filter_map(|(k, curve)| Some((k, curve.windows(2).position(middle_is_outside)?)));
+    let mut found = points.chain(middles);
+    found.next().map(|(k, i)| Place::field("constraints").then("polylines").at(k).at(i))
 }
 
 /// Converts a failure of the plane mesher into the error for the caller. `plane` is the plane of the mesh, if the mesh
@@ -384,24 +467,18 @@ fn refusal(
                 format!("the boundaries' own points already make {triangles} triangles, which is too many for it");
             Error::input(Place::field("resolution"), detail)
         }
-        PlaneError::NotSimple(_) if plane.is_some() => Error::NoResult {
-            reason: Reason::SelfIntersectingBoundary,
-            detail:
-                "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
-                     move the points apart, or ask for the initial mesh disk if the boundary is a curve in space"
-                    .into(),
-            places: match plane.map(|frame| crossing_places(boundaries, frame, exec)) {
-                Some(Ok(places)) if !places.is_empty() => places,
-                _ => (0..boundaries.len())
-                    .map(|k| {
-                        InputError::new(Place::field("boundaries").at(k), "is part of a boundary that is not simple")
-                    })
-                    .collect(),
-            },
+        PlaneError::NotSimple(_) => match plane {
+            Some(frame) => not_simple((boundaries, constraints), frame, exec).unwrap_or_else(Error::from),
+            None if constraints.polylines.is_empty() => Error::no_result(
+                Reason::DegenerateBoundary,
+                "points of the boundary are so close together that they cannot be told apart",
+            ),
+            None => {
+                let detail = "the curves cross each other or a boundary where the film is laid out flat to be \
+                              meshed: give curves that cross a common point, and let only the ends of a curve lie on \
+                              a boundary";
+                Error::input(Place::field("constraints").then("polylines"), detail)
+            }
         },
-        PlaneError::NotSimple(_) => Error::no_result(
-            Reason::DegenerateBoundary,
-            "points of the boundary are so close together that they cannot be told apart",
-        ),
     }
 }

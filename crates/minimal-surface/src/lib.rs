@@ -76,8 +76,8 @@ pub use junction_statistics::JunctionStatistics;
 pub use kept_film::{KeptFilm, MovedFilm};
 pub use options::{
     BoundarySampling, Constraints, Description, FreeTopology, InitialMesh, LARGEST_COUNT, LinearSolver, LiuWang,
-    Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, Solver, TopologyRule,
-    VertexRelaxation,
+    Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, SegmentPoint, Solver,
+    TopologyRule, VertexRelaxation,
 };
 pub use outcome::{ConstraintVertices, MinimalSurface};
 pub use run::{ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod};

@@ -358,6 +358,20 @@ pub struct Constraints {
     pub points: Vec<DVec3>,
     /// Fixed curves.
     pub polylines: Vec<Vec<DVec3>>,
+    /// Points inside segments of the boundaries at which curves end. They become points of the boundary, which
+    /// [`MinimalSurface::input_vertices`](super::MinimalSurface::input_vertices) does not list.
+    pub ends: Vec<SegmentPoint>,
+}
+
+/// A point inside a segment of a boundary. It lies on the segment up to rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SegmentPoint {
+    /// The number of the boundary.
+    pub boundary: usize,
+    /// The number of the point at which the segment begins.
+    pub segment: usize,
+    /// The place of the point.
+    pub place: DVec3,
 }
 
 impl Constraints {
@@ -496,8 +510,9 @@ impl Options {
         if let InitialMesh::Given(mesh) = &mut options.initial_mesh {
             mesh.vertices.iter_mut().for_each(|vertex| *vertex -= centre);
         }
-        let Constraints { points, polylines } = &mut options.constraints;
-        points.iter_mut().chain(polylines.iter_mut().flatten()).for_each(|point| *point -= centre);
+        let Constraints { points, polylines, ends } = &mut options.constraints;
+        let ends = ends.iter_mut().map(|end| &mut end.place);
+        points.iter_mut().chain(polylines.iter_mut().flatten()).chain(ends).for_each(|point| *point -= centre);
         options
     }
 

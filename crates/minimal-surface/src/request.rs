@@ -1,13 +1,14 @@
 //! Checks and centres the boundaries of a request.
 
 use super::initial_mesh::turned;
-use super::options::Options;
+use super::options::{Options, SegmentPoint};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{InputError, Step, Warning};
-use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours, position_key};
+use plateau_mesh::polyline::{self, LARGEST_COORDINATE, Merged, merge_near_neighbours, position_key};
 use plateau_mesh::{DVec3, Error, Place};
 
-/// The boundaries without equal neighbours, at their given position and relative to their centre. The solver works with
+/// The boundaries without equal neighbours and with the points at which curves end on their segments, at their given
+/// position and relative to their centre. The solver works with
 /// the centred points, so that an offset of 1e7 costs no digits.
 #[derive(Debug)]
 pub(super) struct Input {
@@ -16,7 +17,8 @@ pub(super) struct Input {
     pub centred: Vec<Vec<DVec3>>,
     /// The vertex of each input point, boundary by boundary.
     pub vertices: Vec<Vec<u32>>,
-    /// For each point of `given` the index of the input point on its boundary.
+    /// For each point of `given` the index of the input point on its boundary. For the end of a curve on a segment it
+    /// is the point at which the segment begins.
     sources: Vec<Vec<usize>>,
     dropped: usize,
 }
@@ -44,6 +46,9 @@ impl Input {
                 }
             }
             let merged = merge_near_neighbours(boundary, true);
+            dropped += merged.dropped();
+            let ends: Vec<&SegmentPoint> = options.constraints.ends.iter().filter(|end| end.boundary == k).collect();
+            let merged = if ends.is_empty() { merged } else { with_ends(merged, &ends) };
             let next = |i: usize| merged.points[(i + 1) % merged.points.len()];
             if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
                 && merged.points.len() > 1
@@ -59,7 +64,6 @@ impl Input {
             }
             vertices.push(merged.vertex_of.iter().map(|&v| first + v as u32).collect());
             first += merged.points.len() as u32;
-            dropped += merged.dropped();
             given.push(merged.points);
             sources.push(merged.source);
         }
@@ -131,7 +135,7 @@ impl Input {
     /// Returns the error with the numbers of points in the input. The given error has the numbers of the points that
     /// are left after merging.
     pub fn placed_as_given(&self, mut error: Error) -> Error {
-        if let Error::NoResult { places, .. } = &mut error {
+        if let Error::NoResult { places, .. } | Error::Input(places) = &mut error {
             for place in places {
                 if let [Step::Field("boundaries"), Step::Index(k), Step::Index(i)] = &mut place.place.0[..] {
                     *i = self.sources[*k][*i];
@@ -153,4 +157,26 @@ impl Input {
     pub fn point_count(&self) -> usize {
         self.given.iter().map(Vec::len).sum()
     }
+}
+
+/// Adds the ends of curves to a boundary, each between the two points of its segment.
+fn with_ends(merged: Merged, ends: &[&SegmentPoint]) -> Merged {
+    let mut on_segment: Vec<Vec<DVec3>> = vec![Vec::new(); merged.points.len()];
+    for end in ends {
+        if let Some(&vertex) = merged.vertex_of.get(end.segment) {
+            on_segment[vertex].push(end.place);
+        }
+    }
+    let mut with = Merged { points: Vec::new(), vertex_of: Vec::new(), source: Vec::new() };
+    let mut place = Vec::with_capacity(merged.points.len());
+    for ((&point, &source), mut own) in merged.points.iter().zip(&merged.source).zip(on_segment) {
+        own.sort_by(|a, b| a.distance(point).total_cmp(&b.distance(point)));
+        own.dedup();
+        place.push(with.points.len());
+        with.source.extend(std::iter::repeat_n(source, 1 + own.len()));
+        with.points.push(point);
+        with.points.extend(own);
+    }
+    with.vertex_of = merged.vertex_of.iter().map(|&vertex| place[vertex]).collect();
+    with
 }

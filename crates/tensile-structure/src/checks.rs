@@ -147,9 +147,7 @@ fn check_joints(structure: &Structure, errors: &mut Vec<InputError>) {
             continue;
         }
         let ends = |cable: &&Cable| cable.course.ends_in_the_air().is_some_and(|ends| ends.contains(joint));
-        let detail = format!(
-            "moves freely: {FEWEST_AT_JOINT} or more cables or masts must end at a joint, at exactly its coordinates"
-        );
+        let detail = format!("moves freely: {FEWEST_AT_JOINT} or more cables or masts must end at a joint");
         require(errors, structure.cables.iter().filter(ends).count() >= FEWEST_AT_JOINT, place(), &detail);
     }
 }

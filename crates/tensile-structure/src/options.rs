@@ -2,7 +2,7 @@
 
 use plateau_equilibrium::Support;
 use plateau_mesh::{DVec3, Place};
-use plateau_minimal_surface::Resolution;
+use plateau_minimal_surface::{Resolution, SegmentPoint};
 use std::sync::Arc;
 
 /// A film with its cables, loads and supports.
@@ -19,6 +19,8 @@ pub struct Structure {
     pub layers: Vec<FilmStress>,
     /// Cables and masts: along the boundaries, across the film and in the air.
     pub cables: Vec<Cable>,
+    /// Points inside segments of the boundaries at which cables across the film end.
+    pub across_ends: Vec<SegmentPoint>,
     /// Points of the boundaries at which cables end and which no support holds.
     pub free_points: Vec<BoundaryPoint>,
     /// Supports on which points or edges slide without friction.
@@ -42,6 +44,7 @@ impl Structure {
             boundaries,
             layers,
             cables: Vec::new(),
+            across_ends: Vec::new(),
             free_points: Vec::new(),
             sliding: Vec::new(),
             rings: Vec::new(),
@@ -233,11 +236,56 @@ impl Structure {
         self.layers.first().and_then(FilmStress::weave)
     }
 
+    /// For each point of the boundaries whether it can move: inside a stretch on which a cable runs or an edge slides,
+    /// a free or a sliding point, or a point of a ring. Parts whose points do not exist are left out.
+    #[must_use]
+    pub fn moves(&self) -> Vec<Vec<bool>> {
+        let mut moves: Vec<Vec<bool>> = self.boundaries.iter().map(|points| vec![false; points.len()]).collect();
+        let mut mark = |boundary: usize, part: Part| {
+            let Some(own) = moves.get_mut(boundary) else { return };
+            let count = own.len();
+            match part {
+                Part::Whole => own.fill(true),
+                Part::Point(point) => own.iter_mut().skip(point).take(1).for_each(|moves| *moves = true),
+                Part::Inside { from, to } if from < count && to < count => {
+                    stretch(count, from, to).skip(1).for_each(|point| own[point] = true);
+                }
+                Part::Inside { .. } => {}
+            }
+        };
+        for cable in &self.cables {
+            if let Course::Boundary { boundary, from, to } = cable.course {
+                mark(boundary, Part::Inside { from, to });
+            }
+        }
+        self.free_points.iter().for_each(|free| mark(free.boundary, Part::Point(free.point)));
+        for sliding in &self.sliding {
+            match sliding.part {
+                SlidingPart::Edge { boundary, from, to } => mark(boundary, Part::Inside { from, to }),
+                SlidingPart::Boundary(boundary) => mark(boundary, Part::Whole),
+                SlidingPart::Point(BoundaryPoint { boundary, point }) => mark(boundary, Part::Point(point)),
+            }
+        }
+        self.rings.iter().for_each(|ring| mark(ring.boundary, Part::Whole));
+        moves
+    }
+
     /// Whether a layer has a weight.
     #[must_use]
     pub fn has_heavy_layers(&self) -> bool {
         self.layers.iter().any(|layer| layer.weight > 0.0)
     }
+}
+
+/// A part of one boundary.
+enum Part {
+    Whole,
+    Point(usize),
+    /// The points between two others.
+    Inside {
+        from: usize,
+        to: usize,
+    },
 }
 
 /// A cable or a mast.
@@ -269,7 +317,7 @@ pub enum Course {
         to: usize,
     },
     /// Across the film, as a ridge or a valley, through these points before form finding. Both ends are points of the
-    /// boundaries.
+    /// boundaries, or inside segments of the boundaries and among [`across_ends`](Structure::across_ends).
     Across(Vec<DVec3>),
     /// In the air, from the first point to the second. A point that equals a boundary's point, a joint or the hub of a
     /// ring is joined to it; any other is a support.

@@ -367,17 +367,31 @@ pub(super) fn taut(structure: &Structure, forces: &[f64], held: Held) -> Option<
             ring.hub = Some(moved(hub));
         }
     }
+    // Ends of cables follow the points and the segments of the boundaries on which they lie.
+    for (end, given) in taut.across_ends.iter_mut().zip(&structure.across_ends) {
+        let segment = |boundaries: &[Vec<DVec3>]| {
+            let points = &boundaries[given.boundary];
+            [points[given.segment], points[(given.segment + 1) % points.len()]]
+        };
+        let ([a, b], [from, to]) = (segment(&structure.boundaries), segment(&taut.boundaries));
+        end.place = from.lerp(to, a.distance(given.place) / a.distance(b));
+    }
+    let ends = |of: &Structure| -> Vec<DVec3> {
+        of.across_ends.iter().map(|end| end.place).chain(of.boundaries.iter().flatten().copied()).collect()
+    };
+    let (given, places) = (ends(structure), ends(&taut));
+    let followed = |end: DVec3| given.iter().position(|place| *place == end).map_or_else(|| moved(end), |k| places[k]);
     taut.joints.iter_mut().for_each(|joint| *joint = moved(*joint));
     for cable in &mut taut.cables {
         match &mut cable.course {
             Course::Boundary { .. } => {}
-            Course::Air(ends) | Course::Mast(ends) => *ends = ends.map(moved),
+            Course::Air(ends) | Course::Mast(ends) => *ends = ends.map(followed),
             Course::Across(points) => {
                 let ends = [points[0], points[points.len() - 1]];
-                let travel = 0.5 * (moved(ends[0]) + moved(ends[1]) - ends[0] - ends[1]);
+                let travel = 0.5 * (followed(ends[0]) + followed(ends[1]) - ends[0] - ends[1]);
                 let last = points.len() - 1;
                 for (k, point) in points.iter_mut().enumerate() {
-                    *point = if k == 0 || k == last { moved(*point) } else { *point + travel };
+                    *point = if k == 0 || k == last { followed(*point) } else { *point + travel };
                 }
             }
         }

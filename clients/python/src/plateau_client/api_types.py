@@ -236,7 +236,8 @@ class Cable(TypedDict):
     """A cable. Its course is exactly one of `along`, `across` and `points`."""
     across: NotRequired[Sequence[Point]]
     """Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
-    the last are points of the boundaries. Cables across the film may share points but must not cross."""
+    the last are points of the boundaries or lie on their segments. Cables across the film may share points but must
+    not cross. Points within `join_tolerance` of others take their place."""
     along: NotRequired[Along]
     """Part of a boundary along which the cable runs. The film's edge hangs on the cable."""
     axial_stiffness: NotRequired[Optional[float]]
@@ -245,8 +246,8 @@ class Cable(TypedDict):
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `cable 0`."""
     points: NotRequired[Sequence[Point]]
-    """Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
-    the hub of a ring is joined to it; any other point is a support."""
+    """Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
+    of `joints` or the hub of a ring is joined to it; any other point is a support."""
     value: float
     """Value that the mode holds constant: a force, a force per length (`force_density`) or a length."""
     weight: NotRequired[float]
@@ -521,7 +522,9 @@ class Comparison(TypedDict):
 
 
 class Constraints(TypedDict):
-    """Fixed points and curves inside the surface. They become vertices and edges of the mesh."""
+    """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+    points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+    boundary."""
     points: NotRequired[Sequence[Point]]
     """Default: `[]`."""
     polylines: NotRequired[Sequence[Polyline]]
@@ -763,6 +766,7 @@ class JobWarning(TypedDict):
     - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
     - `held_points`: A single point does not hold a film, however finely it is meshed: `count`.
     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
+    - `joined`: Points of the request were joined to others within the tolerance: `count`, and the largest `distance`.
     - `junction_point`: Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.
     - `large_area`: A strip has a much larger area than the strip of minimal area: `strip`, `factor`.
     - `layers_cross`: A layer lies in front of the layer below it: `layer`, `volume`.
@@ -770,6 +774,7 @@ class JobWarning(TypedDict):
     - `mechanism`: Nothing resists a motion of the structure. The detail names the points that move.
     - `merged_points`: Equal or nearly equal neighbouring points were merged: `count`, and `directrix` if there are several.
     - `near_critical`: A slightly different boundary or a finer mesh may have no such film: `margin`.
+    - `nearly_joined`: An end lies near a point or a segment of the request to which it is not joined: `distance`.
     - `no_certificate`: No lower bound was computed. The detail has the reason.
     - `no_connected_film`: No film that connects all boundaries was found: `largest_gap_fraction`, if a film connects nearer ones.
     - `no_lattice`: No lattice edge fits into the domain.
@@ -919,8 +924,8 @@ class Links(TypedDict):
 
 
 class Mast(TypedDict):
-    """A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
-    hub of a ring is joined to it; any other point is a support. At least one end is no support."""
+    """A straight member between two points that may push. A point within `join_tolerance` of a boundary's point, one of
+    `joints` or the hub of a ring is joined to it; any other point is a support. At least one end is no support."""
     mode: NotRequired[MastMode]
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `mast 0`."""
@@ -1110,6 +1115,10 @@ class MinimalSurfaceRequest(TypedDict):
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
     initial_mesh: NotRequired[InitialMesh]
+    join_tolerance: NotRequired[Optional[float]]
+    """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+    request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+    of all points. It counts as at least 8 units in the last place of the largest coordinate."""
     kind: NotRequired[Optional[MinimalSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
@@ -1175,6 +1184,10 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
     initial_mesh: NotRequired[InitialMesh]
+    join_tolerance: NotRequired[Optional[float]]
+    """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+    request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+    of all points. It counts as at least 8 units in the last place of the largest coordinate."""
     kind: Literal['minimal_surface']
     """Kind of the request."""
     label: NotRequired[Optional[str]]
@@ -1896,6 +1909,11 @@ class TensileStructureRequest(TypedDict):
     free_points: NotRequired[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    join_tolerance: NotRequired[Optional[float]]
+    """Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+    points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+    is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+    of the largest coordinate."""
     joints: NotRequired[Sequence[Point]]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: NotRequired[Optional[TensileStructureKind]]
@@ -1959,6 +1977,11 @@ class TensileStructureRequestWithKind(TypedDict):
     free_points: NotRequired[List[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    join_tolerance: NotRequired[Optional[float]]
+    """Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+    points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+    is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+    of the largest coordinate."""
     joints: NotRequired[List[Point]]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: Literal['tensile_structure']
@@ -2298,6 +2321,10 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
     initial_mesh: InitialMesh
+    join_tolerance: Optional[float]
+    """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+    request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+    of all points. It counts as at least 8 units in the last place of the largest coordinate."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
     least_squares_tolerance: float
@@ -2389,6 +2416,11 @@ class TensileStructureOptions(TypedDict, total=False):
     free_points: Sequence[BoundaryPoint]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    join_tolerance: Optional[float]
+    """Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+    points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+    is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+    of the largest coordinate."""
     joints: Sequence[Point]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     label: Optional[str]

@@ -7,6 +7,7 @@ use crate::solved::{UnauditedResult, Unsolved, faults as faults_of};
 use crate::source::no_jobs;
 use plateau_archive::archive::{BRIDGES, CABLES, Contents};
 use plateau_archive::{Archive, LineSet, Lines};
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Execution, Interruption, Signal};
 use serde_json::{Value, json};
 
@@ -139,6 +140,119 @@ fn every_fault_in_a_film_is_found() {
         ("points of the input at other vertices", |contents, _| contents.input_vertices[0].swap(0, 1)),
     ];
     finds(&skew_square(), &faults);
+}
+
+/// Returns a closed polygon of `count` points at the height `z`, with these radii along x and y.
+#[cfg(feature = "minimal-surface")]
+fn oval(count: u32, centre: [f64; 2], radii: [f64; 2], z: f64) -> Vec<[f64; 3]> {
+    let angles = (0..count).map(|k| std::f64::consts::TAU * f64::from(k) / f64::from(count));
+    let place = |angle: f64| [centre[0] + radii[0] * libm::cos(angle), centre[1] + radii[1] * libm::sin(angle), z];
+    angles.map(place).collect()
+}
+
+/// Draws a film with a level closed guide, whose inside is flat, or a roof that is flat on one side of a guide.
+#[cfg(feature = "minimal-surface")]
+fn film_with_a_flat_part(number: u64) -> Value {
+    let random = &mut SplitMix64::new(number);
+    let triangles = 400 + random.below(1200);
+    let film = |boundary: Vec<[f64; 3]>, guide: Vec<[f64; 3]>| {
+        json!({ "kind": "minimal_surface", "boundaries": [boundary], "constraints": { "polylines": [guide] },
+                "resolution": { "triangles": triangles } })
+    };
+    if number % 3 == 2 {
+        let (width, depth) = (random.between(2.0, 6.0), random.between(5.0, 10.0));
+        let end = width + random.between(2.0, 6.0);
+        let [front, back] = [random.between(0.5, 3.0), random.between(0.5, 3.0)];
+        let roof = vec![
+            [0.0, 0.0, 0.0],
+            [width, 0.0, 0.0],
+            [end, 0.0, front],
+            [end, depth, back],
+            [width, depth, 0.0],
+            [0.0, depth, 0.0],
+        ];
+        return film(roof, vec![[width, 0.0, 0.0], [width, depth, 0.0]]);
+    }
+    let wide = [random.between(8.0, 12.0), random.between(8.0, 12.0)];
+    let small = [random.between(1.5, 3.5), random.between(1.5, 3.5)];
+    let place = [random.between(-1.2, 1.2), random.between(-1.2, 1.2)];
+    let (outer, inner) = ([4, 6, 30, 50][random.below(4)], [3, 4, 12, 40][random.below(4)]);
+    let mut guide = oval(inner, place, small, random.between(0.5, 2.0));
+    guide.push(guide[0]);
+    film(oval(outer, [0.0, 0.0], wide, 0.0), guide)
+}
+
+#[test]
+#[cfg(feature = "minimal-surface")]
+fn films_with_flat_parts_are_right_and_their_faults_are_found() {
+    let is_full = ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some());
+    let faults: [Fault; 4] = [
+        ("a flat vertex that is stated to be curved", |contents, _| {
+            let values = &mut contents.vertex_attributes[0].values;
+            let v = values.iter().rposition(|value| *value == 0.0).expect("a flat part");
+            values[v] = 0.01;
+        }),
+        ("a curvature on a boundary", |contents, _| contents.vertex_attributes[0].values[0] = 0.1),
+        ("a moved vertex", |contents, _| contents.mesh.vertices.last_mut().unwrap().z += 1e-2),
+        ("a lost triangle", |contents, _| remove_last(&mut contents.mesh.triangles)),
+    ];
+    // Around a closed guide the curvature is above the tolerance.
+    let of_curved: [Fault; 2] = [
+        ("a curved vertex that is stated to be flat", |contents, _| {
+            let values = &mut contents.vertex_attributes[0].values;
+            let v = (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b])).expect("vertices");
+            assert!(values[v] > 1e-5, "{}", values[v]);
+            values[v] = 0.0;
+        }),
+        ("a mean over curved vertices only", |contents, statistics| {
+            let count = |flat: bool| {
+                let values = contents.vertex_attributes[0].values.iter();
+                values.filter(|value| (**value == 0.0) == flat).count() as f64
+            };
+            let mean = statistics["mean_curvature"]["mean"].as_f64().expect("a number");
+            statistics["mean_curvature"]["mean"] = json!(mean * (1.0 + count(true) / count(false)).max(1.5));
+        }),
+    ];
+    for number in 0..if is_full { 60 } else { 6 } {
+        let request = film_with_a_flat_part(number);
+        println!("{number}: {request}");
+        finds(&request, &faults);
+        if number % 3 != 2 {
+            finds(&request, &of_curved);
+        }
+    }
+}
+
+#[test]
+#[cfg(feature = "minimal-surface")]
+fn a_guide_that_leaves_the_mesh_is_found() {
+    let mut request = film_with_a_flat_part(2);
+    request["constraints"]["points"] = json!([[1.0, 2.0, 0.0]]);
+    // The third point of the mesh that is on the guide but on no boundary was added between its two ends.
+    fn inside(contents: &Contents) -> usize {
+        let [from, to] = [1, 4].map(|k| contents.mesh.vertices[contents.input_vertices[0][k] as usize]);
+        let is_on = |v: &usize| {
+            let point = contents.mesh.vertices[*v];
+            point.x == from.x && point.y > from.y && point.y < to.y
+        };
+        (0..contents.mesh.vertices.len()).filter(is_on).nth(2).expect("points on the guide")
+    }
+    let faults: [Fault; 3] = [
+        ("a vertex beside its guide", |contents, _| {
+            let v = inside(contents);
+            contents.mesh.vertices[v].x += 1e-9;
+        }),
+        ("a curvature on a guide", |contents, _| {
+            let v = inside(contents);
+            contents.vertex_attributes[0].values[v] = 0.01;
+        }),
+        ("a fixed point that is no vertex", |contents, _| {
+            let fixed = DVec3::new(1.0, 2.0, 0.0);
+            let v = contents.mesh.vertices.iter().position(|vertex| *vertex == fixed).expect("the fixed point");
+            contents.mesh.vertices[v].x += 1e-13;
+        }),
+    ];
+    finds(&request, &faults);
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod cases;
 mod closed_forms;
 mod exported_meshes;
 mod frozen_examples;
+mod joining;
 mod mutated_requests;
 #[path = "../../../archive/tests/it/sample.rs"]
 mod sample;

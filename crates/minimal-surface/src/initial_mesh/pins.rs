@@ -8,7 +8,7 @@ use plateau_mesh::film::Film;
 use plateau_mesh::measure::double_area_vector;
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Execution, Interruption};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A vertex of a fixed curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +32,8 @@ pub(super) struct Pins {
 
 impl Pins {
     /// Converts the constraints to vertices and edges. Points that equal a boundary point, or each other, become one
-    /// vertex. With `refine`, curves are divided into pieces of about `size`.
+    /// vertex. A piece of a curve that is a segment of a boundary needs no edge. With `refine`, curves are divided into
+    /// pieces of about `size`.
     pub fn new(constraints: &Constraints, boundaries: &[Vec<DVec3>], size: f64, sampling: BoundarySampling) -> Self {
         let mut known = Known::new();
         for (k, &point) in boundaries.iter().flatten().enumerate() {
@@ -43,8 +44,19 @@ impl Pins {
         for &point in &constraints.points {
             pins.vertex(point, &mut known);
         }
+        let side = |a: DVec3, b: DVec3| {
+            let [a, b] = [a, b].map(position_key);
+            [a.min(b), a.max(b)]
+        };
+        let mut sides = BTreeSet::new();
+        if !constraints.polylines.is_empty() {
+            let count = |boundary: &Vec<DVec3>| 0..boundary.len();
+            for (boundary, k) in boundaries.iter().flat_map(|own| count(own).map(move |k| (own, k))) {
+                sides.insert(side(boundary[k], boundary[(k + 1) % boundary.len()]));
+            }
+        }
         for polyline in &constraints.polylines {
-            for pair in polyline.windows(2) {
+            for pair in polyline.windows(2).filter(|pair| !sides.contains(&side(pair[0], pair[1]))) {
                 let pieces = match sampling {
                     BoundarySampling::Keep => 1,
                     BoundarySampling::Refine => (pair[0].distance(pair[1]) / size - 0.3).ceil().max(1.0) as usize,
@@ -150,8 +162,8 @@ mod tests {
     fn shared_points_are_one_vertex_and_curves_are_cut_on_their_segments() {
         let boundary = vec![DVec3::ZERO, DVec3::X * 4.0, DVec3::new(4.0, 4.0, 0.0), DVec3::Y * 4.0];
         let inner = DVec3::new(2.0, 2.0, 1.0);
-        let constraints =
-            Constraints { points: vec![inner, inner], polylines: vec![vec![DVec3::ZERO, inner, boundary[2]]] };
+        let polylines = vec![vec![DVec3::ZERO, inner, boundary[2]]];
+        let constraints = Constraints { points: vec![inner, inner], polylines, ..Constraints::default() };
         let kept = Pins::new(&constraints, std::slice::from_ref(&boundary), 0.5, BoundarySampling::Keep);
         assert_eq!(kept.points, [inner]);
         assert_eq!(kept.edges, [[Pin::Boundary(0), Pin::Inner(0)], [Pin::Inner(0), Pin::Boundary(2)]]);
@@ -162,6 +174,15 @@ mod tests {
             let off = beside(DVec3::ZERO, inner).min(beside(inner, DVec3::new(4.0, 4.0, 0.0)));
             assert!(off < 1e-12, "{point} is on neither segment");
         }
+    }
+
+    #[test]
+    fn a_piece_of_a_curve_that_is_a_side_of_the_boundary_needs_no_edge() {
+        let boundary = vec![DVec3::ZERO, DVec3::X * 4.0, DVec3::new(4.0, 4.0, 0.0), DVec3::Y * 4.0];
+        let along = vec![boundary[2], boundary[1], boundary[0], DVec3::new(2.0, 2.0, 1.0)];
+        let constraints = Constraints { polylines: vec![along], ..Constraints::default() };
+        let pins = Pins::new(&constraints, &[boundary], 10.0, BoundarySampling::Refine);
+        assert_eq!(pins.edges, [[Pin::Boundary(0), Pin::Inner(0)]]);
     }
 
     #[test]

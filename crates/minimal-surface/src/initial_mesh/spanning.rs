@@ -103,7 +103,7 @@ impl From<Error> for NoFilm {
 /// is searched for the place of each end.
 const MOST_PINS: f64 = 2e4;
 
-static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
+static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new(), ends: Vec::new() };
 
 /// The constraints, and the positions of their vertices in the plane.
 #[derive(Clone, Debug, Default)]

@@ -362,7 +362,7 @@ fn impossible_inputs_name_the_reason() {
     let options_of_rings = Options { initial_mesh: InitialMesh::Rings, ..keep(100) };
     assert!(refused(&[tiny.clone(), moved(&tiny, DVec3::Z)], &options_of_rings).starts_with("/boundaries/0/0:"));
     let far = vec![at(0.2, 0.2, 0.0), at(1e6, 0.3, 0.5), at(0.3, 0.2, 0.0)];
-    let constraints = Constraints { points: Vec::new(), polylines: vec![far] };
+    let constraints = Constraints { polylines: vec![far], ..Constraints::default() };
     let skew = vec![at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.3), at(1.0, 1.0, 0.0), at(0.0, 1.0, 0.3)];
     assert!(
         refused(&[skew], &Options { constraints, ..options(300) }).starts_with("/constraints/polylines/0: too long")
@@ -536,18 +536,19 @@ fn fixed_points_and_curves_are_vertices_and_edges_exactly() {
     let wavy = curve(48, |t| at(t.cos(), t.sin(), 0.2 * (2.0 * t).cos()));
     let pole = at(0.1, -0.35, -0.02);
     let ridge = vec![wavy[4], at(0.45, 0.3, 0.3), at(0.0, 0.55, 0.25), wavy[15]];
-    let constraints = Constraints { points: vec![pole], polylines: vec![ridge.clone()] };
+    let constraints = Constraints { points: vec![pole], polylines: vec![ridge.clone()], ..Constraints::default() };
     let offset = at(1e5, 2e5, -3e5);
     let shift = |points: &[DVec3]| points.iter().map(|&p| p + offset).collect::<Vec<_>>();
     for given in [helicoid(), shift(&wavy)] {
         let is_wavy = given.len() == 48;
         let constraints = if is_wavy {
-            Constraints { points: shift(&[pole]), polylines: vec![shift(&ridge)] }
+            Constraints { points: shift(&[pole]), polylines: vec![shift(&ridge)], ..Constraints::default() }
         } else {
             // A point and a curve away from the surface, the curve across the helicoid's strip.
             Constraints {
                 points: vec![at(0.3, -7.0, 4.8)],
                 polylines: vec![vec![at(4.0, 0.5, 0.4), at(6.0, 0.6, 0.6), at(8.0, 0.9, 0.3)]],
+                ..Constraints::default()
             }
         };
         for sampling in [BoundarySampling::Refine, BoundarySampling::Keep] {

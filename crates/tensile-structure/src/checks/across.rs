@@ -8,12 +8,19 @@ use plateau_mesh::{DVec3, Execution, polyline};
 /// Two cables meet if their distance is below this fraction of the boundary's radius.
 const MEETS: f64 = 1e-9;
 
+/// Place along a boundary: the number of a point or of a segment, and the distance from its first point.
+type Along = (usize, f64);
+
 /// Refuses two cables across a film with one boundary if their ends alternate along the boundary and the cables do not
 /// meet in space. The cables must then cross on the film, but nothing says where they are joined.
 pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError>) {
     let [boundary] = &structure.boundaries[..] else { return };
-    let place = |point: &DVec3| boundary.iter().position(|own| own == point);
-    let lines: Vec<(usize, &[DVec3], [usize; 2])> = structure
+    let place = |point: &DVec3| {
+        let on_segment = || structure.across_ends.iter().find(|end| end.place == *point).map(|end| end.segment);
+        let number = boundary.iter().position(|own| own == point).or_else(on_segment)?;
+        Some((number, boundary.get(number)?.distance(*point)))
+    };
+    let lines: Vec<(usize, &[DVec3], [Along; 2])> = structure
         .cables
         .iter()
         .enumerate()
@@ -25,7 +32,7 @@ pub(super) fn check_crossings(structure: &Structure, errors: &mut Vec<InputError
     let near = MEETS * polyline::radius(boundary);
     for (i, (k, points, ends)) in lines.iter().enumerate() {
         for (other, others, other_ends) in &lines[..i] {
-            let inside = |end: usize| (other_ends[0] < end) != (other_ends[1] < end);
+            let inside = |end: Along| (other_ends[0] < end) != (other_ends[1] < end);
             let common = ends.iter().any(|end| other_ends.contains(end));
             if !common && inside(ends[0]) != inside(ends[1]) && !meet(points, others, near) {
                 let detail =

@@ -99,8 +99,9 @@ fn check_course(
                 return false;
             }
             for i in [0, points.len() - 1] {
-                let detail = "must be a point of the boundaries, at exactly its coordinates";
-                let found = structure.boundaries.iter().flatten().any(|p| *p == points[i]);
+                let detail = "must be a point of the boundaries or lie on one of their segments";
+                let on_segments = structure.across_ends.iter().map(|end| end.place);
+                let found = structure.boundaries.iter().flatten().copied().chain(on_segments).any(|p| p == points[i]);
                 require(errors, found, place().then("across").at(i), detail);
             }
         }

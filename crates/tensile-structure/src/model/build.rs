@@ -31,7 +31,11 @@ pub(crate) fn start_options(structure: &Structure, options: &Options) -> plateau
     });
     plateau_minimal_surface::Options {
         method: Method::Harmonic,
-        constraints: Constraints { points: Vec::new(), polylines: across.collect() },
+        constraints: Constraints {
+            points: Vec::new(),
+            polylines: across.collect(),
+            ends: structure.across_ends.clone(),
+        },
         ..plateau_minimal_surface::Options::new(options.resolution)
     }
 }
@@ -45,7 +49,9 @@ impl Model {
         let centred: Vec<Vec<DVec3>> =
             structure.boundaries.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
         let mut start = start_options(structure, options);
-        start.constraints.polylines.iter_mut().flatten().for_each(|point| *point -= centre);
+        let Constraints { polylines, ends, .. } = &mut start.constraints;
+        let ends = ends.iter_mut().map(|end| &mut end.place);
+        polylines.iter_mut().flatten().chain(ends).for_each(|point| *point -= centre);
         let surface = plateau_minimal_surface::solve(&centred, &start, exec)?;
         let warnings = surface.warnings.into_iter().filter(|warning| warning.code == "merged_points").collect();
         // For each boundary the vertices of its points, as vertex numbers of the whole mesh.

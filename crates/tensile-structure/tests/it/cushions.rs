@@ -28,6 +28,7 @@ fn cushion(boundary: Vec<DVec3>, tensions: &[f64], chambers: &[Pressure]) -> Str
         boundaries: vec![boundary],
         layers: tensions.iter().map(layer).collect(),
         cables: Vec::new(),
+        across_ends: Vec::new(),
         free_points: Vec::new(),
         sliding: Vec::new(),
         rings: Vec::new(),

@@ -5,12 +5,10 @@ use crate::audit::comparison::Audit;
 use crate::audit::edges::Edges;
 use crate::audit::figure::{Measured, Spread};
 use crate::audit::surface::Surface;
-use crate::audit::{curvature, points, topology};
-use plateau_archive::archive::MEAN_CURVATURE;
+use crate::audit::{curvature, held, points, topology};
 use plateau_mesh::DVec3;
-use plateau_mesh::polyline::{self, position_key};
+use plateau_mesh::polyline;
 use plateau_minimal_surface::Objective;
-use std::collections::BTreeSet;
 
 impl SolverInput {
     pub(super) fn compare(&self, audit: &mut Audit) {
@@ -26,7 +24,6 @@ impl SolverInput {
         topology::compare(audit, &edges, has_junctions);
         points::at_their_vertices(audit, self.boundaries.iter().map(|points| &points[..]));
         points::along_boundaries(audit, &edges, 1, true);
-        self.compare_constraints(audit);
 
         let surface = Surface::of(vertices, triangles, audit.step);
         if !audit.goes_on(triangles.len()) {
@@ -53,12 +50,11 @@ impl SolverInput {
         boundaries.iter().flat_map(|rim| rim.iter()).for_each(|&v| is_fixed[v as usize] = true);
         let rim: Vec<DVec3> = boundaries.iter().flat_map(|rim| rim.iter()).map(|&v| vertices[v as usize]).collect();
         let constraints = &self.options.constraints;
-        if !(constraints.points.is_empty() && constraints.polylines.is_empty())
-            && let Some(stated) = contents.at_vertices(MEAN_CURVATURE)
-        {
-            // The result does not list the vertices of constraints. Vertices that were added on fixed curves are
-            // recognised by their curvature, which is stated as 0.
-            is_fixed.iter_mut().zip(&stated.values).for_each(|(fixed, &value)| *fixed |= value == 0.0);
+        if !constraints.is_empty() {
+            held::mark(audit, &edges, &constraints.points, &constraints.polylines, &mut is_fixed);
+            if !audit.goes_on(edges.list.len()) {
+                return;
+            }
         }
         // At a junction of three sheets the film's normal is not defined.
         if !has_junctions {
@@ -102,21 +98,6 @@ impl SolverInput {
         // A proven bound is at most the area of every surface with this boundary.
         let above = area.high >= bound;
         audit.require(above, || "the area is at least the proven bound".into(), || format!("{}", area.value));
-    }
-
-    fn compare_constraints(&self, audit: &mut Audit) {
-        let constraints = &self.options.constraints;
-        let fixed = || constraints.points.iter().chain(constraints.polylines.iter().flatten());
-        if fixed().next().is_none() {
-            return;
-        }
-        let vertices: BTreeSet<[u64; 3]> = audit.contents.mesh.vertices.iter().copied().map(position_key).collect();
-        let missing = fixed().position(|point| !vertices.contains(&position_key(*point)));
-        audit.require(
-            missing.is_none(),
-            || "every point of the constraints is a vertex".into(),
-            || missing.map_or_else(String::new, |k| format!("point {k} is none")),
-        );
     }
 }
 

@@ -15,16 +15,17 @@ pub use proof::CertificateDocument;
 pub use statistics::MinimalStatistics;
 
 use crate::blocks::{self, Block, Input, Preset, Type};
-use crate::bounds::{Fraction, List, UpTo20, Whole, given, given_one, is_default, unwritten};
+use crate::bounds::{Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
+use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_mesh::Mesh;
+use plateau_mesh::{DVec3, Mesh};
 use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -116,6 +117,11 @@ pub struct MinimalSurfaceRequest {
     pub initial_mesh: InitialMesh,
     #[serde(default, skip_serializing_if = "is_default")]
     pub constraints: Constraints,
+    /// Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
+    /// request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
+    /// of all points. It counts as at least 8 units in the last place of the largest coordinate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub join_tolerance: Option<NonNegative>,
     #[serde(default, skip_serializing_if = "is_default")]
     pub topology: Topology,
     /// Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
@@ -289,7 +295,9 @@ impl GivenMesh {
     }
 }
 
-/// Fixed points and curves inside the surface. They become vertices and edges of the mesh.
+/// Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+/// points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+/// boundary.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraints {
@@ -356,8 +364,11 @@ impl KindRequest for MinimalSurfaceRequest {
             return Err(Rejection::Invalid(errors));
         }
         let certify = self.certify_options()?;
-        let (boundaries, options) = self.to_geometry(initial_mesh);
-        geometry::check(&boundaries, &options).map_err(|error| match &self.initial_mesh {
+        let (boundaries, mut options) = self.to_geometry(initial_mesh);
+        let joined = self.join(&boundaries, &mut options)?;
+        geometry::check(&boundaries, &options).map_err(|error| joined.added_to(error)).map_err(|error| match &self
+            .initial_mesh
+        {
             InitialMesh::Given(GivenMesh { glb: Some(_), .. }) => file_mesh::at_the_file(error.into()),
             _ => Rejection::from(error),
         })?;
@@ -373,7 +384,8 @@ impl KindRequest for MinimalSurfaceRequest {
         #[cfg(feature = "certificates")]
         let memory_bytes =
             memory_bytes.saturating_add(certify.map_or(0, |options| proof::memory_bytes(boundaries.len(), options)));
-        Ok(Checked { memory_bytes, quick: false, input: Box::new(solve::SolverInput { boundaries, options, certify }) })
+        let input = Box::new(solve::SolverInput { boundaries, options, certify, joined });
+        Ok(Checked { memory_bytes, quick: false, input })
     }
 }
 
@@ -418,7 +430,7 @@ impl MinimalSurfaceRequest {
     }
 
     /// Converts the request to the geometry's types.
-    fn to_geometry(&self, initial_mesh: geometry::InitialMesh) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
+    fn to_geometry(&self, initial_mesh: geometry::InitialMesh) -> (Vec<Vec<DVec3>>, geometry::Options) {
         let resolution = Resolution::or_default(self.resolution, common::count(&self.boundaries));
         let options = geometry::Options {
             method: self.method(),
@@ -427,12 +439,42 @@ impl MinimalSurfaceRequest {
             constraints: geometry::Constraints {
                 points: common::points(&self.constraints.points),
                 polylines: common::polylines(&self.constraints.polylines),
+                ends: Vec::new(),
             },
             tolerance: self.tolerance.get(),
             max_iterations: self.max_iterations.map(Whole::get),
             ..geometry::Options::new(resolution)
         };
         (common::polylines(&self.boundaries), options)
+    }
+
+    /// Joins the points of the constraints that should be one, and returns what the client gets to know of it.
+    ///
+    /// # Errors
+    /// Returns the errors of [`join::join`].
+    fn join(&self, boundaries: &[Vec<DVec3>], options: &mut geometry::Options) -> Result<Notes, Rejection> {
+        let geometry::Constraints { points, polylines, ends } = &mut options.constraints;
+        let member = |role, list, (number, points)| Member { role, list, number, field: "", points };
+        let fixed = points.iter().map(|&point| vec![point]).enumerate();
+        let fixed = fixed.map(|own| member(Role::FixedPoint, "/constraints/points", own));
+        let guides = polylines.iter().cloned().enumerate();
+        let guides = guides.map(|own| member(Role::Guide, "/constraints/polylines", own));
+        let joined = join::join(&Points {
+            boundaries,
+            moves: boundaries.iter().map(|points| vec![false; points.len()]).collect(),
+            members: fixed.chain(guides).collect(),
+            tolerance: self.join_tolerance.map(NonNegative::get),
+            on_segments: match (&self.initial_mesh, self.boundary_sampling) {
+                (InitialMesh::Given(_), _) => OnSegments::Left,
+                (InitialMesh::Made(_), BoundarySampling::Keep) => OnSegments::Refused,
+                (InitialMesh::Made(_), BoundarySampling::Refine) => OnSegments::Joined,
+            },
+        })?;
+        let mut places = joined.points.into_iter();
+        points.iter_mut().zip(places.by_ref().flatten()).for_each(|(point, place)| *point = place);
+        polylines.iter_mut().zip(places).for_each(|(guide, places)| *guide = places);
+        *ends = joined.ends;
+        Ok(joined.notes)
     }
 
     /// Returns the method for the objective and the solver, which [`combinations`](Self::combinations) has checked.
@@ -523,6 +565,7 @@ fn objectives() -> Vec<ObjectiveDoc> {
                     "boundary_sampling",
                     "initial_mesh",
                     "constraints",
+                    "join_tolerance",
                     "topology",
                     "tolerance",
                     "area_tolerance",

@@ -6,6 +6,7 @@ use super::certificate::{CertifyOptions, Proof};
 use super::proof;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
+use crate::join::Notes;
 use crate::solved::{
     self, CoordinateSystem, Kept, Moved, UnauditedResult, archive, generator, line_set, origin, polylines, to_json,
     warnings,
@@ -25,6 +26,7 @@ pub(super) struct SolverInput {
     pub options: minimal_surface::Options,
     /// Whether and how to prove a lower bound of the area.
     pub certify: Option<CertifyOptions>,
+    pub joined: Notes,
 }
 
 /// Least value at which the default colour scale of the mean curvature ends, times the boundary's radius. 95% of the
@@ -37,9 +39,11 @@ const WITHIN_SCALE: f64 = 0.95;
 
 impl solved::SolverInput for SolverInput {
     fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
-        let Self { boundaries, options, certify } = self;
+        let Self { boundaries, options, certify, joined } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };
-        let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
+        let surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec));
+        let mut surface = surface.map_err(|error| joined.added_to(error))?;
+        surface.warnings.splice(0..0, joined.warnings.iter().cloned());
         let crossings = Crossings::count(&surface.mesh, Order::Spatial, usize::MAX, &mut surface.warnings, exec)?;
         let mut statistics = MinimalStatistics::of(&surface.statistics, crossings, origin(&surface.mesh));
         let mut proof = Proof::default();

@@ -19,12 +19,13 @@ pub struct Cable {
     #[schemars(with = "Along")]
     pub along: Option<Along>,
     /// Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
-    /// the last are points of the boundaries. Cables across the film may share points but must not cross.
+    /// the last are points of the boundaries or lie on their segments. Cables across the film may share points but must
+    /// not cross. Points within `join_tolerance` of others take their place.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "List<Point, 2>")]
     pub across: Option<List<Point, 2>>,
-    /// Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
-    /// the hub of a ring is joined to it; any other point is a support.
+    /// Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
+    /// of `joints` or the hub of a ring is joined to it; any other point is a support.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "[Point; 2]")]
     pub points: Option<[Point; 2]>,
@@ -101,8 +102,8 @@ impl Cable {
     }
 }
 
-/// A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
-/// hub of a ring is joined to it; any other point is a support. At least one end is no support.
+/// A straight member between two points that may push. A point within `join_tolerance` of a boundary's point, one of
+/// `joints` or the hub of a ring is joined to it; any other point is a support. At least one end is no support.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mast {

@@ -16,9 +16,12 @@ pub use statistics::{
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{Below180, Fraction, List, Positive, Signed, Whole, given, given_one, is_default, one, unwritten};
+use crate::bounds::{
+    Below180, Fraction, List, NonNegative, Positive, Signed, Whole, given, given_one, is_default, one, unwritten,
+};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, LengthAndForce, Point};
+use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
@@ -165,6 +168,12 @@ pub struct TensileStructureRequest {
     /// Points in the air at which cables and masts end and which no support holds.
     #[serde(default)]
     pub joints: List<Point, 0, MAX_CABLES>,
+    /// Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
+    /// points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
+    /// is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
+    /// of the largest coordinate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub join_tolerance: Option<NonNegative>,
     /// Straight members that may push.
     #[serde(default, skip_serializing_if = "List::is_empty")]
     pub masts: List<Mast, 0, MAX_CABLES>,
@@ -324,8 +333,9 @@ impl KindRequest for TensileStructureRequest {
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
         }
-        let (structure, options) = self.to_geometry(layers, chambers, sliding, rings);
-        geometry::check(&structure, &options)?;
+        let (mut structure, options) = self.to_geometry(layers, chambers, sliding, rings);
+        let joined = self.join(&mut structure)?;
+        geometry::check(&structure, &options).map_err(|error| joined.added_to(error))?;
         let estimate = geometry::estimate(&structure, &options);
         if estimate.triangles > limits.triangles as f64 {
             let detail = format!(
@@ -337,12 +347,57 @@ impl KindRequest for TensileStructureRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes,
             quick: false,
-            input: Box::new(solve::SolverInput { structure, options, force: self.units.force }),
+            input: Box::new(solve::SolverInput { structure, options, force: self.units.force, joined }),
         })
     }
 }
 
 impl TensileStructureRequest {
+    /// Joins the points that should be one, and returns what the client gets to know of it.
+    ///
+    /// # Errors
+    /// Returns the errors of [`join::join`].
+    fn join(&self, structure: &mut geometry::Structure) -> Result<Notes, Rejection> {
+        let mut members = Vec::new();
+        let mut add = |role, list, number, field, points| members.push(Member { role, list, number, field, points });
+        for (k, &joint) in structure.joints.iter().enumerate() {
+            add(Role::Joint, "/joints", k, "", vec![joint]);
+        }
+        for (k, hub) in structure.rings.iter().enumerate().filter_map(|(k, ring)| Some((k, ring.hub?))) {
+            add(Role::Joint, "/rings", k, "/hub", vec![hub]);
+        }
+        for (k, cable) in structure.cables.iter().enumerate() {
+            match &cable.course {
+                geometry::Course::Boundary { .. } => {}
+                geometry::Course::Across(points) => add(Role::Across, "/cables", k, "/across", points.clone()),
+                geometry::Course::Air(ends) => add(Role::Cable, "/cables", k, "/points", ends.to_vec()),
+                // The masts follow the cables.
+                geometry::Course::Mast(ends) => {
+                    add(Role::Mast, "/masts", k - self.cables.len(), "/points", ends.to_vec());
+                }
+            }
+        }
+        let joined = join::join(&Points {
+            boundaries: &structure.boundaries,
+            moves: structure.moves(),
+            members,
+            tolerance: self.join_tolerance.map(NonNegative::get),
+            on_segments: OnSegments::Joined,
+        })?;
+        let mut places = joined.points.into_iter();
+        let hubs = structure.rings.iter_mut().filter_map(|ring| ring.hub.as_mut());
+        let single = structure.joints.iter_mut().chain(hubs);
+        single.zip(places.by_ref().flatten()).for_each(|(point, place)| *point = place);
+        let of_cables = structure.cables.iter_mut().filter_map(|cable| match &mut cable.course {
+            geometry::Course::Boundary { .. } => None,
+            geometry::Course::Across(points) => Some(&mut points[..]),
+            geometry::Course::Air(ends) | geometry::Course::Mast(ends) => Some(&mut ends[..]),
+        });
+        of_cables.zip(places).for_each(|(points, places)| points.copy_from_slice(&places));
+        structure.across_ends = joined.ends;
+        Ok(joined.notes)
+    }
+
     /// Converts the film or the layers to the geometry's type. Adds what is wrong to `errors`.
     fn layers(&self, errors: &mut Vec<FieldError>) -> Vec<geometry::FilmStress> {
         let mut take = |film: &Film, pointer: &str| film.to_geometry(pointer).map_err(|own| errors.extend(own)).ok();
@@ -412,6 +467,7 @@ impl TensileStructureRequest {
             layers,
             // The masts follow the cables.
             cables: cables.chain(masts).collect(),
+            across_ends: Vec::new(),
             free_points: self.free_points.iter().map(|point| point.to_geometry()).collect(),
             sliding,
             rings,
@@ -452,6 +508,7 @@ fn objectives() -> Vec<ObjectiveDoc> {
             "supports",
             "rings",
             "joints",
+            "join_tolerance",
             "masts",
             "pressure",
             "volume",

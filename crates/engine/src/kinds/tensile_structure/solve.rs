@@ -3,6 +3,7 @@
 use super::TensileStatistics;
 use crate::audit::comparison::Audit;
 use crate::audit::crossings::Crossings;
+use crate::join::Notes;
 use crate::solved::{
     self, CoordinateSystem, UnauditedResult, archive, generator, line_set, origin, polylines, reactions, to_json,
     warnings,
@@ -23,6 +24,7 @@ pub(super) struct SolverInput {
     pub structure: tensile_structure::Structure,
     pub options: tensile_structure::Options,
     pub force: ForceUnit,
+    pub joined: Notes,
 }
 
 /// Returns the principal stresses of the triangles, and the direction of the largest one.
@@ -61,9 +63,11 @@ fn held_edges(of_segments: &[tensile_structure::EdgeForce], force: ForceUnit, le
 
 impl solved::SolverInput for SolverInput {
     fn solve(&self, coordinates: CoordinateSystem, exec: &Execution) -> Result<UnauditedResult, Error> {
-        let Self { structure, options, force } = self;
+        let Self { structure, options, force, joined } = self;
         let force = *force;
-        let mut found = tensile_structure::solve(structure, options, exec)?;
+        let found = tensile_structure::solve(structure, options, exec);
+        let mut found = found.map_err(|error| joined.added_to(error))?;
+        found.warnings.splice(0..0, joined.warnings.iter().cloned());
         let crossings = Crossings::count(&found.mesh, Order::Spatial, usize::MAX, &mut found.warnings, exec)?;
         let statistics = to_json(&TensileStatistics::of(&found, structure, force, crossings, origin(&found.mesh)))?;
         let forces = |values: Vec<f64>| Attribute::new("force", force.symbol(), values);
