@@ -215,10 +215,8 @@ const FAR_MORE: usize = 8;
 /// of Q, and each search follows a path of m + n bridges, so the directrix with few points is best taken as Q. Only
 /// graphs of one layer are searched in this way.
 fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
-    let has_one_layer = match goal.objective {
-        Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
-        _ => false,
-    };
+    let has_one_layer =
+        matches!(goal.objective, Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation);
     strip.closed && has_one_layer && strip.n() > FAR_MORE * strip.m()
 }
 
