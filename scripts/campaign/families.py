@@ -707,22 +707,6 @@ def fault_way_out_and_back(random):
 
 
 @family
-def fault_cone_with_an_apex(random):
-    """Half a cone is developable, and its patch has a side of length 0."""
-    radius, height, edge = random.uniform(4, 8), random.uniform(6, 12), random.uniform(1.0, 1.6)
-    c = math.sqrt(0.5)
-    rows = [[[x * radius, y * radius, 0], [0, 0, height]] for x, y in ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))]
-    patch = {"degrees": [2, 1], "knots": [[0, 0, 0, 0.5, 0.5, 1, 1, 1], [0, 0, 1, 1]], "control_points": rows,
-             "weights": [[w, w] for w in (1, c, 1, c, 1)]}
-    def check(outcome):
-        if outcome.succeeded and outcome.stated("/converged") is not True:
-            return "not converged on a developable patch"
-        if outcome.succeeded and outcome.stated("/equal_edges") < 0.5 * outcome.stated("/edges"):
-            return f"{outcome.stated('/equal_edges')} equal members of {outcome.stated('/edges')}"
-    return Case(lattice({"nurbs": patch}, edge, objective="most_equal_edges"), (), [succeeds, check])
-
-
-@family
 def fault_a_single_triangle(random):
     corners = [[random.uniform(-1, 1) for _ in range(3)] for _ in range(3)]
     request = film([corners], 1, initial_mesh=random.choice(["auto", "planar", "rings"]))
