@@ -29,7 +29,7 @@ LAYERS = {
         triple_junction lib""",
     "tensile-structure": """
         options checks catenary weave mixing model remeshing taut_start form_finding travel ponding shape stress
-        reactions warnings outcome lib""",
+        corners reactions warnings outcome lib""",
     "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
     "engine": """

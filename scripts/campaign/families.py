@@ -7,6 +7,8 @@ A case has the request, the relations that its result must keep, and sentences t
 import math
 from dataclasses import dataclass, field
 
+from geometry import Motion
+
 TURN = 2 * math.pi
 
 
@@ -689,3 +691,117 @@ def fault_mast_beside_its_corner(random):
     case.request["cables"].append({"points": [corner, [14, -4, 0]], "value": tension * 25})
     case.request["free_points"] = [{"point": 1}]
     return Case(case.request, (), [joins(distance)])
+# The way in: strips, nets, sails and patches with a closed form.
+
+@family
+def fault_plane_strip_of_most_convex_bridges(random):
+    """Every bridge of a plane strip is convex, also where it is folded upon itself. The flat one is right."""
+    motion = Motion(random, 5.0)
+    place = lambda points: [list(motion(p)) for p in points]
+    if random.random() < 0.5:
+        closed, sides = True, random.randint(3, 9)
+        outer, inner = ring(sides, 2.0, phase=random.random()), ring(random.randint(3, 24), 0.7, phase=random.random())
+        area = shoelace(outer) - shoelace(inner)
+    else:
+        closed = False
+        arc = lambda r, count: [[r * math.cos(k / (count - 1)), r * math.sin(k / (count - 1)), 0.0] for k in range(count)]
+        inner, outer = arc(1.0, random.randint(2, 24)), arc(random.uniform(1.2, 3.0), random.randint(2, 24))
+        # A coarse outer arc would cut the inner one.
+        outer = arc(math.hypot(*outer[0][:2]) * 1.2, random.randint(8, 24))
+        area = shoelace(outer + inner[::-1])
+    options = {"objective": "maximal_convexity", "closed": closed}
+    secondary = random.choice([None, "minimal_bending_energy", "minimal_mean_curvature_variation"])
+    if secondary:
+        options["secondary_objective"] = secondary
+    checks = [states("/area", area, 1e-9), at_most("/largest_fold_deg", 1e-4)]
+    return Case(strip([place(inner), place(outer)], **options), (), checks)
+
+
+@family
+def fault_profile_with_a_sharp_edge(random):
+    """The fold at a trailing edge is the profile's own."""
+    half = lambda x, t: 5 * t * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x ** 3 - 0.1036 * x ** 4)
+    count, thickness = random.randint(8, 24), random.uniform(0.08, 0.2)
+    xs = [0.5 * (1 + math.cos(math.pi * k / count)) for k in range(count + 1)]
+    foil = lambda chord, z: [[chord * (x - 0.3), chord * half(x, thickness), z] for x in xs] + \
+        [[chord * (x - 0.3), -chord * half(x, thickness), z] for x in reversed(xs[1:-1])]
+    sections = [foil(1.0 - 0.1 * k, 1.5 * k) for k in range(random.randint(2, 4))]
+    def check(outcome):
+        if outcome.warns("folds"):
+            return "warned of folds at the profile's own sharp edge"
+    return Case(strip(sections, closed=True), (), [succeeds, check])
+
+
+@family
+def fault_hoops_up_to_a_limit(random):
+    """Radial cables of density q between two rings, and hoops of force F between them: with q s = 2 F sin(π / n) the
+    radii are a + (b - a) k / m - s k (m - k) / 2, and no net has a hoop for which one of them is negative."""
+    n, m, q = random.choice([8, 12, 16]), random.randint(3, 7), random.uniform(0.5, 5)
+    a, b, height = random.uniform(0.8, 2.0), random.uniform(4.0, 8.0), random.uniform(0.0, 4.0)
+    limit = min((a + (b - a) * k / m) * 2 / (k * (m - k)) for k in range(1, m))
+    s = limit * random.choice([random.uniform(0.2, 0.95), random.uniform(1.05, 20)])
+    at = lambda r, z, j: [r * math.cos(TURN * j / n), r * math.sin(TURN * j / n), z]
+    vertices = [at(a + (b - a) * k / m, height * (1 - k / m), j) for k in range(m + 1) for j in range(n)]
+    radial = [[k * n + j, (k + 1) * n + j] for k in range(m) for j in range(n)]
+    hoops = [[k * n + j, k * n + (j + 1) % n] for k in range(1, m) for j in range(n)]
+    sine = math.sin(math.pi / n)
+    request = {"kind": "cable_net", "vertices": vertices, "edges": radial + hoops,
+               "supports": list(range(n)) + list(range(m * n, (m + 1) * n)),
+               "cables": [{"name": "radial", "edges": list(range(len(radial))), "force_density": q},
+                          {"name": "hoop", "edges": list(range(len(radial), len(radial + hoops))), "force": q * s / (2 * sine)}]}
+    if s > limit:
+        return Case(request, (), [refused_as("targets-not-reached"), has_pointer("/edges/")])
+    least = min(a + (b - a) * k / m - s * k * (m - k) / 2 for k in range(1, m))
+    return Case(request, (), [states("/cables/1/edge_lengths/min", 2 * least * sine, 2e-2)])
+
+
+@family
+def fault_sags_of_unequal_edges(random):
+    """An edge of a plane sail is an arc of radius F / σ, so its sag determines its force."""
+    angles = sorted(random.uniform(0, TURN) for _ in range(5))
+    while min((b - a) % TURN for a, b in zip(angles, angles[1:] + angles[:1])) < 0.15 or \
+            max((b - a) % TURN for a, b in zip(angles, angles[1:] + angles[:1])) > 2.5:
+        angles = sorted(random.uniform(0, TURN) for _ in range(5))
+    corners = [[8 * math.cos(a), 8 * math.sin(a), 0.0] for a in angles]
+    chords = [math.dist(corners[k], corners[(k + 1) % 5]) for k in range(5)]
+    sags = [random.uniform(0.04, 0.12) * chord for chord in chords]
+    cables = [{"name": f"edge {k}", "along": {"from": k, "to": (k + 1) % 5}, "mode": "sag", "value": sags[k]} for k in range(5)]
+    request = {"kind": "tensile_structure", "boundaries": [corners], "film": {"tension": 1.0}, "cables": cables}
+    right = [(c * c / 4 + s * s) / (2 * s) for c, s in zip(chords, sags)]
+    return Case(request, (), [states(f"/cables/{k}/force", right[k], 1e-2) for k in range(5)])
+
+
+@family
+def fault_sail_whose_corners_close(random):
+    """By Gauss and Bonnet the edge cables of a sail between four points turn by less than a whole turn."""
+    height, tension = random.uniform(0.2, 4.0), random.uniform(0.5, 3.0)
+    corners = [[0, 0, 0], [10, 0, height], [10, 10, 0], [0, 10, height]]
+    force = tension * random.uniform(6.0, 9.0)
+    cables = [{"name": f"edge {k}", "along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": force} for k in range(4)]
+    request = {"kind": "tensile_structure", "boundaries": [corners], "film": {"tension": tension}, "cables": cables,
+               "resolution": {"triangles": random.choice([300, 800, 2000])}}
+    def check(outcome):
+        if outcome.succeeded:
+            turn = sum(tension * outcome.stated(f"/cables/{k}/length") / outcome.stated(f"/cables/{k}/force") for k in range(4))
+            if turn > TURN + 0.01:
+                return f"its cables turn by {turn:.3f}, and a film lets them turn by {TURN:.3f}"
+        elif outcome.error != "no-equilibrium":
+            return f"ended with {outcome.error}, and no-equilibrium is right"
+    return Case(request, (), [check])
+
+
+@family
+def fault_way_out_and_back(random):
+    """A boundary that runs out and back passes points twice, which are named."""
+    outline = square(3, 1.0, random.uniform(0.1, 0.6))
+    k = random.randrange(len(outline))
+    way = [[x + random.uniform(-0.4, 0.4) for x in outline[k]] for _ in range(random.randint(1, 3))]
+    points = outline[:k + 1] + way + way[-2::-1] + [outline[k]] + outline[k + 1:]
+    return Case(film([points], 300), (), [refused_as("invalid-request"), has_pointer(f"/boundaries/0/{k + len(way)}")])
+
+
+@family
+def fault_a_single_triangle(random):
+    corners = [[random.uniform(-1, 1) for _ in range(3)] for _ in range(3)]
+    request = film([corners], 1, initial_mesh=random.choice(["auto", "planar", "rings"]))
+    return Case(request, (), [states("/triangles", 1), states("/vertices", 3)])

@@ -25,7 +25,7 @@ class Outcome:
     def stated(self, pointer):
         value = self.statistics
         for key in pointer.split("/")[1:]:
-            value = value.get(key) if isinstance(value, dict) else None
+            value = value.get(key) if isinstance(value, dict) else value[int(key)] if isinstance(value, list) else None
         return value
 
     def warns(self, *codes):

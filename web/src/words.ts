@@ -17,6 +17,7 @@ const verb = (values: Values, name: string, one: string, several: string): strin
 export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   apex_inside: (v) => `Rail ${nth(v, 'directrix')} is a single point between two strips, so the surface is pinched there.`,
   beyond_support: (v, u) => `The film has slid up to ${figure(v, 'distance')} ${u} beyond the border of support ${nth(v, 'support')}, which goes on flat there. Make the support larger.`,
+  closing_corner: (v) => `The film is nearly closed at corner ${nth(v, 'point')} of curve ${nth(v, 'boundary')}: its sides meet at ${figure(v, 'angle_deg', 3)}°.${v.force_factor === undefined ? '' : ` Forces of the cables there that are ${figure(v, 'force_factor', 3)} times as large would open it to 5°.`}`,
   crossing_directrices: (v) => `Rails ${nth(v, 'directrix')} and ${nth(v, 'directrix', 1)} cross or touch between points ${nth(v, 'from')} and ${nth(v, 'to')} of rail ${nth(v, 'directrix')}, so the strip is pinched there.`,
   edge_length_missed: (v, u) => `The edges of the mesh are ${figure(v, 'mean_edge_length')} ${u} long on average, not ${figure(v, 'edge_length')} ${u} as asked for. Ask for a number of triangles to be sure of it.`,
   empty_triangles: (v) => `${many(v, 'count', 'triangle')} of strip ${nth(v, 'strip')} ${verb(v, 'count', 'has', 'have')} no area.`,

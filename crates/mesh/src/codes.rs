@@ -55,6 +55,9 @@ names! {
         ApexInside = "apex_inside",
         /// An edge or a point has slid beyond the border of its support: `support`, `distance`.
         BeyondSupport = "beyond_support",
+        /// The sides of a film nearly touch at a corner between cables: `boundary`, `point`, `angle_deg`, and
+        /// `force_factor`, by which the forces of these cables would have to grow to open the corner to 5 degrees.
+        ClosingCorner = "closing_corner",
         /// Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
         CrossingDirectrices = "crossing_directrices",
         /// The mean edge length differs from the wanted one: `mean_edge_length`, `edge_length`.
@@ -67,7 +70,8 @@ names! {
         Film = "film",
         /// The films of the least topology pass through each other or themselves.
         FilmsCross = "films_cross",
-        /// Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
+        /// Neighbouring triangles of a strip fold back, and its directrices have no such sharp corner: `strip`,
+        /// `largest_fold_deg`.
         Folds = "folds",
         /// A single point does not hold a film, however finely it is meshed: `count`.
         HeldPoints = "held_points",

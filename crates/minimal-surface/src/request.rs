@@ -1,10 +1,10 @@
 //! Checks and centres the boundaries of a request.
 
 use super::initial_mesh::turned;
-use super::options::{Options, SegmentPoint};
+use super::options::{InitialMesh, Options, SegmentPoint};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{InputError, Step, Warning};
-use plateau_mesh::polyline::{self, LARGEST_COORDINATE, Merged, merge_near_neighbours, position_key};
+use plateau_mesh::polyline::{self, LARGEST_COORDINATE, Merged, SAME_POINT, merge_near_neighbours, position_key};
 use plateau_mesh::{DVec3, Error, Place};
 
 /// The boundaries without equal neighbours and with the points at which curves end on their segments, at their given
@@ -26,6 +26,45 @@ pub(super) struct Input {
 /// Smallest accepted distance between neighbours on a boundary, in the caller's unit. At smaller distances products of
 /// six lengths would vanish.
 const SMALLEST_DISTANCE: f64 = 1e-50;
+
+/// Names the points that a closed boundary passes twice because it runs out and back on the same way. Such a spike or
+/// slit has no width, so that the triangles on both sides of it have no area. `points` have no equal neighbours, and
+/// `source` has the number of each in the input. Returns input points and explanations.
+fn passed_twice(points: &[DVec3], source: &[usize]) -> Vec<(usize, String)> {
+    let n = points.len();
+    let tolerance = SAME_POINT * polyline::radius(points);
+    let farthest = |from: DVec3| points.iter().copied().max_by(|a, b| a.distance(from).total_cmp(&b.distance(from)));
+    let axis = farthest(points[0]).map_or(DVec3::X, |end| end - points[0]);
+    if points.iter().all(|&p| (p - points[0]).reject_from(axis).length() <= tolerance) {
+        // A boundary on one line has no inside at all, which is another error.
+        return Vec::new();
+    }
+    let mut named = Vec::new();
+    for tip in 0..n {
+        let [before, after] = [(tip + n - 1) % n, (tip + 1) % n];
+        let sides = [before, after].map(|k| points[k] - points[tip]);
+        let [near, far] = if sides[0].length() <= sides[1].length() { [0, 1] } else { [1, 0] };
+        let turns_back = sides[0].dot(sides[1]) > 0.0 && sides[near].reject_from(sides[far]).length() <= tolerance;
+        if !turns_back {
+            continue;
+        }
+        let detail = "the boundary turns back here on the way by which it came; a way out and back has no width, and \
+                      no film spans it: leave it out, or move its two sides apart";
+        named.push((source[tip], detail.to_owned()));
+        let pair = |step: usize| [(tip + n - step) % n, (tip + step) % n];
+        let is_equal = |&[a, b]: &[usize; 2]| a != b && points[a].distance(points[b]) <= tolerance;
+        let pairs: Vec<[usize; 2]> = (1..=n / 2).map(pair).take_while(is_equal).collect();
+        for &[a, b] in &pairs {
+            named.push((source[b], format!("is passed twice: it is point {} once more", source[a])));
+        }
+        if pairs.is_empty() {
+            let [near, far] = [near, far].map(|side| [before, after][side]);
+            let (from, to) = (source[tip], source[far]);
+            named.push((source[near], format!("is passed twice: it lies on the side between points {from} and {to}")));
+        }
+    }
+    named
+}
 
 impl Input {
     pub fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
@@ -61,6 +100,9 @@ impl Input {
             distinct.dedup();
             if distinct.len() < 3 {
                 errors.push(InputError::new(place().at(k), "needs at least three distinct points"));
+            } else if !matches!(options.initial_mesh, InitialMesh::Given(_)) {
+                let named = passed_twice(&merged.points, &merged.source).into_iter();
+                errors.extend(named.map(|(i, detail)| InputError::new(place().at(k).at(i), detail)));
             }
             vertices.push(merged.vertex_of.iter().map(|&v| first + v as u32).collect());
             first += merged.points.len() as u32;

@@ -44,6 +44,7 @@
 
 mod catenary;
 mod checks;
+mod corners;
 mod form_finding;
 mod mixing;
 mod model;

@@ -1,10 +1,11 @@
 //! Makes the result from a found shape: mesh, forces, figures and warnings, moved back to the position of the caller's
 //! boundaries.
 
+use super::corners;
 use super::form_finding::{Ending, Found};
 use super::model::{Model, ModelCable, MovingRing, forces};
 use super::options::{
-    CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, cable_place, chord, layer_place,
+    CableMode, Chamber, Course, FilmPrestress, FilmStress, Pressure, Ring, Structure, cable_place, chord, layer_place,
 };
 use super::ponding::{self, Ponding, Roof};
 use super::reactions::{Hold, contact_angles, edge_forces, holds, reactions, sums};
@@ -42,16 +43,30 @@ fn weak_cables(structure: &Structure) -> Vec<InputError> {
     structure.cables.iter().enumerate().filter_map(weak).collect()
 }
 
+/// Names what the caller may change in this structure, so that its form finding succeeds.
+fn remedies(structure: &Structure) -> String {
+    let mut remedies = Vec::new();
+    if structure.cables.iter().any(|cable| !cable.course.is_mast()) {
+        remedies.push("larger cable forces");
+    }
+    if structure.chambers.iter().any(|chamber| chamber.holds != Pressure::Constant(0.0)) {
+        remedies.push("a smaller pressure");
+    }
+    if structure.weave().is_some() {
+        remedies.push("more points on the boundaries");
+    }
+    remedies.push("supports nearer to each other");
+    let last = remedies.pop().unwrap_or_default();
+    if remedies.is_empty() { format!("try {last}") } else { format!("try {}, or {last}", remedies.join(", ")) }
+}
+
 /// The error for a search that found no shape.
 fn no_shape(structure: &Structure, found: &Found) -> Error {
     let places = weak_cables(structure);
     let named = |detail: &str, own: Option<&InputError>| {
         let places = if places.is_empty() { own.cloned().into_iter().collect() } else { places.clone() };
-        let remedy = if weak_cables(structure).is_empty() {
-            "try larger cable forces, a smaller pressure, or supports nearer to each other"
-        } else {
-            "give the edge cables larger forces"
-        };
+        let remedy =
+            if places.is_empty() { remedies(structure) } else { "give the edge cables larger forces".to_owned() };
         let detail = format!("no shape in equilibrium is reached: {detail}; {remedy}");
         Error::NoResult { reason: Reason::NoEquilibrium, detail, places }
     };
@@ -67,9 +82,11 @@ fn no_shape(structure: &Structure, found: &Found) -> Error {
         // Form finding without remeshing has no ending; weak cables are its only evidence that there is no shape.
         None if !places.is_empty() => named("the film pulls the edge cables in without end", None),
         None => {
-            let detail = "no shape in equilibrium was found, which does not say that there is none; try larger cable \
-                          forces, a smaller pressure, or supports nearer to each other";
-            Error::NoResult { reason: Reason::EquilibriumNotFound, detail: detail.into(), places }
+            let detail = format!(
+                "no shape in equilibrium was found, which does not say that there is none; {}",
+                remedies(structure)
+            );
+            Error::NoResult { reason: Reason::EquilibriumNotFound, detail, places }
         }
     }
 }
@@ -119,6 +136,9 @@ pub(super) fn finish(
     if let Some(error) = pushing_cable(structure, &model, &found, &at) {
         return Err(error);
     }
+    if let Some(error) = corners::impossible(structure, &model, &found, &at) {
+        return Err(error);
+    }
     let film = model.mesh();
     let triangles = film.triangles.clone();
     let (layers, edge_lengths) = measure_layers(&model, &found, structure, &at)?;
@@ -162,6 +182,7 @@ pub(super) fn finish(
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
+    warnings.extend(corners::nearly_closed(structure, &model, &found, &at));
     match piercing(&model, structure, exec) {
         Ok(found) => warnings.extend(found),
         // The shape is complete, so it is returned without this search.

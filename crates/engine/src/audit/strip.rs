@@ -194,9 +194,11 @@ impl Strip<'_> {
 
     /// Tests whether a bridge is locally convex: seen along the bridge, the directions to the neighbours of its ends
     /// must fit into a half-plane. Returns whether this certainly holds, and whether it holds if rounding favours it.
-    /// `tolerance` is the sine of the convexity tolerance.
+    /// `tolerance` is the sine of the angle by which the directions may be wider than a half-plane: twice the convexity
+    /// tolerance, because the outermost directions on both sides may reach beyond the half-plane.
     fn convexity(&self, axis: DVec3, length: f64, ends: [&Chords; 2], tolerance: f64) -> [bool; 2] {
-        if length == 0.0 {
+        if length <= self.step {
+            // Rounding determines the direction of the bridge.
             return [false, true];
         }
         if let Some(clear) = self.clear_convexity(axis, length, ends, tolerance) {
@@ -236,7 +238,7 @@ impl Strip<'_> {
         // The sine of a sum of two angles is at most the sine of the first angle plus the second angle.
         let possible = fits(turns.map(|turn| tolerance + CONVEXITY + 2.0 * turn));
         let certain = possible && !undecided && fits(turns.map(|turn| tolerance - CONVEXITY - turn));
-        [certain || count == 0, possible || count == 0]
+        [certain || count == 0 && !undecided, possible || count == 0]
     }
 
     /// Returns whether a bridge is locally convex, or `None` if rounding or the tolerance can change the answer. The
@@ -307,7 +309,7 @@ impl Strip<'_> {
             figures.area.add(0.5 * facet.double_area, 0.5 * self.step * perimeter);
             facets.push(facet);
         }
-        let tolerance_sine = libm::sin(self.convexity_tolerance);
+        let tolerance_sine = libm::sin(2.0 * self.convexity_tolerance);
         let mut folds = Vec::with_capacity(count);
         // Curvature vectors of the previous bridge and of the first bridge, with their rounding.
         let (mut before, mut first): (Option<Rounded>, Option<(Rounded, [bool; 2])>) = (None, None);

@@ -36,6 +36,131 @@ fn a_fold_of_180_degrees_is_reported() {
     assert!(has(&warnings, "folds"), "{warnings:?}");
 }
 
+/// Every bridge of a plane strip is convex, also of one that is folded flat upon itself.
+#[test]
+fn plane_strips_with_the_most_convex_bridges_are_returned_flat() {
+    for (name, area) in [("ruled_plate_with_round_hole", 12.894_171), ("ruled_plane_arcs", 2.356_788)] {
+        for secondary in [None, Some("minimal_bending_energy"), Some("minimal_mean_curvature_variation")] {
+            let mut request: Value = serde_json::from_slice(&body(name)).unwrap();
+            request.as_object_mut().unwrap().remove("secondary_objective");
+            if let Some(secondary) = secondary {
+                request["secondary_objective"] = secondary.into();
+            }
+            let (statistics, warnings) = solved_body(name, request.to_string().as_bytes());
+            let found = statistics["area"].as_f64().unwrap();
+            assert!((found - area).abs() < 1e-6, "{name} {secondary:?}: {found} for {area}");
+            assert!(statistics["largest_fold_deg"].as_f64().unwrap() < 1e-5, "{name} {secondary:?}");
+            assert_eq!(statistics["convex_bridge_ratio"], 1.0);
+            assert!(warnings.is_empty(), "{name} {secondary:?}: {warnings:?}");
+        }
+    }
+}
+
+/// The directions at the bridge in the middle span 181.5 degrees, so that they reach beyond a half-plane by 0.75 degrees
+/// on either side. Symptom: the audit measured with 1 degree on one side only, and withheld the strip.
+#[test]
+fn solver_and_audit_allow_directions_beyond_the_half_plane_on_both_sides() {
+    let request = serde_json::json!({
+        "kind": "ruled_surface", "convexity_tolerance_deg": 1.0, "objective": "minimal_area",
+        "directrices": [
+            [[1, 0, 0], [0, 0, 0], [-0.999_657_324_975_557_3, -0.026_176_948_307_873_153, 0]],
+            [[0.5, 1, 1], [0, 0, 1], [-0.5, 1, 1]]
+        ],
+    });
+    let (statistics, _) = solved_body("a bridge within the tolerance", request.to_string().as_bytes());
+    assert_eq!(statistics["convex_bridges"], 5);
+    // A rail of 19 points with straight pieces and one of 324, as they came out of f32.
+    solved("strip_withheld_by_one_bridge");
+}
+
+/// Two sections of a wind turbine's blade (IEA 15 MW), whose trailing edge is sharp.
+#[test]
+fn a_profiles_own_sharp_edge_is_no_fold_of_the_strip() {
+    let (statistics, warnings) = solved("ruled_blade_sections");
+    assert!(statistics["largest_fold_deg"].as_f64().unwrap() > 150.0);
+    assert!(!has(&warnings, "folds"), "{warnings:?}");
+}
+
+#[test]
+fn a_boundary_that_runs_out_and_back_names_the_points_that_it_passes_twice() {
+    let pointers = |request: Value| -> Vec<String> {
+        match read(request.to_string().as_bytes()) {
+            Err(plateau_engine::rejection::Rejection::Invalid(errors)) => {
+                errors.into_iter().map(|error| error.pointer).collect()
+            }
+            other => panic!("{other:?}"),
+        }
+    };
+    let spike: Value = serde_json::from_slice(&body("film_spike")).unwrap();
+    assert_eq!(pointers(spike), ["/boundaries/0/3", "/boundaries/0/4"]);
+    let boundary = |extra: &[[f64; 3]]| -> Value {
+        let corners = [[0.0, 0.0, 0.0], [0.5, 0.0, 0.2]].iter().chain(extra);
+        let rest = [[1.0, 0.0, 0.4], [1.0, 1.0, 0.0], [0.0, 1.0, 0.4]];
+        let points: Vec<[f64; 3]> = corners.chain(&rest).copied().collect();
+        serde_json::json!({ "kind": "minimal_surface", "boundaries": [points] })
+    };
+    // A slit of two pieces, one ulp apart on the way back, and a side that overshoots a corner.
+    let slit = [[0.5, 0.3, 0.25], [0.6, 0.6, 0.25], [0.5, 0.3, 0.25f64.next_up()], [0.5f64.next_up(), 0.0, 0.2]];
+    assert_eq!(pointers(boundary(&slit)), ["/boundaries/0/3", "/boundaries/0/4", "/boundaries/0/5"]);
+    assert_eq!(pointers(boundary(&[[1.5, 0.0, 0.6]])), ["/boundaries/0/2", "/boundaries/0/3"]);
+    // A slit with a width has an inside and an outside.
+    let open = [[0.5, 0.5, 0.25], [0.501, 0.0, 0.2]];
+    read(boundary(&open).to_string().as_bytes()).unwrap_or_else(|rejection| panic!("{rejection:?}"));
+}
+
+/// Half a cone, whose patch has a side of length 0 at the apex. Symptom: the mesh was made on the surface itself, and a
+/// triangle was turned by 88 degrees, with 11 equal members of 136. Half a cone can be laid flat like half a cylinder.
+#[test]
+fn a_patch_with_an_apex_is_laid_flat() {
+    let (statistics, warnings) = solved("uni_half_cone");
+    assert_eq!(statistics["converged"], true, "{warnings:?}");
+    assert_eq!(statistics["surface"]["method"], "flattened");
+    let lattice = statistics["lattice_edges"]["count"].as_u64().unwrap();
+    assert!(statistics["equal_edges"].as_u64().unwrap() >= lattice && lattice > 100, "{lattice}");
+}
+
+/// The sides of these triangles differ so much that the longest gets points beside the shortest at every size.
+#[test]
+fn a_triangle_is_one_triangle_if_that_is_wanted() {
+    let corners =
+        [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.2, 0.1, 0.5]], [[-0.1, -1.0, -1.0], [0.0, 0.9, 0.2], [0.9, 0.1, 0.3]]];
+    for corners in corners {
+        for initial_mesh in ["auto", "planar", "disk", "rings"] {
+            let request = serde_json::json!({
+                "kind": "minimal_surface", "boundaries": [corners], "resolution": { "triangles": 1 },
+                "initial_mesh": initial_mesh,
+            });
+            let (statistics, _) = solved_body(initial_mesh, request.to_string().as_bytes());
+            assert_eq!((&statistics["triangles"], &statistics["vertices"]), (&1.into(), &3.into()), "{initial_mesh}");
+        }
+    }
+}
+
+/// Twelve radial cables of density 2 between rings of radii 1 and 6, with five hoops. With 2 F sin 15° = 2 s in a hoop,
+/// radius k is 1 + 5 k / 6 - s k (6 - k) / 2, which is above 0 up to s = 2 / 3, F = 2.5759.
+#[test]
+fn a_hoop_that_no_net_has_is_refused_and_one_below_the_limit_is_found() {
+    let mut request: Value = serde_json::from_slice(&body("net_hoop_too_strong")).unwrap();
+    for force in [2.65, 3.0, 4.0, 10.0, 100.0] {
+        request["cables"][0]["force"] = force.into();
+        let accepted = read(request.to_string().as_bytes()).unwrap();
+        let refused = accepted.solve(&|| Signal::Continue, &|_| {}).unwrap_err();
+        let Unsolved::Failed(error) = refused else { panic!("{refused:?}") };
+        assert_eq!(error.kind, "/problems/targets-not-reached", "{force}: {error:?}");
+        assert!(error.errors.iter().all(|error| error.pointer.starts_with("/edges/")), "{force}: {:?}", error.errors);
+    }
+    for force in [1.0, 2.0, 2.5] {
+        request["cables"][0]["force"] = force.into();
+        let (statistics, warnings) = solved_body("a hoop", request.to_string().as_bytes());
+        let s = force * (std::f64::consts::PI / 12.0).sin();
+        let radius = |k: f64| 1.0 + 5.0 * k / 6.0 - 0.5 * s * k * (6.0 - k);
+        let least = (1..6).map(|k| radius(f64::from(k))).fold(f64::INFINITY, f64::min);
+        let edge = 2.0 * least * (std::f64::consts::PI / 12.0).sin();
+        let found = statistics["cables"][0]["edge_lengths"]["min"].as_f64().unwrap();
+        assert!((found / edge - 1.0).abs() < 1e-3, "{force}: {found} for {edge}, {warnings:?}");
+    }
+}
+
 #[test]
 fn identical_rails_are_said_to_give_empty_triangles() {
     let (statistics, warnings) = solved("ruled_identical");

@@ -104,10 +104,12 @@ impl Cable {
         self.segments.iter().map(|&segment| length::length(segment, at)).sum()
     }
 
-    /// Returns the largest distance of a vertex of the cable from the chord between its two ends.
+    /// Returns the largest distance of the cable from the chord between its two ends. Next to the vertex farthest from
+    /// the chord, the cable is followed by the parabola through this vertex and its two neighbours, because the vertices
+    /// themselves miss the middle of a cable with an odd number n of segments: their sag is too small by 1 / n².
     #[must_use]
     pub fn sag(&self, at: &[DVec3]) -> f64 {
-        self.lowest(at).map_or(0.0, |lowest| lowest.distance.length())
+        self.crest(at).map_or(0.0, |crest| crest.height)
     }
 
     /// Returns the length of the horizontal part of the first segment's unit vector, from 0 to 1.
@@ -135,20 +137,48 @@ impl Cable {
         (0..self.segments.len()).map(moment).sum::<f64>() / self.length(at).max(f64::MIN_POSITIVE)
     }
 
-    /// Returns the vertex farthest from the chord between the two ends of the cable.
-    fn lowest(&self, at: &[DVec3]) -> Option<Lowest> {
+    /// Returns the point of the cable farthest from the chord between its two ends.
+    fn crest(&self, at: &[DVec3]) -> Option<Crest> {
         let (&[first, _], &[_, last]) = (self.segments.first()?, self.segments.last()?);
         let start = at[first as usize];
         let span = at[last as usize] - start;
-        let chord = span.normalize_or_zero();
-        let from_chord = |&[_, vertex]: &[u32; 2]| {
+        let (chord, length) = (span.normalize_or_zero(), span.length());
+        let from_chord = |vertex: u32| {
             let place = at[vertex as usize] - start;
-            let share = place.dot(chord) / span.length().max(f64::MIN_POSITIVE);
-            Lowest { vertex, distance: place.reject_from_normalized(chord), share }
+            FromChord { vertex, along: place.dot(chord), distance: place.reject_from_normalized(chord) }
         };
-        let farther = |a: &Lowest, b: &Lowest| a.distance.length().total_cmp(&b.distance.length());
-        // Of several vertices at the same distance the first is taken.
-        self.segments.iter().map(from_chord).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
+        let farthest = |a: (usize, FromChord), b: (usize, FromChord)| {
+            // Of several vertices at the same distance the first is taken.
+            if a.1.distance.length() < b.1.distance.length() { b } else { a }
+        };
+        let vertices = self.segments.iter().map(|&[_, vertex]| from_chord(vertex)).enumerate();
+        let (k, middle) = vertices.reduce(farthest)?;
+        let before = from_chord(self.segments[k][0]);
+        let after = self.segments.get(k + 1).map_or(middle, |&[_, vertex]| from_chord(vertex));
+        let height = middle.distance.length();
+        let at_vertex = Crest {
+            height,
+            chord,
+            length,
+            through: [before, middle, after],
+            weights: [0.0, 1.0, 0.0],
+            slopes: [0.0; 3],
+        };
+        let (h, g) = (middle.along - before.along, after.along - middle.along);
+        let (rise, fall) = (height - before.distance.length(), after.distance.length() - height);
+        // Newton's form of the parabola, with the origin at the middle vertex: height + slope t + curvature t².
+        let slope = (rise / h * g + fall / g * h) / (h + g);
+        let curvature = (fall / g - rise / h) / (h + g);
+        if !(h > 0.0 && g > 0.0 && curvature < 0.0) {
+            return Some(at_vertex);
+        }
+        let t = -slope / (2.0 * curvature);
+        Some(Crest {
+            height: height - slope * slope / (4.0 * curvature),
+            weights: [t * (t - g) / (h * (h + g)), (t + h) * (g - t) / (h * g), t * (t + h) / (g * (h + g))],
+            slopes: [slope - 2.0 * curvature * h, slope, slope + 2.0 * curvature * g],
+            ..at_vertex
+        })
     }
 
     fn stretch(&self, at: &[DVec3]) -> impl Fn(usize, f64) -> Stretch {
@@ -157,13 +187,27 @@ impl Cable {
     }
 }
 
-/// The vertex of a cable farthest from the chord between its ends.
-struct Lowest {
+/// A vertex of a cable, seen from the chord between the cable's ends.
+#[derive(Clone, Copy)]
+struct FromChord {
     vertex: u32,
+    /// Distance from the first end, measured along the chord.
+    along: f64,
     /// The vector from the chord to the vertex.
     distance: DVec3,
-    /// The place of the vertex along the chord, as a fraction of the chord.
-    share: f64,
+}
+
+/// The point of a cable farthest from the chord between its ends, on the parabola through three vertices.
+struct Crest {
+    height: f64,
+    /// Unit vector and length of the chord.
+    chord: DVec3,
+    length: f64,
+    through: [FromChord; 3],
+    /// Lagrange's weights of the three vertices at the crest.
+    weights: [f64; 3],
+    /// The parabola's slope at each of the three vertices.
+    slopes: [f64; 3],
 }
 
 impl Term for Cable {
@@ -268,7 +312,7 @@ pub enum Equation {
         /// EA, a force.
         stiffness: f64,
     },
-    /// The sag, which is the largest distance of a vertex from the chord between the two ends, has this value.
+    /// The sag, which is the largest distance of the cable from the chord between its two ends, has this value.
     Sag(f64),
 }
 
@@ -344,11 +388,18 @@ impl Condition for CableCondition {
                 add_length_gradient(&cable.segments, at, -stiffness / unstressed, gradient);
             }
             Equation::Sag(_) => {
-                let Some(Lowest { vertex, distance, share }) = cable.lowest(at) else { return };
-                let outward = distance.normalize_or_zero();
-                gradient[vertex as usize] += outward;
-                gradient[first as usize] -= (1.0 - share) * outward;
-                gradient[last as usize] -= share * outward;
+                let Some(crest) = cable.crest(at) else { return };
+                // The parabola is level at its crest, so only the change of its height there counts: Σ w (∂y - y' ∂x)
+                // over the three vertices, with the distance y and the place x along the chord.
+                for ((place, weight), slope) in crest.through.iter().zip(crest.weights).zip(crest.slopes) {
+                    let share = place.along / crest.length.max(f64::MIN_POSITIVE);
+                    let outward = weight * place.distance.normalize_or_zero();
+                    let along = weight * slope * crest.chord;
+                    let turn = weight * slope / crest.length.max(f64::MIN_POSITIVE) * place.distance;
+                    gradient[place.vertex as usize] += outward - along;
+                    gradient[first as usize] += along + turn - (1.0 - share) * outward;
+                    gradient[last as usize] -= turn + share * outward;
+                }
             }
         }
     }
@@ -428,6 +479,21 @@ mod tests {
             }
             let slope = (value(&vertices, multiplier + step) - value(&vertices, multiplier - step)) / (2.0 * step);
             assert!((slope - condition.value(&vertices, multiplier).1).abs() < 1e-8, "{equation:?}");
+        }
+    }
+
+    #[test]
+    fn the_sag_of_an_arc_does_not_depend_on_the_parity_of_its_segments() {
+        for count in 4..=9u32 {
+            // An arc of radius 1 over 60°.
+            let point = |k: u32| {
+                let angle = std::f64::consts::FRAC_PI_3 * (f64::from(k) / f64::from(count) - 0.5);
+                DVec3::new(libm::sin(angle), libm::cos(angle), 0.0)
+            };
+            let at: Vec<DVec3> = (0..=count).map(point).collect();
+            let cable = Cable::new((0..count).map(|k| [k, k + 1]).collect(), Law::Multiplier);
+            let sag = 1.0 - 0.75f64.sqrt();
+            assert!((cable.sag(&at) / sag - 1.0).abs() < 1e-3, "{count} segments: {} for {sag}", cable.sag(&at));
         }
     }
 

@@ -11,6 +11,7 @@
 //!   have as many points as the longer boundary. The points lie on the bridges of a strip between the two boundaries.
 //!   Thus m = n₁ + n₂ + 2 × interior vertices.
 //! - The triangles that are split are spread evenly over the outer ring. In the paper any of them are split.
+//! - A triangle without a vertex inside is accepted, although the paper always has the mean.
 //! - With `refine` the boundary is first sampled as finely as the mesh, and a wanted number of triangles whose parity
 //!   is impossible is raised by one.
 
@@ -239,7 +240,8 @@ impl Skeleton {
             }
             Resolution::InteriorVertices(count) => Ok(count),
             Resolution::Triangles(count) => {
-                let least = bare + 2 * self.least_interior() as i64;
+                // A triangle is its own mesh, without the mean of its corners.
+                let least = if bare == 1 { 1 } else { bare + 2 * self.least_interior() as i64 };
                 let count = i64::try_from(count).unwrap_or(i64::MAX);
                 if count < least || (count - bare) % 2 != 0 {
                     let parity = if bare % 2 == 0 { "even" } else { "odd" };
@@ -270,7 +272,11 @@ impl Skeleton {
         Ok(())
     }
 
+    /// Builds the rings. Without an interior vertex the boundary must be a triangle or the two of an annulus.
     fn fill(&self, interior: usize) -> Film {
+        if interior < self.least_interior() {
+            return Film::new(self.points.clone(), &[[0, 1, 2]], self.boundaries.clone()).expect("a triangle");
+        }
         let outer = &self.boundaries[self.outer];
         let n = outer.len();
         let rings = (interior - self.least_interior()) / n;
@@ -334,6 +340,17 @@ mod tests {
 
     /// Input: a square with a short side. The grading adds points beside that side at any size, so that longer pieces
     /// alone never bring the number of points below the limit.
+    #[test]
+    fn a_triangle_is_its_own_mesh_if_one_triangle_is_wanted() {
+        let corners = vec![vec![DVec3::ZERO, DVec3::X, DVec3::new(0.0, 1.0, 0.5)]];
+        for sampling in [BoundarySampling::Keep, BoundarySampling::Refine] {
+            let mut options = Options::new(Resolution::Triangles(1));
+            options.boundary_sampling = sampling;
+            let film = build(&corners, &options, &Execution::default()).unwrap();
+            assert_eq!((film.triangles().len(), film.vertices.len()), (1, 3));
+        }
+    }
+
     #[test]
     fn a_boundary_keeps_its_own_points_if_every_size_adds_too_many() {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.01, 1.0), (0.0, 1.0)];

@@ -145,7 +145,14 @@ impl Spanning<'_> {
             return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
         }
         let pinned = self.pinned()?;
-        let (meshed, subdivisions) = self.fit(&pinned)?;
+        let (meshed, subdivisions) = match self.fit(&pinned) {
+            // Beside a short segment a long one gets points at every size. The boundary's own points alone may do.
+            Err(PlaneError::TooCoarse { .. }) if self.options.boundary_sampling == BoundarySampling::Refine => {
+                let options = Options { boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
+                return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
+            }
+            fitted => fitted?,
+        };
         let (mut film, _) = self.carry(&meshed, &pinned)?;
         self.even_out(&mut film)?;
         if self.resolution() != self.options.resolution {

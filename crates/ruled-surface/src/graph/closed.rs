@@ -208,7 +208,7 @@ fn branch_and_bound(search: &mut dyn PathSearch, counter: &mut CellCounter<'_, '
     let (rows, n) = (search.rows(), search.columns() / 2);
     let mut best: Option<FoundPath> = None;
     let mut heap = BinaryHeap::new();
-    heap.push(StartRange { bound: Score { count: 0.0, value: 0.0 }, first: 0, last: n - 1, seed: Seed::Either });
+    heap.push(StartRange { bound: Score::ZERO, first: 0, last: n - 1, seed: Seed::Either });
     while let Some(range) = heap.pop() {
         let hopeless = |bound: &Score, first: usize, best: &Option<FoundPath>| {
             best.as_ref().is_some_and(|best| match bound.order(&best.score) {

@@ -12,13 +12,16 @@ use super::strip_arrays::{BANK, BandRows, NORMAL, POINT, StripArrays, TANGENT};
 use super::sweep::{BitTable, Bounded, Kernel, Score, Seed};
 use super::weight::{self, BridgeTriangle};
 
-/// The cost of a path up to the present bridge, on every lane: a number, or a count of concave bridges and a number.
+/// The cost of a path up to the present bridge, on every lane.
 pub(crate) trait PathCost<V: Lanes>: Copy {
     const FIELDS: usize;
-    fn of(simd: V::Simd, count: f64, value: f64) -> Self;
+    /// The cost of a bridge that no path has reached.
+    fn unreached(simd: V::Simd) -> Self;
     fn plus(self, value: V) -> Self;
     /// Counts the bridge if it is concave. A cost without a count stays as it is.
     fn enter(self, concave: V::Mask) -> Self;
+    /// Adds to the sums that decide between paths of the same count and value. A cost without a count stays as it is.
+    fn break_ties(self, bending: V, double_area: V) -> Self;
     fn less(self, other: Self) -> V::Mask;
     fn select(mask: V::Mask, yes: Self, no: Self) -> Self;
     fn shift_in(self, top: &[f64]) -> Self;
@@ -32,8 +35,8 @@ pub(crate) struct PlainCost<V>(V);
 impl<V: Lanes> PathCost<V> for PlainCost<V> {
     const FIELDS: usize = 1;
     #[inline(always)]
-    fn of(simd: V::Simd, _: f64, value: f64) -> Self {
-        Self(V::splat(simd, value))
+    fn unreached(simd: V::Simd) -> Self {
+        Self(V::splat(simd, f64::INFINITY))
     }
     #[inline(always)]
     fn plus(self, value: V) -> Self {
@@ -41,6 +44,10 @@ impl<V: Lanes> PathCost<V> for PlainCost<V> {
     }
     #[inline(always)]
     fn enter(self, _: V::Mask) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn break_ties(self, _: V, _: V) -> Self {
         self
     }
     #[inline(always)]
@@ -60,54 +67,75 @@ impl<V: Lanes> PathCost<V> for PlainCost<V> {
         top[0] = keep(self.0, lane);
     }
     fn score(top: &[f64]) -> Score {
-        Score { count: 0.0, value: top[0] }
+        Score::of_value(top[0])
     }
 }
 
-/// A cost that is ordered by the count, then by the value. Counts are whole numbers far below 2^53.
+/// The cost of maximal convexity: the number of concave bridges, the secondary objective over these bridges, the bending
+/// energy over all bridges, and twice the area. Costs are ordered by their fields, the first one first. Counts are whole
+/// numbers far below 2^53.
 #[derive(Clone, Copy)]
 pub(crate) struct CoupledCost<V> {
     count: V,
     value: V,
+    bending: V,
+    double_area: V,
 }
 
 impl<V: Lanes> PathCost<V> for CoupledCost<V> {
-    const FIELDS: usize = 2;
+    const FIELDS: usize = 4;
     #[inline(always)]
-    fn of(simd: V::Simd, count: f64, value: f64) -> Self {
-        Self { count: V::splat(simd, count), value: V::splat(simd, value) }
+    fn unreached(simd: V::Simd) -> Self {
+        let infinite = V::splat(simd, f64::INFINITY);
+        Self { count: infinite, value: infinite, bending: infinite, double_area: infinite }
     }
     #[inline(always)]
     fn plus(self, value: V) -> Self {
-        Self { count: self.count, value: self.value + value }
+        Self { value: self.value + value, ..self }
     }
     #[inline(always)]
     fn enter(self, concave: V::Mask) -> Self {
-        Self {
-            count: self.count + V::select(concave, self.count.constant(1.0), self.count.constant(0.0)),
-            value: self.value,
-        }
+        let one = V::select(concave, self.count.constant(1.0), self.count.constant(0.0));
+        Self { count: self.count + one, ..self }
+    }
+    #[inline(always)]
+    fn break_ties(self, bending: V, double_area: V) -> Self {
+        Self { bending: self.bending + bending, double_area: self.double_area + double_area, ..self }
     }
     #[inline(always)]
     fn less(self, other: Self) -> V::Mask {
-        let same = self.count.at_most(other.count);
-        self.count.less(other.count) | (same & self.value.less(other.value))
+        let by_area = self.double_area.less(other.double_area);
+        let by_bending = self.bending.less(other.bending) | (self.bending.at_most(other.bending) & by_area);
+        let by_value = self.value.less(other.value) | (self.value.at_most(other.value) & by_bending);
+        self.count.less(other.count) | (self.count.at_most(other.count) & by_value)
     }
     #[inline(always)]
     fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
-        Self { count: V::select(mask, yes.count, no.count), value: V::select(mask, yes.value, no.value) }
+        Self {
+            count: V::select(mask, yes.count, no.count),
+            value: V::select(mask, yes.value, no.value),
+            bending: V::select(mask, yes.bending, no.bending),
+            double_area: V::select(mask, yes.double_area, no.double_area),
+        }
     }
     #[inline(always)]
     fn shift_in(self, top: &[f64]) -> Self {
-        Self { count: self.count.shift_in(top[0]), value: self.value.shift_in(top[1]) }
+        Self {
+            count: self.count.shift_in(top[0]),
+            value: self.value.shift_in(top[1]),
+            bending: self.bending.shift_in(top[2]),
+            double_area: self.double_area.shift_in(top[3]),
+        }
     }
     #[inline(always)]
     fn keep(self, lane: usize, top: &mut [f64]) {
         top[0] = keep(self.count, lane);
         top[1] = keep(self.value, lane);
+        top[2] = keep(self.bending, lane);
+        top[3] = keep(self.double_area, lane);
     }
     fn score(top: &[f64]) -> Score {
-        Score { count: top[0], value: top[1] }
+        Score { count: top[0], value: top[1], bending: top[2], double_area: top[3] }
     }
 }
 
@@ -228,31 +256,29 @@ impl<V: Lanes> StepWeights<V> for NormalVariation<'_, V::Simd> {
     }
 }
 
-/// Number of bridges that are not locally convex: the weight of a bridge is 1 if it is not convex, otherwise 0.
-#[derive(Debug)]
-pub(crate) struct Concave<'a, S> {
-    pub(crate) simd: S,
+/// The bridges that maximal convexity counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ConcaveBridges<'a> {
     pub(crate) table: &'a BitTable,
+    /// Whether the kernel's own objective, summed over these bridges, decides before the bending energy of all bridges.
+    pub(crate) is_coupled: bool,
+    /// Folds within the rounding of the input count as flat where the bending energy of all bridges decides. Otherwise
+    /// rounding would outweigh the area on a plane strip.
+    pub(crate) rounding: f64,
 }
 
-impl<V: Lanes> StepWeights<V> for Concave<'_, V::Simd> {
-    type Band = usize;
+impl ConcaveBridges<'_> {
+    /// The lanes on which the kernel's own objective counts.
     #[inline(always)]
-    fn simd(&self) -> V::Simd {
-        self.simd
+    fn counted<V: Lanes>(&self, simd: V::Simd, concave: V::Mask) -> V::Mask {
+        concave & V::from_bits(simd, if self.is_coupled { u32::MAX } else { 0 })
     }
+
+    /// Returns the bending energy that breaks ties, from the energy at a bridge between two triangles.
     #[inline(always)]
-    fn band(&self, band: usize) -> usize {
-        band
-    }
-    #[inline(always)]
-    fn steps(&self, _: &usize, _: usize) -> [V; 2] {
-        [V::splat(self.simd, 0.0); 2]
-    }
-    #[inline(always)]
-    fn bridge(&self, band: &usize, t: usize, value: V) -> V {
-        let concave = V::from_bits(self.simd, self.table.lanes(*band, t));
-        value + V::select(concave, value.constant(1.0), value.constant(0.0))
+    fn tie_energy<V: Lanes>(&self, energy: V, left: &BridgeTriangle<V>, right: &BridgeTriangle<V>) -> V {
+        let flat = weight::is_flat(left, right, energy.constant(self.rounding));
+        V::select(flat, energy.constant(0.0), energy)
     }
 }
 
@@ -297,7 +323,7 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
         top[0] = 0.0;
     }
     fn end(&self, top: &[f64], _: usize) -> Score {
-        Score { count: 0.0, value: top[0] }
+        Score::of_value(top[0])
     }
 }
 
@@ -308,8 +334,8 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) arrays: &'a StripArrays,
-    /// Table of the non-convex bridges if their number is minimised and their bending breaks ties.
-    pub(crate) concave: Option<&'a BitTable>,
+    /// The bridges that are not locally convex, if their number is minimised.
+    pub(crate) concave: Option<ConcaveBridges<'a>>,
     pub(crate) cost: std::marker::PhantomData<C>,
 }
 
@@ -329,7 +355,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn blank(&self) -> [C; 2] {
-        [C::of(self.simd, f64::INFINITY, f64::INFINITY); 2]
+        [C::unreached(self.simd); 2]
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut [C; 2], top: &[f64], t: usize) -> u32 {
@@ -341,14 +367,25 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
             weight::bending(squared, &in_q, &out_q),
         ];
         let (mut by_p, mut by_q) = (state[0].shift_in(top), state[1]);
-        if let Some(table) = self.concave {
-            let concave = V::from_bits(self.simd, table.lanes(band.number, t));
+        let mut ties = [V::splat(self.simd, 0.0); 4];
+        if let Some(bridges) = self.concave {
+            let concave = V::from_bits(self.simd, bridges.table.lanes(band.number, t));
+            let counted = bridges.counted::<V>(self.simd, concave);
+            ties = [
+                bridges.tie_energy(energy[0], &in_p, &out_p),
+                bridges.tie_energy(energy[1], &in_q, &out_p),
+                bridges.tie_energy(energy[2], &in_p, &out_q),
+                bridges.tie_energy(energy[3], &in_q, &out_q),
+            ];
             for energy in &mut energy {
-                *energy = V::select(concave, *energy, energy.constant(0.0));
+                *energy = V::select(counted, *energy, energy.constant(0.0));
             }
             (by_p, by_q) = (by_p.enter(concave), by_q.enter(concave));
         }
-        let (pp, qp, pq, qq) = (by_p.plus(energy[0]), by_q.plus(energy[1]), by_p.plus(energy[2]), by_q.plus(energy[3]));
+        let pp = by_p.plus(energy[0]).break_ties(ties[0], in_p.length);
+        let qp = by_q.plus(energy[1]).break_ties(ties[1], in_q.length);
+        let pq = by_p.plus(energy[2]).break_ties(ties[2], in_p.length);
+        let qq = by_q.plus(energy[3]).break_ties(ties[3], in_q.length);
         let (from_q_to_p, from_q_to_q) = (qp.less(pp), qq.less(pq));
         *state = [C::select(from_q_to_p, qp, pp), C::select(from_q_to_q, qq, pq)];
         V::bits(from_q_to_p) | V::bits(from_q_to_q) << V::WIDTH
@@ -399,7 +436,8 @@ pub(crate) struct Factors {
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) arrays: &'a StripArrays,
-    pub(crate) concave: Option<&'a BitTable>,
+    /// The bridges that are not locally convex, if their number is minimised.
+    pub(crate) concave: Option<ConcaveBridges<'a>>,
     /// Factors of a weighted sum. `None` minimises the curvature variation alone.
     pub(crate) factors: Option<Factors>,
     pub(crate) cost: std::marker::PhantomData<C>,
@@ -443,7 +481,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     }
     #[inline(always)]
     fn blank(&self) -> Self::State {
-        Nodes { cost: [C::of(self.simd, f64::INFINITY, f64::INFINITY); 4], curvature: [Vector::zero(self.simd); 4] }
+        Nodes { cost: [C::unreached(self.simd); 4], curvature: [Vector::zero(self.simd); 4] }
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32 {
@@ -460,7 +498,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
         ];
         #[expect(clippy::manual_map, reason = "a closure need not be compiled for the wide instructions")]
         let concave = match self.concave {
-            Some(table) => Some(V::from_bits(self.simd, table.lanes(band.number, t))),
+            Some(bridges) => Some(V::from_bits(self.simd, bridges.table.lanes(band.number, t))),
             None => None,
         };
         if let Some(concave) = concave {
@@ -492,6 +530,13 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
             let terms = self.terms(factors, bridge, squared, &triangles, band, t);
             for node in 0..4 {
                 cost[node] = cost[node].plus(terms[node]);
+            }
+        }
+        if let Some(bridges) = self.concave {
+            for (node, (arrive, leave)) in [(0, 2), (0, 3), (1, 2), (1, 3)].into_iter().enumerate() {
+                let (left, right) = (&triangles[arrive], &triangles[leave]);
+                let energy = weight::bending(squared, left, right);
+                cost[node] = cost[node].break_ties(bridges.tie_energy(energy, left, right), left.length);
             }
         }
         *state = Nodes { cost, curvature: here };

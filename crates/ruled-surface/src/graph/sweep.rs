@@ -10,17 +10,30 @@ use super::lanes::{Lanes, MOST_LANES, Task};
 use plateau_mesh::execution::Interruption;
 use std::cmp::Ordering;
 
-/// The cost of a path: its number of concave bridges (0 where they do not count), then its value.
+/// The cost of a path. Scores are ordered by their fields, the first one first. Only a value takes part where concave
+/// bridges do not count; the other fields are then 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Score {
+    /// Number of concave bridges.
     pub(crate) count: f64,
     pub(crate) value: f64,
+    /// Bending energy over all bridges.
+    pub(crate) bending: f64,
+    /// Twice the area.
+    pub(crate) double_area: f64,
 }
 
 impl Score {
-    pub(crate) const WORST: Self = Self { count: f64::INFINITY, value: f64::INFINITY };
+    pub(crate) const ZERO: Self = Self { count: 0.0, value: 0.0, bending: 0.0, double_area: 0.0 };
+    pub(crate) const WORST: Self = Self { count: f64::INFINITY, ..Self::ZERO };
+    /// The score of a path whose concave bridges do not count.
+    pub(crate) fn of_value(value: f64) -> Self {
+        Self { value, ..Self::ZERO }
+    }
     pub(crate) fn order(&self, other: &Self) -> Ordering {
-        self.count.total_cmp(&other.count).then(self.value.total_cmp(&other.value))
+        let fields = |score: &Self| [score.count, score.value, score.bending, score.double_area];
+        let pairs = fields(self).into_iter().zip(fields(other));
+        pairs.map(|(own, other)| own.total_cmp(&other)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
     }
     pub(crate) fn better_than(&self, other: &Self) -> bool {
         self.order(other) == Ordering::Less

@@ -4,14 +4,15 @@ use super::direction::evident_direction;
 use super::options::DirectionCriterion;
 use crate::graph::cell_counter::CellCounter;
 use crate::graph::lanes::LaneWidth;
-use crate::graph::rails::Rails;
+use crate::graph::rails::{Rail, Rails};
 use crate::strip::objective::{Goal, Objective};
 use crate::strip::search::{least, least_bending_within};
-use crate::strip::statistics::Statistics;
+use crate::strip::statistics::{SMALLER_FOLD, Statistics};
 use plateau_mesh::DVec3;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
-use plateau_mesh::measure::is_degenerate;
+use plateau_mesh::measure::{double_area_vector, is_degenerate};
+use std::f64::consts::FRAC_PI_2;
 
 /// Area above which a strip is reported, as a multiple of the least area.
 const LARGE: f64 = 1.25;
@@ -23,6 +24,10 @@ pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// Largest number of grid cells of a closed strip whose least bending energy is computed for a comparison. It is
 /// smaller than for open strips, because a closed strip takes a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
+/// A fold counts as the strip's own if it exceeds the angle of both directrices at the ends of its bridge by more than
+/// this, in radians. A bridge that leans towards the bisector of a corner sees the corner as sharper: from 160°, a lean
+/// of 45° makes 166°.
+const SHARPER: f64 = 10.0 * (std::f64::consts::PI / 180.0);
 /// Number of triangles without area up to which a strip is not reported. An open strip whose directrices share both
 /// ends has two.
 const EMPTY_AT_ENDS: usize = 2;
@@ -41,13 +46,15 @@ pub(crate) fn of_strip(
     counter: &mut CellCounter<'_, '_>,
 ) -> Result<Vec<Warning>, Error> {
     let mut warnings = Vec::new();
-    if statistics.folds_back() {
-        let degrees = statistics.largest_fold.to_degrees();
+    let triangles = strip.triangles_along(path);
+    if statistics.folds_back()
+        && let Some(fold) = largest_fold_back(strip, path, &triangles)
+    {
+        let degrees = fold.to_degrees();
         let detail = format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°");
         warnings
             .push(Warning::new(WarningCode::Folds, detail).with_count("strip", k).with("largest_fold_deg", degrees));
     }
-    let triangles = strip.triangles_along(path);
     let empty = triangles.iter().filter(|&&triangle| is_degenerate(strip.corners(triangle))).count();
     if empty > EMPTY_AT_ENDS || empty == triangles.len() {
         let of = if empty == triangles.len() { "all".to_owned() } else { format!("{empty} of") };
@@ -107,6 +114,32 @@ pub(crate) fn of_strip(
         }
     }
     Ok(warnings)
+}
+
+/// Returns the largest fold of more than 90° that is sharper than the directrices themselves at the bridge's ends. A
+/// profile's own sharp edge, such as the trailing edge of an aerofoil, is no fault of the strip.
+fn largest_fold_back(strip: &Rails, path: &[[u32; 2]], triangles: &[[u32; 3]]) -> Option<f64> {
+    let normal = |t: usize| {
+        let corners = strip.corners(triangles[t]);
+        (!is_degenerate(corners)).then(|| double_area_vector(corners))
+    };
+    let turn = |rail: &Rail, index: u32| {
+        let [before, after] = [0, 1].map(|step| rail.bank(index as usize, step, strip.closed));
+        angle(before, after)
+    };
+    let fold = |k: usize| {
+        let left = if k > 0 { k - 1 } else { triangles.len().checked_sub(1).filter(|_| strip.closed)? };
+        let fold = angle(normal(left)?, normal(Some(k).filter(|&k| k < triangles.len())?)?);
+        let [i, j] = path[k];
+        let own = turn(&strip.p, i).max(turn(&strip.q, j));
+        (fold > FRAC_PI_2 + SMALLER_FOLD && fold > own + SHARPER).then_some(fold)
+    };
+    (0..path.len()).filter_map(fold).reduce(f64::max)
+}
+
+/// Returns the angle between two vectors, or 0 if one of them is zero.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
 }
 
 /// Returns the strip as it is, and with Q reversed. Both are thinned to at most [`THINNED`] points on each side.

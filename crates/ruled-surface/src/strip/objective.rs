@@ -9,7 +9,8 @@ pub enum Objective {
     MinimalArea,
     /// The sum of the normal twist over all bridges.
     MinimalTwist,
-    /// The number of locally convex bridges, which is maximised.
+    /// The number of locally convex bridges, which is maximised. Among strips with the same number the bending energy
+    /// over all bridges decides, then the area, so that a plane strip does not fold.
     MaximalConvexity,
     /// The sum of the bending energy over the interior bridges.
     MinimalBendingEnergy,
@@ -194,7 +195,8 @@ impl Goal {
         match (self.objective, self.secondary) {
             (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)
             | (_, Some(Secondary::MeanCurvatureVariation)) => 4,
-            (Objective::MinimalBendingEnergy, _) | (_, Some(Secondary::BendingEnergy)) => 2,
+            // Maximal convexity ends its ties by the bending energy.
+            (Objective::MinimalBendingEnergy | Objective::MaximalConvexity, _) => 2,
             _ => 1,
         }
     }

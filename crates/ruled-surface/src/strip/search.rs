@@ -8,7 +8,8 @@ use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::corridor::corridor;
 use crate::graph::lanes::{LaneWidth, Lanes, with_lanes};
 use crate::graph::layers::{
-    Area, Concave, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer, Twist,
+    Area, ConcaveBridges, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer,
+    Twist,
 };
 use crate::graph::rails::Rails;
 use crate::graph::strip_arrays::StripArrays;
@@ -214,11 +215,8 @@ const FAR_MORE: usize = 8;
 /// of Q, and each search follows a path of m + n bridges, so the directrix with few points is best taken as Q. Only
 /// graphs of one layer are searched in this way.
 fn is_better_exchanged(strip: &Rails, goal: Goal) -> bool {
-    let has_one_layer = match goal.objective {
-        Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
-        Objective::MaximalConvexity => goal.secondary.is_none(),
-        _ => false,
-    };
+    let has_one_layer =
+        matches!(goal.objective, Objective::MinimalArea | Objective::MinimalTwist | Objective::MinimalNormalVariation);
     strip.closed && has_one_layer && strip.n() > FAR_MORE * strip.m()
 }
 
@@ -285,7 +283,11 @@ fn search<V: Lanes>(
         Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, (arrays, simd), test, counter)?),
         _ => None,
     };
-    let concave = table.as_ref();
+    let concave = table.as_ref().map(|table| ConcaveBridges {
+        table,
+        is_coupled: goal.secondary.is_some(),
+        rounding: strip.rounding,
+    });
     // An open strip of least area does not need the whole grid.
     let region = match goal.objective {
         Objective::MinimalArea if !strip.closed && rows * columns > SMALL => corridor(strip, counter)?,
@@ -296,24 +298,23 @@ fn search<V: Lanes>(
             find(strip.closed, &mut KernelSearch::<V, _>::new($kernel, rows, columns), &region, counter)
         };
     }
-    match (goal.objective, goal.secondary, concave) {
-        (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
+    match (goal.objective, goal.secondary) {
+        (Objective::MaximalConvexity, None | Some(Secondary::BendingEnergy)) => {
             run!(DualLayer { simd, arrays, concave, cost: PhantomData::<CoupledCost<V>> })
         }
-        (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
+        (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation)) => {
             run!(QuadrupleLayer { simd, arrays, concave, factors: None, cost: PhantomData::<CoupledCost<V>> })
         }
-        (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave { simd, table })),
-        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, arrays })),
-        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, arrays })),
-        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, arrays, sign })),
-        (Objective::MinimalBendingEnergy, ..) => {
+        (Objective::MinimalArea, _) => run!(SingleLayer(Area { simd, arrays })),
+        (Objective::MinimalTwist, _) => run!(SingleLayer(Twist { simd, arrays })),
+        (Objective::MinimalNormalVariation, _) => run!(SingleLayer(NormalVariation { simd, arrays, sign })),
+        (Objective::MinimalBendingEnergy, _) => {
             run!(DualLayer { simd, arrays, concave: None, cost: PhantomData::<PlainCost<V>> })
         }
-        (Objective::MinimalMeanCurvatureVariation, ..) => {
+        (Objective::MinimalMeanCurvatureVariation, _) => {
             run!(QuadrupleLayer { simd, arrays, concave: None, factors: None, cost: PhantomData::<PlainCost<V>> })
         }
-        (Objective::Weighted(_), ..) => {
+        (Objective::Weighted(_), _) => {
             let factors = factors.map(|factors| Factors { sign, ..*factors });
             run!(QuadrupleLayer { simd, arrays, concave: None, factors, cost: PhantomData::<PlainCost<V>> })
         }
@@ -395,7 +396,7 @@ mod tests {
         let test = ConvexityTest::Within(1e-8);
         for (m, n) in [(2, 17), (3, 25), (3, 400), (7, 100)] {
             let strip = Rails::new(ring(m, 0.5, 0.0)[..].into(), ring(n, 1.0, 1.0)[..].into(), true);
-            for objective in [Objective::MinimalArea, Objective::MinimalTwist, Objective::MaximalConvexity] {
+            for objective in [Objective::MinimalArea, Objective::MinimalTwist] {
                 let asked = SearchGoal::plainly(Goal::single(objective), test);
                 assert!(is_better_exchanged(&strip, asked.goal));
                 let path = optimal_path(&strip, asked, LaneWidth::get(), &mut counter).unwrap();

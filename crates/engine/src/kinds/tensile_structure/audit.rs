@@ -312,7 +312,9 @@ fn compare_held_edges(audit: &mut Audit) {
     }
 }
 
-/// Returns the largest distance of a cable's vertices from the chord between its ends.
+/// Returns the largest distance of a cable from the chord between its ends. Next to the vertex farthest from the chord,
+/// the cable is followed by the parabola through this vertex and its two neighbours. Where rounding decides which vertex
+/// is the farthest, the range has the crests of all of them.
 fn sag(vertices: &[DVec3], pairs: &[[u32; 2]], step: f64) -> Measured {
     let (Some(&[first, _]), Some(&[_, last])) = (pairs.first(), pairs.last()) else {
         return Measured::within(0.0, 0.0);
@@ -320,13 +322,35 @@ fn sag(vertices: &[DVec3], pairs: &[[u32; 2]], step: f64) -> Measured {
     let start = vertices[first as usize];
     let chord = vertices[last as usize] - start;
     let along = chord.normalize_or_zero();
-    let mut largest = Largest::NONE;
-    for &[_, v] in pairs {
+    // The place along the chord and the distance from it, for each vertex in order.
+    let from_chord = |v: u32| {
         let offset = vertices[v as usize] - start;
-        let distance = (offset - offset.dot(along) * along).length();
-        largest.add(distance, RELATIVE * offset.length() + 4.0 * step);
+        let place = offset.dot(along);
+        [place, (offset - place * along).length()]
+    };
+    let places: Vec<[f64; 2]> = std::iter::once(first).chain(pairs.iter().map(|&[_, v]| v)).map(from_chord).collect();
+    let tolerance = RELATIVE * chord.length() + 8.0 * step;
+    let farthest = places.iter().map(|place| place[1]).fold(0.0, f64::max);
+    let mut crests = Measured { value: farthest, low: f64::INFINITY, high: f64::NEG_INFINITY };
+    for k in (0..places.len()).filter(|&k| places[k][1] >= farthest - tolerance) {
+        let crest = match k.checked_sub(1).and_then(|before| places.get(before..=k + 1)) {
+            Some(&[a, b, c]) => crest(a, b, c),
+            _ => places[k][1],
+        };
+        crests.value = crests.value.max(crest);
+        crests.low = crests.low.min(crest);
+        crests.high = crests.high.max(crest);
     }
-    largest.measured()
+    crests.widened(tolerance)
+}
+
+/// Returns the largest value of the parabola through three points, or the middle value if the points do not surround a
+/// largest one.
+fn crest([xa, ya]: [f64; 2], [x, y]: [f64; 2], [xc, yc]: [f64; 2]) -> f64 {
+    let (left, right) = ((y - ya) / (x - xa), (yc - y) / (xc - x));
+    let bend = (left - right) / (xc - xa);
+    let slope = (left * (xc - x) + right * (x - xa)) / (xc - xa);
+    if x > xa && xc > x && bend > 0.0 { y + slope * slope / (4.0 * bend) } else { y }
 }
 
 fn length(vertices: &[DVec3], [a, b]: [u32; 2]) -> f64 {
