@@ -40,7 +40,7 @@ pub struct CheckedRequest {
 /// Compares a refused value with the schema of its kind.
 #[cfg(feature = "explain")]
 fn explained(kind: Kind, value: &Value) -> Option<Rejection> {
-    schema::validate(kind, value).err()
+    schema::validate(kind, &(kind.types().without_empty)(value)).err()
 }
 
 #[cfg(not(feature = "explain"))]

@@ -13,6 +13,7 @@ mod closed_forms;
 mod exported_meshes;
 mod frozen_examples;
 mod mutated_requests;
+mod options;
 #[path = "../../../archive/tests/it/sample.rs"]
 mod sample;
 #[path = "../../../../tests/skips/mod.rs"]
