@@ -63,7 +63,8 @@ impl<'de> Deserialize<'de> for Items {
             fn visit_map<A: MapAccess<'de>>(self, mut branches: A) -> Result<Items, A::Error> {
                 let mut items = Vec::new();
                 while branches.next_key::<IgnoredAny>()?.is_some() {
-                    items.extend(branches.next_value::<Vec<Item>>()?);
+                    let branch = branches.next_value::<Vec<Option<Item>>>()?;
+                    items.extend(branch.into_iter().map(|item| item.unwrap_or(Item { data: None })));
                 }
                 Ok(Items(items))
             }

@@ -2,11 +2,13 @@
 //! type.
 
 use crate::limits::Limits;
-use crate::options::{Given, Optioned, RequestOption, idle_members, without_empty};
+use crate::options::{Given, Optioned, RequestOption, idle_members};
 use crate::rejection::{FieldError, Rejection};
 use crate::solved::{CoordinateSystem, SolverInput};
 use crate::source::{self, Find, JobSource, Source};
-use crate::strict::{self, Parted};
+use crate::strict;
+#[cfg(feature = "stored")]
+use crate::strict::Parted;
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -72,14 +74,13 @@ pub(crate) struct Types {
     pub statistics: TypeSchema,
     pub has_source: bool,
     pub options: &'static [RequestOption],
-    /// Returns a request without the members that count as left out.
-    #[cfg(feature = "explain")]
-    pub without_empty: fn(&Value) -> Cow<'_, Value>,
+    /// Lists that differ if they are empty from lists that are left out (see [`Optioned::EMPTY_LISTS`]).
+    pub empty_lists: &'static [(&'static str, &'static str)],
     /// Reads a request from its JSON. The members that the list names are returned separately. Returns `None` if the
     /// body is refused.
     #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
-    /// Reads a request from a JSON value. The error is `None` if the type refuses the value.
+    /// Reads a request from a JSON value without the members that count as left out. The error is `None` if the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the first place at which the type refuses a value. It explains values that the type refuses although the
     /// schema accepts them.
@@ -98,12 +99,11 @@ impl Types {
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: false,
             options: R::OPTIONS,
-            #[cfg(feature = "explain")]
-            without_empty: |value| without_empty::<R>(value),
+            empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
-            refusal: |value| strict::refusal::<R>(&without_empty::<R>(value)),
+            refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
             read_stored: |text, _, limits| read_stored::<R>(text, |request| checked(request, limits)),
         }
@@ -119,12 +119,11 @@ impl Types {
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: true,
             options: R::OPTIONS,
-            #[cfg(feature = "explain")]
-            without_empty: |value| without_empty::<R>(value),
+            empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
             read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
-            refusal: |value| strict::refusal::<R>(&without_empty::<R>(value)),
+            refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
             read_stored: |text, find, limits| read_stored::<R>(text, |request| checked_from(request, find, limits)),
         }
@@ -162,19 +161,18 @@ fn read<R: DeserializeOwned + Serialize + Optioned>(
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Option<ReadApart> {
     let Parted { read, names, aside } = strict::read::<R>(body, aside).ok()?;
-    // A member that is null or an empty list counts as left out, which only `read_value` sees.
+    // A member that is null or an empty list counts as left out, which only a request that is read from a value can tell.
     let idle = idle_members(&read, &Given::Names(&names));
     idle.is_empty().then_some(())?;
     Some((written(&read, &checks).ok()?, aside))
 }
 
-fn read_value<R: DeserializeOwned + Serialize + JsonSchema + Optioned>(
+fn read_value<R: DeserializeOwned + Serialize + Optioned>(
     value: &Value,
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Result<Read, Option<Rejection>> {
-    let value = without_empty::<R>(value);
-    let request = strict::value::<R>(&value).ok_or(None)?;
-    let idle = idle_members(&request, &Given::Body(&value));
+    let request = strict::value::<R>(value).ok_or(None)?;
+    let idle = idle_members(&request, &Given::Body(value));
     if !idle.is_empty() {
         return Err(Some(Rejection::Invalid(idle)));
     }

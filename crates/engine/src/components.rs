@@ -76,7 +76,7 @@ fn describe_options(components: &mut Map<String, Value>) {
         let properties = &mut components[&*request_component(kind)]["properties"];
         for option in kind.types().options {
             let member = properties.get_mut(option.name).and_then(Value::as_object_mut);
-            if let (Some(keywords), Some(phrase)) = (member, option.phrase()) {
+            if let (Some(keywords), Some(phrase)) = (member, option.phrase(|_| false)) {
                 add_text(keywords, &format!(" Only with {phrase}."));
             }
         }

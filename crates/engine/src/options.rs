@@ -9,7 +9,6 @@ use serde::Serialize;
 #[cfg(not(feature = "explain"))]
 use serde_json::Map;
 use serde_json::Value;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A member of a request, and the choices with which it acts.
@@ -38,11 +37,12 @@ impl RequestOption {
         Self { name, needs }
     }
 
-    /// Returns the choices with which the option acts, as a phrase, or `None` if it always acts.
-    pub fn phrase(&self) -> Option<String> {
+    /// Returns the choices with which the option acts, as a phrase, or `None` if it always acts. Choices that the request
+    /// has made are left out.
+    pub fn phrase(&self, is_made: impl Fn(&Choice) -> bool) -> Option<String> {
         let alternatives = self.needs.iter().map(|choices| {
-            let choices = choices.iter().map(|choice| choice.phrase());
-            choices.collect::<Vec<_>>().join(" and ")
+            let open = choices.iter().filter(|choice| !is_made(choice));
+            open.map(Choice::phrase).collect::<Vec<_>>().join(" and ")
         });
         (!self.needs.is_empty()).then(|| alternatives.collect::<Vec<_>>().join(", or "))
     }
@@ -87,6 +87,7 @@ pub(crate) trait Optioned {
 #[derive(Debug)]
 pub(crate) enum Given<'a> {
     /// Names of the members of the request itself. Members inside other members and null count as given.
+    #[cfg(feature = "stored")]
     Names(&'a [String]),
     Body(&'a Value),
 }
@@ -95,6 +96,7 @@ impl Given<'_> {
     /// Returns whether the request has the member with this JSON Pointer.
     pub fn has(&self, pointer: &str) -> bool {
         match self {
+            #[cfg(feature = "stored")]
             Self::Names(names) => names.iter().any(|name| pointer.split('/').nth(1) == Some(name)),
             Self::Body(body) => body.pointer(pointer).is_some(),
         }
@@ -103,16 +105,16 @@ impl Given<'_> {
 
 /// Returns an error for each given member that does not act in this request.
 pub(crate) fn idle_members<R: Optioned>(request: &R, given: &Given<'_>) -> Vec<FieldError> {
+    let holds = |choice: &Choice| {
+        let value = request.choice(choice.member);
+        value.is_empty() || choice.values.contains(&value)
+    };
     let acts = |option: &RequestOption| {
-        let holds = |choice: &Choice| {
-            let value = request.choice(choice.member);
-            value.is_empty() || choice.values.contains(&value)
-        };
         option.needs.is_empty() || option.needs.iter().any(|choices| choices.iter().all(holds))
     };
     let idle = R::OPTIONS.iter().filter(|option| given.has(&format!("/{}", option.name)) && !acts(option));
     let errors = idle.filter_map(|option| {
-        let detail = format!("has no effect in this request: it needs {}", option.phrase()?);
+        let detail = format!("has no effect in this request: it needs {}", option.phrase(holds)?);
         Some(FieldError::new(format!("/{}", option.name), detail))
     });
     errors.chain(request.idle(given)).collect()
@@ -152,25 +154,12 @@ pub(crate) fn of_objective(options: &[RequestOption], objective: &str) -> Vec<Ob
     options.iter().filter_map(of).collect()
 }
 
-/// Returns a request without the members that count as left out, at every depth: those that are null, and empty lists
-/// except those of [`Optioned::EMPTY_LISTS`].
-pub(crate) fn without_empty<R: Optioned + JsonSchema>(request: &Value) -> Cow<'_, Value> {
-    if !has_empty(request) {
-        return Cow::Borrowed(request);
-    }
-    #[cfg(feature = "explain")]
-    let left = crate::schema::without_empty(&R::schema_name(), request, R::EMPTY_LISTS);
-    // Without the schemas, members that the request must not have are removed too.
-    #[cfg(not(feature = "explain"))]
-    let left = pruned(request, "", R::EMPTY_LISTS);
-    Cow::Owned(left)
-}
-
 fn is_empty(value: &Value) -> bool {
     value.is_null() || value.as_array().is_some_and(Vec::is_empty)
 }
 
-fn has_empty(value: &Value) -> bool {
+/// Returns whether a member at any depth is null or an empty list.
+pub(crate) fn has_empty(value: &Value) -> bool {
     match value {
         Value::Object(members) => members.values().any(|member| is_empty(member) || has_empty(member)),
         Value::Array(items) => items.iter().any(has_empty),
@@ -178,8 +167,10 @@ fn has_empty(value: &Value) -> bool {
     }
 }
 
+/// Removes the members that are null, and empty lists except those in `kept` (see [`Optioned::EMPTY_LISTS`]). Without the
+/// schemas, members that the request must not have are removed too.
 #[cfg(not(feature = "explain"))]
-fn pruned(value: &Value, within: &str, kept: &[(&str, &str)]) -> Value {
+pub(crate) fn pruned(value: &Value, within: &str, kept: &[(&str, &str)]) -> Value {
     match value {
         Value::Object(members) => {
             let stays =
@@ -222,10 +213,12 @@ mod tests {
 
     #[test]
     fn the_choices_of_an_option_are_a_phrase() {
-        let phrases = OPTIONS.map(|option| option.phrase());
+        let phrases = OPTIONS.map(|option| option.phrase(|_| false));
         assert_eq!(phrases[0], None);
         assert_eq!(phrases[1].as_deref(), Some("`objective: bending`, or `mesh: random`"));
         assert_eq!(phrases[2].as_deref(), Some("`objective: area` and `closed: true`"));
         assert_eq!(phrases[3].as_deref(), Some("`domain` `bezier`, `nurbs` or `film`"));
+        let rest = OPTIONS[2].phrase(|choice| choice.member == "objective");
+        assert_eq!(rest.as_deref(), Some("`closed: true`"));
     }
 }

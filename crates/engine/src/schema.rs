@@ -75,8 +75,8 @@ fn validate_component(component: &str, value: &Value) -> Result<(), Rejection> {
 }
 
 /// Returns a request without the members that count as left out (see [`Schemas::without_empty`]).
-pub(crate) fn without_empty(component: &str, request: &Value, kept: &[(&str, &str)]) -> Value {
-    SCHEMAS.without_empty(component, request, kept)
+pub(crate) fn without_empty(kind: Kind, request: &Value) -> Value {
+    SCHEMAS.without_empty(&request_component(kind), request, kind.types().empty_lists)
 }
 
 fn refuse(errors: Vec<FieldError>) -> Result<(), Rejection> {

@@ -1,7 +1,7 @@
 //! Descriptions of the operations, and an example of each JSON answer.
 //!
 //! The examples are answers of a server, in `examples.json` beside this file: an object of operations, each with an
-//! object of statuses. `PLATEAU_WRITE=1 cargo test -p plateau --features s3,test-hooks --test http answers_of_a_server`
+//! object of statuses. `PLATEAU_WRITE=1 cargo test -p plateau --features s3,test-hooks --test http examples_of_its_answers`
 //! writes it again.
 
 use serde_json::Value;
