@@ -4308,39 +4308,39 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:27:55.558Z",
-                     *       "finished_at": "2026-11-28T19:27:55.558Z",
-                     *       "id": "01M8HT1R56C1SC78236M90B327",
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HT1R56YNRCDP4ENQH6G1QR",
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR"
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HT1R56N4SCKJ1VHVPG80DJ",
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ"
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HT1R56C1SC78236M90B327/cancel",
-                     *         "meshes": "/v1/batches/01M8HT1R56C1SC78236M90B327/meshes",
-                     *         "self": "/v1/batches/01M8HT1R56C1SC78236M90B327"
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4368,39 +4368,39 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:27:55.558Z",
-                     *       "finished_at": "2026-11-28T19:27:55.558Z",
-                     *       "id": "01M8HT1R56C1SC78236M90B327",
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HT1R56YNRCDP4ENQH6G1QR",
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR"
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HT1R56N4SCKJ1VHVPG80DJ",
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ"
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HT1R56C1SC78236M90B327/cancel",
-                     *         "meshes": "/v1/batches/01M8HT1R56C1SC78236M90B327/meshes",
-                     *         "self": "/v1/batches/01M8HT1R56C1SC78236M90B327"
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4454,39 +4454,39 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:27:55.558Z",
-                     *       "finished_at": "2026-11-28T19:27:55.558Z",
-                     *       "id": "01M8HT1R56C1SC78236M90B327",
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HT1R56YNRCDP4ENQH6G1QR",
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR"
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HT1R56N4SCKJ1VHVPG80DJ",
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ"
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HT1R56C1SC78236M90B327/cancel",
-                     *         "meshes": "/v1/batches/01M8HT1R56C1SC78236M90B327/meshes",
-                     *         "self": "/v1/batches/01M8HT1R56C1SC78236M90B327"
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4646,39 +4646,39 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:27:55.558Z",
-                     *       "finished_at": "2026-11-28T19:27:55.558Z",
-                     *       "id": "01M8HT1R56C1SC78236M90B327",
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HT1R56YNRCDP4ENQH6G1QR",
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56YNRCDP4ENQH6G1QR"
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HT1R56N4SCKJ1VHVPG80DJ",
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R56N4SCKJ1VHVPG80DJ"
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HT1R56C1SC78236M90B327/cancel",
-                     *         "meshes": "/v1/batches/01M8HT1R56C1SC78236M90B327/meshes",
-                     *         "self": "/v1/batches/01M8HT1R56C1SC78236M90B327"
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4806,18 +4806,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.516Z",
+                     *       "created_at": "2026-11-28T19:39:09.601Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.539Z",
-                     *       "finished_at": "2026-11-28T19:27:55.539Z",
-                     *       "id": "01M8HT1R3RP18EYGM8D3Q7RZEX",
+                     *       "expires_at": "2026-12-05T19:39:09.609Z",
+                     *       "finished_at": "2026-11-28T19:39:09.609Z",
+                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX"
+                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -4827,7 +4827,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.051711199014824e-16
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.529Z",
+                     *       "started_at": "2026-11-28T19:39:09.605Z",
                      *       "statistics": {
                      *         "balance": {
                      *           "imbalance": 8.322848724585886e-17,
@@ -4954,18 +4954,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.516Z",
+                     *       "created_at": "2026-11-28T19:39:09.601Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HT1R3RP18EYGM8D3Q7RZEX",
+                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX"
+                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5072,6 +5072,16 @@ export interface operations {
                      *               1,
                      *               0,
                      *               1
+                     *             ],
+                     *             [
+                     *               1,
+                     *               1,
+                     *               0
+                     *             ],
+                     *             [
+                     *               0,
+                     *               1,
+                     *               1
                      *             ]
                      *           ]
                      *         ],
@@ -5126,18 +5136,18 @@ export interface operations {
                      * @example {
                      *       "jobs": [
                      *         {
-                     *           "created_at": "2026-11-28T19:27:55.516Z",
+                     *           "created_at": "2026-11-28T19:39:09.601Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T19:27:55.539Z",
-                     *           "finished_at": "2026-11-28T19:27:55.539Z",
-                     *           "id": "01M8HT1R3RP18EYGM8D3Q7RZEX",
+                     *           "expires_at": "2026-12-05T19:39:09.609Z",
+                     *           "finished_at": "2026-11-28T19:39:09.609Z",
+                     *           "id": "01M8HTPAD1NQX70NAJ2994JGWB",
                      *           "kind": "cable_net",
                      *           "label": "an example",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R3RP18EYGM8D3Q7RZEX"
+                     *             "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *             "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *             "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *             "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5147,23 +5157,23 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.051711199014824e-16
                      *           },
-                     *           "started_at": "2026-11-28T19:27:55.529Z",
+                     *           "started_at": "2026-11-28T19:39:09.605Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         },
                      *         {
-                     *           "created_at": "2026-11-28T19:27:55.464Z",
+                     *           "created_at": "2026-11-28T19:39:09.579Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T19:27:55.497Z",
-                     *           "finished_at": "2026-11-28T19:27:55.497Z",
-                     *           "id": "01M8HT1R24GATBES9SFK25KFYN",
+                     *           "expires_at": "2026-12-05T19:39:09.594Z",
+                     *           "finished_at": "2026-11-28T19:39:09.594Z",
+                     *           "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
                      *           "kind": "tensile_structure",
                      *           "label": "an example",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/cancel",
-                     *             "events": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/events",
-                     *             "mesh": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/mesh",
-                     *             "self": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN"
+                     *             "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *             "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *             "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *             "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5173,12 +5183,12 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.3106481918620263e-12
                      *           },
-                     *           "started_at": "2026-11-28T19:27:55.476Z",
+                     *           "started_at": "2026-11-28T19:39:09.582Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         }
                      *       ],
-                     *       "next_cursor": "01M8HT1R24GATBES9SFK25KFYN"
+                     *       "next_cursor": "01M8HTPACBX4ESZZHXPWRVPHPM"
                      *     }
                      */
                     "application/json": components["schemas"]["JobList"];
@@ -5218,18 +5228,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.361Z",
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.389Z",
-                     *       "finished_at": "2026-11-28T19:27:55.389Z",
-                     *       "id": "01M8HT1QZ0P2EDW2ZSB4YBS4DV",
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/mesh",
-                     *         "self": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV"
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5239,7 +5249,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.370Z",
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -5464,18 +5474,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.361Z",
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.389Z",
-                     *       "finished_at": "2026-11-28T19:27:55.389Z",
-                     *       "id": "01M8HT1QZ0P2EDW2ZSB4YBS4DV",
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/mesh",
-                     *         "self": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV"
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5485,7 +5495,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.370Z",
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -5939,18 +5949,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.361Z",
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.389Z",
-                     *       "finished_at": "2026-11-28T19:27:55.389Z",
-                     *       "id": "01M8HT1QZ0P2EDW2ZSB4YBS4DV",
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/mesh",
-                     *         "self": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV"
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5960,7 +5970,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.370Z",
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -6059,18 +6069,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.361Z",
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HT1QZ0P2EDW2ZSB4YBS4DV",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV/mesh",
-                     *         "self": "/v1/jobs/01M8HT1QZ0P2EDW2ZSB4YBS4DV"
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6200,19 +6210,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.300Z",
+                     *       "created_at": "2026-11-28T19:39:09.529Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.344Z",
-                     *       "finished_at": "2026-11-28T19:27:55.344Z",
-                     *       "id": "01M8HT1QX0F3VPCHXFXH4MG53N",
+                     *       "expires_at": "2026-12-05T19:39:09.538Z",
+                     *       "finished_at": "2026-11-28T19:39:09.538Z",
+                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/mesh",
-                     *         "pattern": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/pattern",
-                     *         "self": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N"
+                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
+                     *         "pattern": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/pattern",
+                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6222,7 +6232,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.320Z",
+                     *       "started_at": "2026-11-28T19:39:09.534Z",
                      *       "statistics": {
                      *         "area": 2.109781157966821,
                      *         "bending_energy": 0.10213068530252087,
@@ -6309,18 +6319,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.300Z",
+                     *       "created_at": "2026-11-28T19:39:09.529Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HT1QX0F3VPCHXFXH4MG53N",
+                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/cancel",
-                     *         "events": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/events",
-                     *         "mesh": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N/mesh",
-                     *         "self": "/v1/jobs/01M8HT1QX0F3VPCHXFXH4MG53N"
+                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6386,18 +6396,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.464Z",
+                     *       "created_at": "2026-11-28T19:39:09.579Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.497Z",
-                     *       "finished_at": "2026-11-28T19:27:55.497Z",
-                     *       "id": "01M8HT1R24GATBES9SFK25KFYN",
+                     *       "expires_at": "2026-12-05T19:39:09.594Z",
+                     *       "finished_at": "2026-11-28T19:39:09.594Z",
+                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN"
+                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6407,7 +6417,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.3106481918620263e-12
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.476Z",
+                     *       "started_at": "2026-11-28T19:39:09.582Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 108.74950315516689,
@@ -6538,18 +6548,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.464Z",
+                     *       "created_at": "2026-11-28T19:39:09.579Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HT1R24GATBES9SFK25KFYN",
+                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R24GATBES9SFK25KFYN"
+                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6615,18 +6625,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.415Z",
+                     *       "created_at": "2026-11-28T19:39:09.567Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:27:55.448Z",
-                     *       "finished_at": "2026-11-28T19:27:55.448Z",
-                     *       "id": "01M8HT1R0QC0H6865Z19JG5MXK",
+                     *       "expires_at": "2026-12-05T19:39:09.575Z",
+                     *       "finished_at": "2026-11-28T19:39:09.575Z",
+                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK"
+                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
+                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
+                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
+                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6636,7 +6646,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T19:27:55.428Z",
+                     *       "started_at": "2026-11-28T19:39:09.569Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 110.43137694084453,
@@ -6741,18 +6751,18 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:27:55.415Z",
+                     *       "created_at": "2026-11-28T19:39:09.567Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HT1R0QC0H6865Z19JG5MXK",
+                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/cancel",
-                     *         "events": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/events",
-                     *         "mesh": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK/mesh",
-                     *         "self": "/v1/jobs/01M8HT1R0QC0H6865Z19JG5MXK"
+                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
+                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
+                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
+                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
