@@ -60,13 +60,13 @@ fn document() -> Value {
         // The empty alternative stands for a server without keys.
         "security": [{ "key": [] }, {}],
         "paths": paths(),
-        "webhooks": webhooks(),
         "components": {
             "securitySchemes": {
                 "key": { "type": "http", "scheme": "bearer",
                     "description": "API key of this server, created with `plateau key new`." },
             },
             "schemas": components(),
+            "callbacks": { "ended": ended() },
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.",
@@ -90,6 +90,9 @@ fn paths() -> Value {
     for (path, mut item) in router::resources(true).into_iter().filter_map(Resource::documented) {
         for (method, operation) in item.as_object_mut().into_iter().flatten() {
             words::complete(operation);
+            if operation["requestBody"].is_object() {
+                operation["callbacks"] = json!({ "ended": { "$ref": "#/components/callbacks/ended" } });
+            }
             let responses = &mut operation["responses"];
             responses["421"] = response("Misdirected");
             if method != "get" {
@@ -109,27 +112,19 @@ fn paths() -> Value {
     Value::Object(paths)
 }
 
-/// Returns the message that the server sends to the callback URL of a job or a batch.
-fn webhooks() -> Value {
+/// Returns the message that the server sends to the callback URL of a job or a batch. It is a callback of the operations
+/// and no webhook of the document, because openapi-generator writes invalid Python for a webhook.
+fn ended() -> Value {
     let example = json!({ "type": "job.succeeded", "timestamp": "2026-11-28T12:00:00.000Z", "data": {
         "id": "01KB5Y3F7Q8M2ZC4V9XJ6T1RDA", "kind": "minimal_surface", "status": "succeeded",
         "links": { "self": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA",
             "mesh": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA/mesh" } } });
-    let header = |name: &str, description: &str| {
-        json!({ "name": name, "in": "header", "required": true, "description": description,
-            "schema": { "type": "string" } })
-    };
-    json!({ "ended": { "post": {
+    json!({ "{$request.body#/callback_url}": { "post": {
         "operationId": "receiveCallback",
-        "tags": ["jobs"],
         "summary": "A job or a batch has ended",
-        "description": "Sent to the `callback_url` of a request or a batch, signed as Standard Webhooks says. A message \
-         may arrive twice, with one `webhook-id`. Answer 2xx to receive it once, or 410 to receive none again.",
-        "parameters": [
-            header("webhook-id", "Identifier of the message."),
-            header("webhook-timestamp", "Time of the attempt in seconds since 1970."),
-            header("webhook-signature", "Signature of identifier, timestamp and body."),
-        ],
+        "description": "Sent to the `callback_url` of a request or a batch, signed as Standard Webhooks says, with the \
+         headers `webhook-id`, `webhook-timestamp` and `webhook-signature`. A message may arrive twice, with one \
+         `webhook-id`. Answer 2xx to receive it once, or 410 to receive none again.",
         "requestBody": { "required": true,
             "content": { "application/json": { "schema": reference(MESSAGE), "example": example } } },
         "responses": { "2XX": { "description": "The message was received." },

@@ -538,28 +538,7 @@ export interface paths {
         trace?: never;
     };
 }
-export interface webhooks {
-    ended: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * A job or a batch has ended
-         * @description Sent to the `callback_url` of a request or a batch, signed as Standard Webhooks says. A message may arrive twice, with one `webhook-id`. Answer 2xx to receive it once, or 410 to receive none again.
-         */
-        post: operations["receiveCallback"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-}
+export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
         /** @description A part of a boundary, in the boundary's direction. Points are counted from 0. */
@@ -6793,57 +6772,6 @@ export interface operations {
             429: components["responses"]["QueueFull"];
             500: components["responses"]["Failed"];
             503: components["responses"]["Unavailable"];
-        };
-    };
-    receiveCallback: {
-        parameters: {
-            query?: never;
-            header: {
-                /** @description Identifier of the message. */
-                "webhook-id": string;
-                /** @description Time of the attempt in seconds since 1970. */
-                "webhook-timestamp": string;
-                /** @description Signature of identifier, timestamp and body. */
-                "webhook-signature": string;
-            };
-            path?: never;
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                /**
-                 * @example {
-                 *       "data": {
-                 *         "id": "01KB5Y3F7Q8M2ZC4V9XJ6T1RDA",
-                 *         "kind": "minimal_surface",
-                 *         "links": {
-                 *           "mesh": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA/mesh",
-                 *           "self": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA"
-                 *         },
-                 *         "status": "succeeded"
-                 *       },
-                 *       "timestamp": "2026-11-28T12:00:00.000Z",
-                 *       "type": "job.succeeded"
-                 *     }
-                 */
-                "application/json": components["schemas"]["CallbackMessage"];
-            };
-        };
-        responses: {
-            /** @description No message is wanted at this address. */
-            410: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content?: never;
-            };
-            /** @description The message was received. */
-            "2XX": {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content?: never;
-            };
         };
     };
 }
