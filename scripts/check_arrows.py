@@ -33,8 +33,8 @@ LAYERS = {
     "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
     "engine": """
-        rejection limits json bounds strict common resolution explain report join mesh audit solved source checked blocks
-        kind kinds components schema request lib""",
+        rejection limits json bounds strict common resolution explain options report join mesh audit solved source checked
+        blocks kind kinds components schema request lib""",
     "plateau": """
         status threads test_hooks store config telemetry auth webhook wire hops jobs http app cli lib main""",
 }

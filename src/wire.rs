@@ -5,9 +5,11 @@ pub mod batch;
 pub mod callback;
 pub mod components;
 pub mod envelope;
+mod glossary;
 pub mod incoming;
 pub mod job;
 pub mod objectives;
+pub mod problems;
 
 #[cfg(test)]
 mod wrong_values;

@@ -50,8 +50,8 @@ def ccz(found):
 
 
 RELAXATION = {"solver": "vertex_relaxation", "initial_mesh": "rings"}
-FAIRING = ["laplacian_fairing", "edge_swapping"]
-MINIMISING = ["area_minimising", "edge_swapping"]
+FAIRING = {"together": ["laplacian_fairing", "edge_swapping"]}
+MINIMISING = {"together": ["area_minimising", "edge_swapping"]}
 
 
 def chen_cai_zheng():
@@ -119,7 +119,7 @@ def chen_cai_zheng():
         for name, stages in [
             ("theirs", None), ("area + swapping", [MINIMISING]), ("fairing + swapping", [FAIRING]),
             ("area + swapping, then fairing + swapping", [MINIMISING, FAIRING]),
-            ("fairing, area, swapping in one stage", [["laplacian_fairing", "area_minimising", "edge_swapping"]]),
+            ("fairing, area, swapping in one stage", [{"together": ["laplacian_fairing", "area_minimising", "edge_swapping"]}]),
         ]:
             statistics, found = film({**scherk, **RELAXATION, "processes": stages})
             yield [name, str(statistics["iterations"]), *ccz(found)[:3]]
@@ -163,7 +163,7 @@ def liu_wang():
 
     def row(name, boundary, interior, surface, printed):
         least = {"objective": "minimal_mean_curvature"}
-        area = {"solver": "vertex_relaxation", "processes": [["area_minimising"]]}
+        area = {"solver": "vertex_relaxation", "processes": ["area_minimising"]}
         own = errors(boundary, interior, surface, **least, least_squares_tolerance=1e-15)
         loose, tight = (errors(boundary, interior, surface, **area, area_tolerance=e) for e in (1e-4, 1e-9))
         rest = [errors(boundary, interior, surface, **least, boundary_curvature=True),

@@ -471,7 +471,7 @@ def fault_unstable_catenoid_descends(random):
             triangles += [[a, b, b + count], [a, b + count, a + count]]
     loops = [vertices[:count], vertices[-count:]]
     # The initial mesh has the boundaries' points exactly.
-    request = {**film(loops, len(triangles)), "initial_mesh": {"vertices": vertices, "triangles": triangles}, "on_unstable": "descend"}
+    request = {"kind": "minimal_surface", "boundaries": loops, "initial_mesh": {"vertices": vertices, "triangles": triangles}, "on_unstable": "descend"}
     return Case(request, (), [succeeds])
 
 

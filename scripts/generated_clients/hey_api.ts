@@ -24,7 +24,8 @@ function post(request: RequestWithKind) {
 }
 
 async function solve(request: RequestWithKind) {
-  let job: Job = (await post(request)).data;
+  // The answer is a mesh only if the request accepts one.
+  let job = (await post(request)).data as Job;
   while (job.status === 'queued' || job.status === 'running') {
     job = (await getJob({ path: { id: job.id }, ...options })).data;
   }

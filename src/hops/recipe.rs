@@ -104,8 +104,15 @@ impl Maker<'_> {
             recipe(self);
         }
         for input in block.inputs {
-            if let Some(pointer) = input.field {
-                self.set_at(pointer, input.name, self.values.value(input.name));
+            let value = self.values.value(input.name);
+            // The preset of such an input is the field's default. It is left out, because a field that has no effect
+            // with the other values is refused, whatever its value.
+            let is_preset = input.default.is_some_and(|preset| Value::from(preset) == value);
+            match input.field {
+                Some(pointer) if !is_preset || pointer.matches('/').count() > 1 => {
+                    self.set_at(pointer, input.name, value);
+                }
+                _ => {}
             }
         }
     }

@@ -63,7 +63,8 @@ impl<'de> Deserialize<'de> for Items {
             fn visit_map<A: MapAccess<'de>>(self, mut branches: A) -> Result<Items, A::Error> {
                 let mut items = Vec::new();
                 while branches.next_key::<IgnoredAny>()?.is_some() {
-                    items.extend(branches.next_value::<Vec<Item>>()?);
+                    let branch = branches.next_value::<Vec<Option<Item>>>()?;
+                    items.extend(branch.into_iter().map(|item| item.unwrap_or(Item { data: None })));
                 }
                 Ok(Items(items))
             }
@@ -177,7 +178,8 @@ impl Given {
             };
         }
         let data = match (items, &input.default) {
-            ([item], _) => item.data.clone().unwrap_or_default(),
+            ([Item { data: Some(data) }], _) if data.trim() != NULL => data.clone(),
+            ([_], _) => return Err(error("is null, so something upstream gave no value")),
             ([], Some(default)) => Value::from(*default).to_string(),
             ([], None) => return Err(error("has no value")),
             _ => return Err(error(&format!("takes one value, and has {}", items.len()))),
@@ -193,11 +195,21 @@ impl Given {
     }
 }
 
+/// JSON text of an item without a value.
+const NULL: &str = "null";
+
 fn all<T>(input: &Input, items: &[Item], read: impl Fn(&str) -> Result<T, String>) -> Result<Vec<T>, Vec<String>> {
     let mut values = Vec::with_capacity(items.len());
     let mut errors = Vec::new();
     for (index, item) in items.iter().enumerate() {
-        match read(item.data.as_deref().unwrap_or_default()) {
+        let data = item.data.as_deref().unwrap_or(NULL);
+        let read = if data.trim() == NULL {
+            Err("is null, so something upstream gave no value; remove nulls, for example with the component Clean Tree"
+                .into())
+        } else {
+            read(data)
+        };
+        match read {
             Ok(value) => values.push(value),
             Err(text) => errors.push(format!("{}: {text}", nth(input.name, index))),
         }

@@ -4,11 +4,13 @@
 //!
 //! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 
+mod words;
+
 use crate::http::access::is_public;
-use crate::http::entry::problem;
+use crate::http::entry::{problem, reference};
 use crate::http::resource::Resource;
 use crate::http::router;
-use crate::wire::components::components;
+use crate::wire::components::{MESSAGE, components};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
@@ -42,8 +44,9 @@ fn document() -> Value {
             "summary": "Form finding: minimal surfaces, optimal ruled strips, uniform meshes, tensile structures and \
              cable nets, as glTF meshes with statistics.",
             "description": "Post curves, a film with its cables, or a net to create a job. Follow the job, then fetch \
-             its mesh. Lengths are in the request's unit, and angles are in degrees. Every error is a problem document \
-             (RFC 9457). Results are deterministic.",
+             its mesh. Lengths are in the request's unit, and angles are in degrees. A member of a request that is null \
+             or an empty list counts as left out, and a member that has no effect with the others is refused. Every \
+             error is a problem document (RFC 9457). Results are deterministic.",
             "license": { "name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0" },
         },
         "servers": [{ "url": "/" }],
@@ -63,6 +66,7 @@ fn document() -> Value {
                     "description": "API key of this server, created with `plateau key new`." },
             },
             "schemas": components(),
+            "callbacks": { "ended": ended() },
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.",
@@ -85,6 +89,10 @@ fn paths() -> Value {
     let mut paths = Map::new();
     for (path, mut item) in router::resources(true).into_iter().filter_map(Resource::documented) {
         for (method, operation) in item.as_object_mut().into_iter().flatten() {
+            words::complete(operation);
+            if operation["requestBody"].is_object() {
+                operation["callbacks"] = json!({ "ended": { "$ref": "#/components/callbacks/ended" } });
+            }
             let responses = &mut operation["responses"];
             responses["421"] = response("Misdirected");
             if method != "get" {
@@ -102,6 +110,26 @@ fn paths() -> Value {
         paths.insert(path.into(), item);
     }
     Value::Object(paths)
+}
+
+/// Returns the message that the server sends to the callback URL of a job or a batch. It is a callback of the operations
+/// and no webhook of the document, because openapi-generator writes invalid Python for a webhook.
+fn ended() -> Value {
+    let example = json!({ "type": "job.succeeded", "timestamp": "2026-11-28T12:00:00.000Z", "data": {
+        "id": "01KB5Y3F7Q8M2ZC4V9XJ6T1RDA", "kind": "minimal_surface", "status": "succeeded",
+        "links": { "self": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA",
+            "mesh": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA/mesh" } } });
+    json!({ "{$request.body#/callback_url}": { "post": {
+        "operationId": "receiveCallback",
+        "summary": "A job or a batch has ended",
+        "description": "Sent to the `callback_url` of a request or a batch, signed as Standard Webhooks says, with the \
+         headers `webhook-id`, `webhook-timestamp` and `webhook-signature`. A message may arrive twice, with one \
+         `webhook-id`. Answer 2xx to receive it once, or 410 to receive none again.",
+        "requestBody": { "required": true,
+            "content": { "application/json": { "schema": reference(MESSAGE), "example": example } } },
+        "responses": { "2XX": { "description": "The message was received." },
+            "410": { "description": "No message is wanted at this address." } },
+    } } })
 }
 
 /// Returns the problem documents that are documented once for all paths.

@@ -19,8 +19,9 @@ use axum::middleware;
 use axum::response::Redirect;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
+use plateau_engine::explain::edit_distance;
 use plateau_engine::kind::Kind;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
@@ -57,6 +58,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/health/live").get(health::live, health::live_entry()),
         Resource::at("/health/ready").get(health::ready, health::ready_entry()),
         Resource::at("/openapi.json").get_beside_api(catalogue::openapi),
+        Resource::at("/problems").get(catalogue::problems, catalogue::problems_entry()),
         Resource::at("/problems/{name}").get_beside_api(catalogue::problem_kind),
         Resource::at("/docs").get_beside_api(docs::redirect),
         Resource::at("/docs/").get_beside_api(docs::page),
@@ -90,7 +92,7 @@ pub fn router(app: App) -> Router {
     let routes = resources(!own_metrics)
         .into_iter()
         .fold(Router::new(), |router, resource| resource.route(router))
-        .fallback(async || Failure::not_found("no resource at this path; GET /docs lists those of the API"))
+        .fallback(async |request: Request| nothing_at(request.uri().path()))
         .method_not_allowed_fallback(async || Failure::method_not_allowed("the header Allow lists this path's methods"))
         // The last layer is the outermost. A request is first observed, and then its host is checked. Then CORS answers
         // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
@@ -104,6 +106,26 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
     mount_below(&base, routes)
+}
+
+/// Returns the failure for a path without a resource. It names the path that was probably meant.
+fn nothing_at(path: &str) -> Failure {
+    const LISTED: &str = "GET /docs lists those of the API";
+    /// Length of the longest path that is compared with the known ones, which are shorter than 30 characters.
+    const LONGEST: usize = 60;
+    static KNOWN: LazyLock<Vec<&str>> = LazyLock::new(|| {
+        resources(true).into_iter().map(|resource| resource.path).filter(|path| !path.contains('{')).collect()
+    });
+    let given = path.trim_end_matches('/').to_ascii_lowercase().replace('_', "-");
+    let known = KNOWN.iter().filter(|_| given.len() <= LONGEST);
+    let nearest = known.map(|known| (edit_distance(&given, known), known)).min();
+    Failure::not_found(match nearest {
+        // People leave out the version, or write the kind in the singular.
+        Some((steps, known)) if 4 * steps <= known.len() => {
+            format!("no resource at this path; did you mean {known}? {LISTED}")
+        }
+        _ => format!("no resource at this path; {LISTED}"),
+    })
 }
 
 /// Mounts the routes below the public base path too, for proxies that pass paths on unchanged.
@@ -183,7 +205,8 @@ mod tests {
     fn the_api_document_has_exactly_the_api() {
         for resource in resources(true) {
             let path = resource.path;
-            let of_api = path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics";
+            let of_api =
+                path.starts_with("/v1/") || path.starts_with("/health/") || ["/metrics", "/problems"].contains(&path);
             assert_eq!(resource.documented().is_some(), of_api, "{path}");
         }
     }

@@ -1,7 +1,7 @@
 //! Component schemas of the API document: those of `plateau_engine`, with the fields that concern the job added to each
 //! request, and those of the answers.
 
-use super::{batch, callback, envelope, job, objectives};
+use super::{batch, callback, envelope, glossary, job, objectives, problems};
 use plateau_engine::components::{
     by_kind, only_kind, reference, request_component, rewritten, statistics_component, with_kind_component,
 };
@@ -19,10 +19,44 @@ pub fn components() -> &'static Map<String, Value> {
         // Answers contain a field even if it is null, so the schemas list such fields as required.
         components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), answers));
         components.insert(batch::BATCH.into(), batch::request_schema());
+        components.insert(MESSAGE.into(), message_schema());
         jobs_of_each_kind(&mut components);
+        glossary::describe(&mut components);
         components
     });
     &COMPONENTS
+}
+
+/// Component name of the message to a callback URL.
+pub const MESSAGE: &str = "CallbackMessage";
+
+/// Returns the schema of the message to the callback URL of a job or a batch.
+fn message_schema() -> Value {
+    json!({
+        "type": "object",
+        "description": "Message to a callback URL, with the fields of Standard Webhooks.",
+        "required": ["type", "timestamp", "data"],
+        "properties": {
+            "type": { "type": "string", "description": "`job.` or `batch.` with the final status, such as \
+             `job.succeeded`." },
+            "timestamp": { "type": ["string", "null"], "description": "Time of the end (RFC 3339, UTC)." },
+            "data": {
+                "type": "object",
+                "description": "The job or the batch, without its statistics.",
+                "required": ["id", "status", "links"],
+                "properties": {
+                    "id": { "type": "string", "description": "Identifier of the job or the batch." },
+                    "kind": { "type": "string", "enum": Kind::ALL.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
+                        "description": "Kind of the job's request. Absent for a batch." },
+                    "status": { "$ref": "#/components/schemas/Status", "description": "Final status." },
+                    "counts": { "$ref": "#/components/schemas/BatchCounts",
+                        "description": "Number of the batch's jobs in each state. Absent for a job." },
+                    "links": { "type": "object", "additionalProperties": { "type": "string" },
+                        "description": "Addresses of the job or the batch, as `GET` of it has them." },
+                },
+            },
+        },
+    })
 }
 
 /// Adds the types of the answers to a generator.
@@ -33,6 +67,7 @@ fn answers(generator: &mut SchemaGenerator) {
     generator.subschema_for::<callback::Callbacks>();
     generator.subschema_for::<job::Problem>();
     generator.subschema_for::<plateau_engine::mesh::Mesh>();
+    generator.subschema_for::<problems::ProblemList>();
     generator.subschema_for::<objectives::ObjectiveList>();
     generator.subschema_for::<objectives::Limits>();
     generator.subschema_for::<objectives::ExampleList>();
@@ -68,7 +103,7 @@ fn jobs_of_each_kind(components: &mut Map<String, Value>) {
         job["properties"]["kind"] = only_kind(kind);
         job["properties"]["statistics"] = json!({
             "description": "Null until the job has succeeded.",
-            "anyOf": [reference(&statistics_component(kind)), { "type": "null" }],
+            "oneOf": [reference(&statistics_component(kind)), { "type": "null" }],
         });
         components.insert(job_component(kind), job);
     }

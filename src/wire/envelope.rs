@@ -2,7 +2,7 @@
 //! `plateau_engine` the rest.
 
 use plateau_engine::bounds::Text;
-use plateau_engine::components::rewritten;
+use plateau_engine::components::{allow_null, rewritten};
 use plateau_engine::explain::Schemas;
 use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::strict;
@@ -60,9 +60,11 @@ pub const MEMBERS: [&str; 6] = ["cache", "callback_url", "label", "metadata", "s
 
 /// Returns, by name, the schema of [`JobFields`] and the schemas to which it refers.
 pub fn schemas() -> Map<String, Value> {
-    rewritten(SchemaSettings::draft2020_12(), |generator| {
+    let mut schemas = rewritten(SchemaSettings::draft2020_12(), |generator| {
         generator.subschema_for::<JobFields>();
-    })
+    });
+    allow_null(&mut schemas);
+    schemas
 }
 
 /// Members of a request that concern its job.
@@ -104,7 +106,12 @@ impl Envelope {
         if members.is_empty() {
             return Ok(Self::default());
         }
-        let value = Value::Object(members.clone());
+        // A member that is null counts as left out.
+        let value: Value = members
+            .iter()
+            .filter(|(_, member)| !member.is_null())
+            .map(|(name, member)| (name.clone(), member.clone()))
+            .collect();
         let fields: JobFields = strict::deserialize(&value).map_err(|rejection| {
             let errors = SCHEMAS.errors(COMPONENT, &value);
             if errors.is_empty() { rejection } else { Rejection::Invalid(errors) }

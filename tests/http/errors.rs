@@ -94,8 +94,8 @@ async fn an_error_says_what_was_expected() {
             "must be a point or vector [x, y, z]",
         ),
         (
-            json!({ "boundaries": [square], "processes": [[7]] }),
-            "/processes/0/0",
+            json!({ "boundaries": [square], "processes": [{ "together": [7] }] }),
+            "/processes/0/together/0",
             "must be one of laplacian_fairing, area_minimising, edge_swapping",
         ),
         (
@@ -121,7 +121,12 @@ async fn an_error_says_what_was_expected() {
     assert_eq!(allowed, ["DELETE", "GET", "HEAD"]);
     assert_eq!(problem(put, 405).await["detail"], "the header Allow lists this path's methods");
     let missing = problem(app.get("/v1/minimal-surface").await, 404).await;
-    assert_eq!(missing["detail"], "no resource at this path; GET /docs lists those of the API");
+    assert_eq!(
+        missing["detail"],
+        "no resource at this path; did you mean /v1/minimal-surfaces? GET /docs lists those of the API"
+    );
+    let far = problem(app.get("/v2/nothing/of/the/kind").await, 404).await;
+    assert_eq!(far["detail"], "no resource at this path; GET /docs lists those of the API");
 }
 
 #[tokio::test]

@@ -424,6 +424,17 @@ async fn errors_name_the_input_and_every_output_is_there() {
             "Boundaries[0]: is a mesh, and must be a curve",
         ),
         (vec![input("Boundaries", &[("", "1".into())])], 422, "Boundaries[0]: is not an openNURBS object"),
+        (vec![input("Boundaries", &[("", "null".into())])], 422, "Boundaries[0]: is null, so something upstream"),
+        (
+            vec![json!({ "ParamName": "Boundaries", "InnerTree": { "{0}": [null, { "data": null }] } })],
+            422,
+            "Boundaries[1]: is null, so something upstream",
+        ),
+        (
+            vec![good.clone(), text("Options", r#"{"seed": 1}"#)],
+            422,
+            "Options /seed: has no effect in this request: it ",
+        ),
         (vec![input("Boundaries", &[])], 422, "Boundaries: needs at least 1 values, and has 0"),
         (vec![good.clone(), number("Triangles", -5)], 422, "Triangles: "),
         (vec![good.clone(), number("Triangles", 1_000_000_000)], 413, "Triangles: is more than is allowed"),
@@ -441,6 +452,8 @@ async fn errors_name_the_input_and_every_output_is_there() {
         let errors = app.refused("minimal-surface", response, status).await;
         assert!(errors.iter().any(|error| error.starts_with(said)), "{said}\n{errors:?}");
     }
+    // The default of Topology would be refused with this objective, so that it is left out.
+    app.run("minimal-surface", &[good.clone(), text("Objective", "minimal_dirichlet_energy")]).await;
     // The second curve is a hole of the first. It crosses itself like a bow tie.
     let outline = vec![[0.0; 3], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0], [0.0, 9.0, 0.0], [0.0; 3]];
     let bow = vec![[2.0, 2.0, 0.0], [4.0, 4.0, 0.0], [4.0, 2.0, 0.0], [2.0, 4.5, 0.0], [2.0, 2.0, 0.0]];

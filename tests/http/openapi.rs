@@ -1,8 +1,8 @@
 //! The API document: the committed, the printed and the served one are equal.
 
-use crate::app::{TestApp, binary, is_built, root};
+use crate::app::{TestApp, binary, example, is_built, root};
 use reqwest::Method;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 #[tokio::test]
 async fn the_committed_document_equals_the_served_and_the_printed_one() {
@@ -128,7 +128,8 @@ async fn the_document_describes_the_api_alone() {
     let app = TestApp::start().await;
     let document = app.get_json("/openapi.json").await;
     for path in document["paths"].as_object().unwrap().keys() {
-        let of_api = path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics";
+        let of_api =
+            path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics" || path == "/problems";
         assert!(of_api, "{path} is no part of the API");
     }
     for path in ["/v1/jobs/{id}/mesh", "/health/live", "/health/ready", "/metrics"] {
@@ -187,9 +188,14 @@ async fn the_schemas_have_only_forms_that_generators_take() {
         assert!(!schema.contains_key("default"), "{path}: openapi-typescript makes a field with a default required");
         assert!(schema.get("items").is_none_or(Value::is_object), "{path}: openapi-python-client takes no true");
         assert!(!schema.contains_key("const"), "{path}: a list with one value is clearer to openapi-generator");
+        assert!(!schema.contains_key("anyOf"), "{path}: clients of typescript-fetch lose the parts of an anyOf");
         if let Some(parts) = schema.get("oneOf").and_then(Value::as_array) {
-            assert!(parts.iter().all(|part| part["$ref"].is_string()), "{path}: a union without names");
-            assert_eq!(schema["discriminator"]["propertyName"], "kind", "{path}: a union without a discriminator");
+            let objects = parts.iter().filter(|part| {
+                let name = part["$ref"].as_str().and_then(|reference| reference.rsplit('/').next());
+                name.is_some_and(|name| schemas[name]["type"] == "object")
+            });
+            let is_tagged = schema.get("discriminator").is_some_and(|tag| tag["propertyName"] == "kind");
+            assert!(objects.count() < 2 || is_tagged, "{path}: a union without a discriminator");
         }
     });
     for name in
@@ -201,7 +207,7 @@ async fn the_schemas_have_only_forms_that_generators_take() {
     assert_eq!(boundaries["items"]["$ref"], "#/components/schemas/Polygon");
     let units = &schemas["MinimalSurfaceRequest"]["properties"]["units"];
     assert_eq!((&units["x-default"], &schemas["Units"]["enum"][0]), (&"m".into(), &"mm".into()));
-    let statistics = &schemas["UniformMeshJob"]["properties"]["statistics"]["anyOf"];
+    let statistics = &schemas["UniformMeshJob"]["properties"]["statistics"]["oneOf"];
     assert_eq!(statistics[0]["$ref"], "#/components/schemas/UniformStatistics");
     let answer = &document["paths"]["/v1/uniform-meshes"]["post"]["responses"]["200"]["content"]["application/json"];
     assert_eq!(answer["schema"]["$ref"], "#/components/schemas/UniformMeshJob");
@@ -216,4 +222,122 @@ async fn null_is_accepted_where_the_document_says_so() {
         "boundaries": [[[0, 0, 0], [1, 0, 0], [0, 1, 1]]],
     });
     assert_eq!(app.post("/v1/minimal-surfaces", &body).await.status(), 202);
+}
+
+/// Returns an answer with at most two items in each list of objects or lists, and three in each other list.
+fn shortened(answer: &Value) -> Value {
+    match answer {
+        Value::Array(items) => {
+            let nested = items.first().is_some_and(|item| item.is_object() || item.is_array());
+            items.iter().take(if nested { 2 } else { 3 }).map(shortened).collect()
+        }
+        Value::Object(members) => members.iter().map(|(name, member)| (name.clone(), shortened(member))).collect(),
+        other => other.clone(),
+    }
+}
+
+/// Returns an answer of a server to each operation with a JSON answer, by operation and status.
+async fn answers(app: &TestApp) -> Value {
+    let mut found = json!({});
+    let mut note = |operation: &str, status: u16, answer: Value| {
+        // A shortened request would not be valid.
+        let answer = if operation == "getExample" { answer } else { shortened(&answer) };
+        found[operation][status.to_string()] = answer;
+    };
+    for (operation, path) in [
+        ("getLive", "/health/live"),
+        ("getReady", "/health/ready"),
+        ("getLimits", "/v1/limits"),
+        ("listObjectives", "/v1/objectives"),
+        ("listExamples", "/v1/examples"),
+        ("getExample", "/v1/examples/four-corners"),
+        ("listProblems", "/problems"),
+    ] {
+        note(operation, 200, app.get_json(path).await);
+    }
+    for (operation, path, name) in [
+        ("postRuledSurface", "/v1/ruled-surfaces", "two-rails"),
+        ("postMinimalSurface", "/v1/minimal-surfaces", "four-corners"),
+        ("postUniformMesh", "/v1/uniform-meshes", "floor-fewest-nodes"),
+        ("postTensileStructure", "/v1/tensile-structures", "inflated-disc"),
+        ("postCableNet", "/v1/cable-nets", "four-cables"),
+    ] {
+        let mut request = example(name);
+        if request.get("resolution").is_some() {
+            request["resolution"] = json!({ "triangles": 200 });
+        }
+        request["label"] = json!("an example");
+        let accepted = app.post(path, &request).await;
+        let status = accepted.status().as_u16();
+        let job: Value = accepted.json().await.unwrap();
+        if status == 202 {
+            note(operation, 202, job.clone());
+        }
+        let this = job["links"]["self"].as_str().unwrap().to_owned();
+        let ended = app.ended(job).await;
+        if operation == "postMinimalSurface" {
+            note("getJob", 200, app.get_json(&this).await);
+            note("cancelJob", 200, ended.clone());
+            let callbacks = app.get_json(&format!("{this}/callbacks")).await;
+            note("getJobCallbacks", 200, callbacks.clone());
+            note("sendJobCallbackAgain", 202, callbacks);
+        }
+        note(operation, 200, ended);
+    }
+    note("listJobs", 200, app.get_json("/v1/jobs?limit=2").await);
+    let with_kind = |name: &str| -> Value { example(name) };
+    let batch = json!({ "requests": [with_kind("two-rails"), with_kind("four-cables")] });
+    let accepted = app.post("/v1/batches", &batch).await;
+    let batch: Value = accepted.json().await.unwrap();
+    note("postBatch", 202, batch.clone());
+    let this = batch["links"]["self"].as_str().unwrap().to_owned();
+    let waiting = app.request(Method::GET, &this).header("prefer", "wait=60").send().await.unwrap();
+    let ended: Value = waiting.json().await.unwrap();
+    for operation in ["postBatch", "getBatch", "cancelBatch"] {
+        note(operation, 200, ended.clone());
+    }
+    let callbacks = app.get_json(&format!("{this}/callbacks")).await;
+    note("getBatchCallbacks", 200, callbacks.clone());
+    note("sendBatchCallbackAgain", 202, callbacks);
+    found
+}
+
+/// Every operation has a description, and every JSON answer an example that satisfies its schema. The examples are
+/// answers of a server.
+#[tokio::test]
+async fn every_operation_is_described_and_has_examples_of_its_answers() {
+    let app = TestApp::start().await;
+    if std::env::var_os("PLATEAU_WRITE").is_some() {
+        let text = serde_json::to_string_pretty(&answers(&app).await).unwrap() + "\n";
+        std::fs::write(root().join("src/http/openapi/examples.json"), text).unwrap();
+    }
+    let document = app.get_json("/openapi.json").await;
+    let (mut lacking, mut checked) = (Vec::new(), 0);
+    for (path, item) in document["paths"].as_object().unwrap() {
+        for (method, operation) in item.as_object().unwrap() {
+            if operation["description"].as_str().is_none_or(str::is_empty) {
+                lacking.push(format!("{method} {path} has no description"));
+            }
+            for (status, response) in operation["responses"].as_object().unwrap() {
+                let content = &response["content"]["application/json"];
+                let schema = &content["schema"];
+                if !status.starts_with('2')
+                    || schema.is_null()
+                    || schema["format"] == "binary"
+                    || path.contains("enlargement")
+                {
+                    continue;
+                }
+                let schema = json!({ "allOf": [schema], "components": document["components"] });
+                match jsonschema::validator_for(&schema).unwrap().validate(&content["example"]) {
+                    Ok(()) => checked += 1,
+                    Err(error) => {
+                        lacking.push(format!("{method} {path} {status}: {error} at {}", error.instance_path()))
+                    }
+                }
+            }
+        }
+    }
+    assert!(lacking.is_empty(), "{}\nPLATEAU_WRITE=1 writes the examples again", lacking.join("\n"));
+    assert!(checked > 25, "{checked}");
 }

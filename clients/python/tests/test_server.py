@@ -246,6 +246,8 @@ def test_slips_are_explained_before_they_are_sent() -> None:
             client.minimal_surface(curve)
     with pytest.raises(InvalidRequest, match="/directrices: lacks a level of brackets"):
         client.ruled_surface(TENT)
+    with pytest.raises(InvalidRequest, match="/boundaries/0: has a level of brackets too many: it must be a list"):
+        client.minimal_surface([[TENT]])
     polygon = Polygon(TENT, [[(1, 1), (2, 1), (2, 2)]])
     with pytest.raises(InvalidRequest, match=r"/boundaries: .* pass \[polygon.exterior, \*polygon.interiors\]"):
         client.minimal_surface(polygon)

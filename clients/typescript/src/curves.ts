@@ -12,6 +12,8 @@ export function points(curve: CurveLike): number[][] {
     return Array.from({ length: curve.length / 3 }, (_, i) => Array.from(curve.subarray(3 * i, 3 * i + 3)));
   }
   if (!Array.isArray(curve)) throw invalid('', 'expected points as [[x, y, z], …]');
+  const isCurve = (part: unknown): boolean => Array.isArray(part) && part.length > 0 && part.every(isPoint);
+  if (curve.length > 0 && curve.every(isCurve)) throw invalid('', TOO_MANY);
   if (!curve.every(isPoint)) throw invalid('', 'expected points as [[x, y, z], …]');
   return curve.map((point: PointLike) => ('x' in point ? [point.x, point.y, point.z] : [...point]));
 }
@@ -30,6 +32,9 @@ export function curves(field: string, given: readonly CurveLike[]): number[][][]
 
 const BRACKETS = 'lacks a level of brackets: it must be a list of curves, which are lists of points [x, y, z], '
   + 'such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]';
+
+const TOO_MANY = 'has a level of brackets too many: it must be a list of points [x, y, z], '
+  + 'such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]';
 
 /** Whether a value is x y z, and not a list of points. */
 function isPoint(value: unknown): boolean {

@@ -228,6 +228,7 @@ test('slips are explained before they are sent', async () => {
   for (const curve of [TENT, TENT.map((point) => new Vector3(...point)), new Float64Array(TENT.flat())]) {
     assert.match(await refused(nowhere.minimalSurface(curve)), /^\/boundaries: lacks a level of brackets: it must be a list of curves/);
   }
+  assert.match(await refused(nowhere.minimalSurface([[TENT]])), /^\/boundaries\/0: has a level of brackets too many: it must be a list of points/);
   assert.match(await refused(nowhere.ruledSurface(TENT)), /^\/directrices: lacks a level of brackets/);
   assert.match(await refused(nowhere.minimalSurface([TENT, [TENT]])), /^\/boundaries\/1: expected points/);
   const force = '/units: must be an object with the units of lengths and forces, such as {"length": "mm", "force": "kN"}';

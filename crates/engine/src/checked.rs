@@ -2,10 +2,13 @@
 //! type.
 
 use crate::limits::Limits;
+use crate::options::{Given, Optioned, RequestOption, idle_members};
 use crate::rejection::{FieldError, Rejection};
 use crate::solved::{CoordinateSystem, SolverInput};
 use crate::source::{self, Find, JobSource, Source};
 use crate::strict;
+#[cfg(feature = "stored")]
+use crate::strict::Parted;
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -22,7 +25,7 @@ pub(crate) struct Checked {
 }
 
 /// The request type of a kind, with the fields of the request's JSON.
-pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
+pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema + Optioned {
     type Statistics: JsonSchema;
 
     /// Returns the unit of the coordinates and the axis that points up.
@@ -36,7 +39,7 @@ pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
 }
 
 /// The request type of a kind whose requests begin with the result of a finished job.
-pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema {
+pub(crate) trait SourcedRequest: DeserializeOwned + Serialize + JsonSchema + Optioned {
     type Statistics: JsonSchema;
 
     fn source(&self) -> &JobSource;
@@ -70,11 +73,14 @@ pub(crate) struct Types {
     #[cfg(feature = "explain")]
     pub statistics: TypeSchema,
     pub has_source: bool,
+    pub options: &'static [RequestOption],
+    /// Lists that differ if they are empty from lists that are left out (see [`Optioned::EMPTY_LISTS`]).
+    pub empty_lists: &'static [(&'static str, &'static str)],
     /// Reads a request from its JSON. The members that the list names are returned separately. Returns `None` if the
     /// body is refused.
     #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
-    /// Reads a request from a JSON value. The error is `None` if the type refuses the value.
+    /// Reads a request from a JSON value without the members that count as left out. The error is `None` if the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the first place at which the type refuses a value. It explains values that the type refuses although the
     /// schema accepts them.
@@ -92,6 +98,8 @@ impl Types {
             #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: false,
+            options: R::OPTIONS,
+            empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
@@ -110,6 +118,8 @@ impl Types {
             #[cfg(feature = "explain")]
             statistics: TypeSchema::of::<R::Statistics>(),
             has_source: true,
+            options: R::OPTIONS,
+            empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
             read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
@@ -145,20 +155,27 @@ impl TypeSchema {
 type Checks<'a, R> = &'a dyn Fn(&R) -> Result<Passed, Rejection>;
 
 #[cfg(feature = "stored")]
-fn read<R: DeserializeOwned + Serialize>(
+fn read<R: DeserializeOwned + Serialize + Optioned>(
     body: &[u8],
     aside: &[&str],
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Option<ReadApart> {
-    let (request, aside) = strict::read::<R>(body, aside).ok()?;
-    Some((written(&request, &checks).ok()?, aside))
+    let Parted { read, names, aside } = strict::read::<R>(body, aside).ok()?;
+    // A member that is null or an empty list counts as left out, which only a request that is read from a value can tell.
+    let idle = idle_members(&read, &Given::Names(&names));
+    idle.is_empty().then_some(())?;
+    Some((written(&read, &checks).ok()?, aside))
 }
 
-fn read_value<R: DeserializeOwned + Serialize>(
+fn read_value<R: DeserializeOwned + Serialize + Optioned>(
     value: &Value,
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Result<Read, Option<Rejection>> {
     let request = strict::value::<R>(value).ok_or(None)?;
+    let idle = idle_members(&request, &Given::Body(value));
+    if !idle.is_empty() {
+        return Err(Some(Rejection::Invalid(idle)));
+    }
     written(&request, &checks).map_err(Some)
 }
 
@@ -168,7 +185,7 @@ fn read_stored<R: DeserializeOwned>(
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Result<Passed, Rejection> {
     let read = strict::read::<R>(text, &[]).map_err(|error| Rejection::Malformed(error.to_string()));
-    checks(&read?.0)
+    checks(&read?.read)
 }
 
 fn written<R: Serialize>(request: &R, checks: Checks<'_, R>) -> Result<Read, Rejection> {

@@ -44,6 +44,7 @@ impl AngleRange {
 /// weight of a cable a force per length, and an axial stiffness a force.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(example = Self::default())]
 pub struct LengthAndForce {
     #[serde(default)]
     pub length: Unit,

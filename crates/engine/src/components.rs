@@ -8,6 +8,7 @@
 //! | --- | --- | --- |
 //! | `default` | `x-default`, and a sentence in the description | clients make the field required or always send it |
 //! | `default: null` | nothing | the default of a field without null violates its own type |
+//! | `anyOf` | `oneOf` | clients in TypeScript and Java lose the parts of the union |
 //! | `oneOf` of `const` | `enum`, with `x-enum-descriptions` | openapi-generator cannot parse a value |
 //! | `true` as a schema | `{}` | openapi-python-client writes nothing at all |
 //! | formats of unsigned integers | nothing | tools warn about unknown formats; type and minimum say the same |
@@ -28,6 +29,8 @@ pub fn components() -> &'static Map<String, Value> {
         for shape in &SHAPES {
             components.insert(shape.name.into(), (shape.schema)());
         }
+        describe_options(&mut components);
+        allow_null(&mut components);
         with_kinds(&mut components);
         components
     });
@@ -38,7 +41,7 @@ pub fn components() -> &'static Map<String, Value> {
 pub fn statistics(generator: &mut SchemaGenerator) -> Schema {
     let of_kinds = Kind::ALL.iter().map(|kind| (kind.types().statistics.reference)(generator).to_value());
     let parts: Vec<Value> = of_kinds.chain([json!({ "type": "null" })]).collect();
-    json_schema!({ "anyOf": parts })
+    json_schema!({ "oneOf": parts })
 }
 
 /// Returns the definitions that `add` adds to a generator, rewritten into the forms of the API document.
@@ -65,6 +68,68 @@ pub fn statistics_component(kind: Kind) -> Cow<'static, str> {
 #[must_use]
 pub fn reference(component: &str) -> Value {
     json!({ "$ref": format!("#/components/schemas/{component}") })
+}
+
+/// Adds to the description of each option the choices with which it acts.
+fn describe_options(components: &mut Map<String, Value>) {
+    for &kind in Kind::ALL {
+        let properties = &mut components[&*request_component(kind)]["properties"];
+        for option in kind.types().options {
+            let member = properties.get_mut(option.name).and_then(Value::as_object_mut);
+            if let (Some(keywords), Some(phrase)) = (member, option.phrase(|_| false)) {
+                add_text(keywords, &format!(" Only with {phrase}."));
+            }
+        }
+    }
+}
+
+/// Keyword of the optional members of requests. Null is among their types only because it counts as left out.
+pub const OPTIONAL: &str = "x-optional";
+
+/// Keyword of the optional lists for which the empty list does not count as left out.
+pub const EMPTY_IS_REFUSED: &str = "x-empty-is-refused";
+
+/// Allows null, and the empty list, for each optional member of a request, because both count as left out. An object
+/// that has exactly one member is no exception to this rule, but its schema does not say so, because JSON Schema counts
+/// a null as a member.
+pub fn allow_null(components: &mut Map<String, Value>) {
+    let described: Map<String, Value> = components
+        .iter()
+        .filter_map(|(name, schema)| Some((name.clone(), schema.get("description")?.clone())))
+        .collect();
+    for schema in components.values_mut() {
+        let required: Vec<Value> = schema["required"].as_array().cloned().unwrap_or_default();
+        let has_one = schema.get("maxProperties").is_some_and(|most| *most == 1);
+        let members = schema.get_mut("properties").and_then(Value::as_object_mut);
+        for (name, member) in members.into_iter().flatten() {
+            let optional = !has_one && !required.iter().any(|required| required == name);
+            if let (true, Value::Object(keywords)) = (optional, member) {
+                allow_null_in(keywords, &described);
+            }
+        }
+    }
+}
+
+fn allow_null_in(keywords: &mut Map<String, Value>, described: &Map<String, Value>) {
+    if let Some(reference) = keywords.remove("$ref") {
+        let target = reference.as_str().and_then(|path| path.rsplit('/').next()).unwrap_or_default();
+        if let (None, Some(text)) = (keywords.get("description"), described.get(target).and_then(Value::as_str)) {
+            // The first paragraph says what the target is. The next ones list its values.
+            keywords.insert("description".into(), text.split("\n\n").next().unwrap_or_default().into());
+        }
+        keywords.insert("oneOf".into(), json!([{ "$ref": reference }, { "type": "null" }]));
+    } else if let Some(types) = keywords.get_mut("type") {
+        if types.is_string() {
+            *types = json!([types.take(), "null"]);
+        }
+        // The smallest number of items above 1 is that of a list that is not left out.
+        if keywords.get("minItems").is_some_and(|least| *least == 1) && !keywords.contains_key(EMPTY_IS_REFUSED) {
+            keywords.remove("minItems");
+        }
+    } else {
+        return;
+    }
+    keywords.insert(OPTIONAL.into(), true.into());
 }
 
 fn requests(generator: &mut SchemaGenerator) {
@@ -98,6 +163,9 @@ fn plain(schema: &mut Schema) {
     let Some(keywords) = schema.as_object_mut() else { return };
     if keywords.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
         keywords.remove("format");
+    }
+    if let Some(parts) = keywords.remove("anyOf") {
+        keywords.insert("oneOf".into(), parts);
     }
     describe_default(keywords);
     list_values(keywords);

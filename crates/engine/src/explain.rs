@@ -59,6 +59,8 @@ struct Object {
     /// Schema of the members that are not in `members`. If there is none, these members are not allowed.
     others: Option<Box<Schema>>,
     count: Count,
+    /// A valid object as JSON text, for errors about other values.
+    example: Option<String>,
 }
 
 /// Range of a number of items, characters or members.
@@ -68,9 +70,22 @@ struct Count {
     at_most: usize,
 }
 
+/// The phrase for null.
+const NULL: &str = "null";
+
 /// Keywords without influence on validity.
-const ANNOTATIONS: [&str; 9] =
-    ["$defs", "$schema", "default", "description", "examples", "format", "title", "x-default", "x-enum-descriptions"];
+const ANNOTATIONS: [&str; 10] = [
+    "$defs",
+    "$schema",
+    "default",
+    "description",
+    "format",
+    "title",
+    "x-default",
+    "x-empty-is-refused",
+    "x-enum-descriptions",
+    "x-optional",
+];
 
 impl Schema {
     /// Compiles a JSON Schema.
@@ -83,7 +98,11 @@ impl Schema {
         let Some(keywords) = schema.as_object() else { return Self::Any };
         let mut keywords = keywords.clone();
         keywords.retain(|keyword, _| !ANNOTATIONS.contains(&keyword.as_str()));
-        let compiled = Self::of(&mut keywords);
+        let example = keywords.remove("examples").and_then(|examples| Some(examples.get(0)?.to_string()));
+        let mut compiled = Self::of(&mut keywords);
+        if let Self::Object(object) = &mut compiled {
+            object.example = example;
+        }
         assert!(keywords.is_empty(), "an error cannot explain these keywords: {keywords:?}");
         compiled
     }
@@ -158,6 +177,7 @@ impl Schema {
                         Some(schema) => Some(Box::new(Self::new(&schema))),
                     },
                     count: Count::of("minProperties", "maxProperties", keywords),
+                    example: None,
                 })
             }
             _ => panic!("{name} is not a type of JSON"),
@@ -239,6 +259,45 @@ impl<'s> Schemas<'s> {
         self.check(self.named(name), value, Pointer::Root, &mut errors);
         errors.truncate(MAX_ERRORS + 1);
         errors
+    }
+
+    /// Removes the members that count as left out: those that are null, and empty lists in the place of a list. Only
+    /// members that the named schema knows and does not require are removed. Empty lists in `kept` stay: each has the
+    /// name of the list and the name of the member in which the object with the list lies.
+    ///
+    /// # Panics
+    /// Panics as [`errors`](Self::errors) does.
+    #[must_use]
+    pub fn without_empty(&self, name: &str, value: &Value, kept: &[(&str, &str)]) -> Value {
+        self.pruned(self.named(name), value, "", kept)
+    }
+
+    fn pruned(&self, schema: &Schema, value: &Value, within: &str, kept: &[(&str, &str)]) -> Value {
+        match (self.resolved(schema), value) {
+            (Schema::Object(object), Value::Object(members)) => {
+                let stays = |name: &String, member: &Value| {
+                    let Some(schema) = object.members.get(name) else { return true };
+                    let is_empty = member.is_null()
+                        || (member.as_array().is_some_and(Vec::is_empty)
+                            && self.takes(schema, member)
+                            && !kept.contains(&(name, within)));
+                    !is_empty || object.required.contains(name)
+                };
+                let left = members.iter().filter(|(name, member)| stays(name, member)).map(|(name, member)| {
+                    let schema = object.members.get(name);
+                    (name.clone(), schema.map_or_else(|| member.clone(), |s| self.pruned(s, member, name, kept)))
+                });
+                left.collect::<Map<_, _>>().into()
+            }
+            (Schema::List { items, .. }, Value::Array(values)) => {
+                values.iter().map(|value| self.pruned(items, value, within, kept)).collect()
+            }
+            (Schema::Union(branches), _) => match branches.iter().find(|branch| self.takes(branch, value)) {
+                Some(branch) => self.pruned(branch, value, within, kept),
+                None => value.clone(),
+            },
+            _ => value.clone(),
+        }
     }
 
     fn named(&self, name: &str) -> &Schema {
@@ -326,6 +385,9 @@ impl<'s> Schemas<'s> {
     /// no errors of their own.
     fn violation_of_form(&self, schema: &Schema, values: &[Value]) -> Option<String> {
         if schema.is_point() {
+            if let [Value::Array(_)] = values {
+                return Some(format!("has a level of brackets too many: it must be {}", form_of_list(1)));
+            }
             return (values.len() != 3).then(|| {
                 let flat = if values.len() == 2 { "; in the plane, z is 0" } else { "" };
                 format!("must have three coordinates [x, y, z]{flat}")
@@ -335,7 +397,14 @@ impl<'s> Schemas<'s> {
         // A list with a single element is not judged as a whole, because only that element may be wrong.
         let lacks_level =
             values.len() > 1 && values.iter().all(|value| levels(value).is_some_and(|levels| levels + 1 < wanted));
-        lacks_level.then(|| format!("lacks a level of brackets: it must be {}", form_of_list(wanted)))
+        let exceeds = wanted > 0
+            && !values.is_empty()
+            && values.iter().all(|value| levels(value).is_some_and(|levels| levels + 1 > wanted));
+        match (lacks_level, exceeds) {
+            (true, _) => Some(format!("lacks a level of brackets: it must be {}", form_of_list(wanted))),
+            (_, true) => Some(format!("has a level of brackets too many: it must be {}", form_of_list(wanted))),
+            _ => None,
+        }
     }
 
     /// Returns the noun for an element of a list, such as "point".
@@ -390,7 +459,12 @@ impl<'s> Schemas<'s> {
         }
         // The number of members is not reported beside an unknown name, because that name is usually a misspelt known
         // one.
-        if let Some(detail) = object.violation(members.len()).filter(|_| !unknown) {
+        // A member that is null counts as left out beside others.
+        let given = match members.values().filter(|member| !member.is_null()).count() {
+            0 => members.len(),
+            given => given,
+        };
+        if let Some(detail) = object.violation(given).filter(|_| !unknown) {
             errors.insert(before, FieldError::new(pointer.to_string(), detail));
         }
     }
@@ -399,6 +473,10 @@ impl<'s> Schemas<'s> {
     fn expected(&self, schema: &Schema) -> String {
         let (mut names, mut forms) = (Vec::new(), Vec::new());
         self.alternatives(schema, &mut names, &mut forms);
+        // Null stands for a member that is left out, which needs no mention beside other values.
+        if names.len() + forms.len() > 1 {
+            forms.retain(|form| form != NULL);
+        }
         if let [only] = names[..] {
             names.clear();
             forms.insert(0, only.to_owned());
@@ -416,7 +494,7 @@ impl<'s> Schemas<'s> {
 
     fn alternatives<'a>(&'a self, schema: &'a Schema, names: &mut Vec<&'a str>, forms: &mut Vec<String>) {
         match self.resolved(schema) {
-            Schema::Null => forms.push("null".into()),
+            Schema::Null => forms.push(NULL.into()),
             Schema::Boolean => forms.extend(["true".into(), "false".into()]),
             Schema::Number(Number { integer, .. }) => {
                 forms.push(if *integer { "an integer" } else { "a number" }.into())
@@ -491,6 +569,9 @@ impl Object {
     }
 
     fn form(&self) -> String {
+        if let Some(example) = &self.example {
+            return format!("an object, such as {example}");
+        }
         match self.required.as_slice() {
             [] if self.count.at_least == 1 && !self.members.is_empty() => format!("an object with {}", self.one_of()),
             [] => "an object".into(),
@@ -594,7 +675,7 @@ mod tests {
             [
                 "/a~1b~0 must be an integer",
                 "/edge_length must be more than 0",
-                "/kind must be net or null",
+                "/kind must be net",
                 "/name must have at least 1 character",
                 "/pair must have exactly 2 items",
                 "/units must be one of m, ft",
@@ -621,7 +702,7 @@ mod tests {
                 "/a~1b~0 must be at least -1",
                 "/color is not a member of this object, whose members are a/b~, edge_length, kind, name, pair, units",
                 "/edgeLength is not a member of this object; did you mean edge_length?",
-                "/edge_length must be a number or null",
+                "/edge_length must be a number",
                 " has a member with a very long name that it must not have",
                 "/name is required",
                 "/units is required",

@@ -2,6 +2,7 @@
 
 use crate::blocks::{Block, Output};
 use crate::checked::Types;
+use crate::options::{ObjectiveOption, of_objective};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
@@ -53,8 +54,9 @@ pub struct Objective {
     pub unit: &'static str,
     /// Author, section and equation.
     pub source: &'static str,
-    /// Names of the request's fields that change the solution.
-    pub options: Vec<&'static str>,
+    /// Members of the request that can change the result with this objective, each with the choices that it needs. A
+    /// request with a member that does not act is refused.
+    pub options: Vec<ObjectiveOption>,
 }
 
 impl Kind {
@@ -118,7 +120,11 @@ impl Kind {
 
     #[must_use]
     pub fn objectives(self) -> Vec<Objective> {
-        (self.0.objectives)()
+        let mut objectives = (self.0.objectives)();
+        for objective in &mut objectives {
+            objective.options = of_objective(self.0.types.options, objective.name);
+        }
+        objectives
     }
 
     pub(crate) fn types(self) -> &'static Types {

@@ -41,6 +41,7 @@ pub mod kind;
 pub mod kinds;
 pub mod limits;
 pub mod mesh;
+pub mod options;
 pub mod rejection;
 pub mod report;
 pub mod request;

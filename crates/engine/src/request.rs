@@ -3,6 +3,9 @@
 use crate::checked::{Checked, Passed, Read};
 use crate::kind::Kind;
 use crate::limits::Limits;
+use crate::options::has_empty;
+#[cfg(not(feature = "explain"))]
+use crate::options::pruned;
 use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 #[cfg(feature = "explain")]
@@ -12,6 +15,7 @@ use crate::source::{Find, no_jobs};
 use plateau_archive::Archive;
 use plateau_mesh::{DVec3, Error, Execution};
 use serde_json::Value;
+use std::borrow::Cow;
 
 /// A request that passed every check before solving.
 #[derive(Debug)]
@@ -48,6 +52,18 @@ fn explained(_: Kind, _: &Value) -> Option<Rejection> {
     None
 }
 
+/// Returns a request without the members that count as left out, at every depth: those that are null, and empty lists.
+fn without_empty(kind: Kind, request: &Value) -> Cow<'_, Value> {
+    if !has_empty(request) {
+        return Cow::Borrowed(request);
+    }
+    #[cfg(feature = "explain")]
+    let left = schema::without_empty(kind, request);
+    #[cfg(not(feature = "explain"))]
+    let left = pruned(request, "", kind.types().empty_lists);
+    Cow::Owned(left)
+}
+
 impl Request {
     /// Reads the JSON of a request of a known kind. The members that `aside` names are not part of the request and are
     /// returned unchanged.
@@ -74,10 +90,11 @@ impl Request {
     /// of the first check that fails: limits, combinations of members, or geometry. There are at most
     /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
     pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<CheckedRequest, Rejection> {
-        let read = (kind.types().read_value)(value, find, limits).map_err(|rejection| {
-            explained(kind, value).unwrap_or_else(|| match rejection {
-                Some(rejection) => rejection.placed_in(value),
-                None => (kind.types().refusal)(value),
+        let value = without_empty(kind, value);
+        let read = (kind.types().read_value)(&value, find, limits).map_err(|rejection| {
+            explained(kind, &value).unwrap_or_else(|| match rejection {
+                Some(rejection) => rejection.placed_in(&value),
+                None => (kind.types().refusal)(&value),
             })
         });
         Self::accepted(kind, read?, limits)
@@ -114,7 +131,7 @@ impl Request {
     /// Returns the rejection of the checks, or `None` if the type refuses the value.
     #[doc(hidden)]
     pub fn without_schema(kind: Kind, value: &Value, limits: &Limits) -> Result<(), Option<Rejection>> {
-        (kind.types().read_value)(value, &no_jobs, limits).map(drop)
+        (kind.types().read_value)(&without_empty(kind, value), &no_jobs, limits).map(drop)
     }
 
     fn accepted(kind: Kind, (passed, text): Read, limits: &Limits) -> Result<CheckedRequest, Rejection> {

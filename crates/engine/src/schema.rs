@@ -67,10 +67,16 @@ pub fn read<T: JsonSchema + DeserializeOwned>(value: &Value) -> Result<T, Reject
     strict::deserialize(value)
 }
 
+static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(components()));
+
 /// Validates a value against a schema of the API document.
 fn validate_component(component: &str, value: &Value) -> Result<(), Rejection> {
-    static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(components()));
     refuse(SCHEMAS.errors(component, value))
+}
+
+/// Returns a request without the members that count as left out (see [`Schemas::without_empty`]).
+pub(crate) fn without_empty(kind: Kind, request: &Value) -> Value {
+    SCHEMAS.without_empty(&request_component(kind), request, kind.types().empty_lists)
 }
 
 fn refuse(errors: Vec<FieldError>) -> Result<(), Rejection> {
@@ -96,7 +102,7 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kinds::{minimal_surface, ruled_surface, uniform_mesh};
+    use crate::kinds::{minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
     use crate::rejection::MAX_ERRORS;
     use serde_json::json;
 
@@ -210,6 +216,39 @@ mod tests {
             assert_eq!((found.len(), found[0].0.as_str()), (1, pointer), "{found:?}");
             assert!(found[0].1.starts_with("lacks a level of brackets: it must be a list of "), "{found:?}");
         }
+    }
+
+    #[test]
+    fn a_list_with_a_level_too_many_has_one_error() {
+        let points = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]]);
+        for (kind, body, pointer) in [
+            (minimal_surface::KIND, json!({ "boundaries": [[points]] }), "/boundaries"),
+            (minimal_surface::KIND, json!({ "boundaries": [[points], [points]] }), "/boundaries"),
+            (ruled_surface::KIND, json!({ "directrices": [[points, points]] }), "/directrices"),
+            (uniform_mesh::KIND, json!({ "domain": { "polygon": [points] }, "edge_length": 1 }), "/domain/polygon"),
+            (
+                minimal_surface::KIND,
+                json!({ "boundaries": [points], "constraints": { "points": [[[0, 0, 0]], [0, 0, 1]] } }),
+                "/constraints/points/0",
+            ),
+        ] {
+            let found = errors(kind, &body);
+            assert_eq!((found.len(), found[0].0.as_str()), (1, pointer), "{found:?}");
+            assert!(found[0].1.starts_with("has a level of brackets too many: it must be a "), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_unit_without_its_force_is_told_the_form_of_both() {
+        let points = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]]);
+        let body = json!({ "boundaries": [points], "film": { "tension": 1 }, "units": "m" });
+        let expected = r#"must be an object, such as {"force":"kN","length":"m"}"#;
+        assert_eq!(errors(tensile_structure::KIND, &body), [("/units".into(), expected.into())]);
+        let body = json!({ "boundaries": [points], "units": { "length": "m", "force": "kN" } });
+        assert_eq!(
+            errors(minimal_surface::KIND, &body),
+            [("/units".into(), "must be one of mm, cm, m, in, ft".into())]
+        );
     }
 
     #[test]

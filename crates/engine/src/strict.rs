@@ -16,18 +16,28 @@ use serde_json::{Map, Value};
 use std::fmt;
 use std::marker::PhantomData;
 
+/// A `T` that was read from the JSON of an object.
+#[derive(Debug)]
+pub struct Parted<T> {
+    pub read: T,
+    /// Names of the object's members that are part of the `T`, in the order of the text.
+    pub names: Vec<String>,
+    /// The other members.
+    pub aside: Map<String, Value>,
+}
+
 /// Reads a `T` from the JSON of an object. The members that `aside` names are not part of the `T` and are returned
 /// separately.
 ///
 /// # Errors
 /// Fails if the text is not JSON, if an object repeats a key, or if `T` refuses the other members.
-pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_json::Result<(T, Map<String, Value>)> {
+pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_json::Result<Parted<T>> {
     let mut deserializer = serde_json::Deserializer::from_slice(text);
-    let mut taken = Map::new();
-    let visitor = Parts { aside, taken: &mut taken, rest: PhantomData };
-    let rest = deserializer.deserialize_map(visitor)?;
+    let (mut names, mut taken) = (Vec::new(), Map::new());
+    let visitor = Parts { aside, names: &mut names, taken: &mut taken, rest: PhantomData };
+    let read = deserializer.deserialize_map(visitor)?;
     deserializer.end()?;
-    Ok((rest, taken))
+    Ok(Parted { read, names, aside: taken })
 }
 
 /// Reads a value that [`json::parse`] made.
@@ -56,9 +66,11 @@ pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     FieldError::new(json::pointer(error.path()), "must have the form that the schema requires").into()
 }
 
-/// Visitor of an object that puts the members named in `aside` into `taken`, and makes a `T` from the others.
+/// Visitor of an object that puts the members named in `aside` into `taken`, makes a `T` from the others, and puts their
+/// names into `names`.
 struct Parts<'a, T> {
     aside: &'a [&'a str],
+    names: &'a mut Vec<String>,
     taken: &'a mut Map<String, Value>,
     rest: PhantomData<T>,
 }
@@ -69,7 +81,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<'_, T> {
         f.write_str("a request")
     }
     fn visit_map<A: MapAccess<'de>>(self, entries: A) -> Result<T, A::Error> {
-        let rest = Rest { entries, aside: self.aside, taken: self.taken };
+        let rest = Rest { entries, aside: self.aside, names: self.names, taken: self.taken };
         T::deserialize(Strict(MapAccessDeserializer::new(rest)))
     }
 }
@@ -78,6 +90,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<'_, T> {
 struct Rest<'a, A> {
     entries: A,
     aside: &'a [&'a str],
+    names: &'a mut Vec<String>,
     taken: &'a mut Map<String, Value>,
 }
 
@@ -86,7 +99,9 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Rest<'_, A> {
     fn next_key_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<Option<S::Value>, A::Error> {
         while let Some(name) = self.entries.next_key::<String>()? {
             if !self.aside.contains(&name.as_str()) {
-                return seed.deserialize(name.into_deserializer()).map(Some);
+                let key = seed.deserialize(name.as_str().into_deserializer())?;
+                self.names.push(name);
+                return Ok(Some(key));
             }
             if self.taken.contains_key(&name) {
                 return Err(Error::custom("an object repeats a key"));

@@ -5,6 +5,7 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::wire::job::failures;
 use crate::wire::objectives::{self, Example, ExampleList, Limits, ObjectiveList};
+use crate::wire::problems::{ProblemKind, ProblemList};
 use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::header;
@@ -68,6 +69,29 @@ pub fn example_entry() -> Value {
 
 pub async fn openapi(State(app): State<App>) -> Response {
     ([(header::CONTENT_TYPE, "application/json")], (app.document)(&app.config.http.public_base_path)).into_response()
+}
+
+/// Lists the kinds of problem documents and of failed jobs.
+pub async fn problems() -> Json<ProblemList> {
+    let kind = |name: &str| format!("/problems/{name}");
+    let documents = Failure::KINDS.iter().map(|&(status, name, title)| ProblemKind {
+        kind: kind(name),
+        title: title.into(),
+        status: Some(status),
+    });
+    let jobs = failures();
+    let jobs = jobs.iter().map(|(name, title)| ProblemKind { kind: kind(name), title: (*title).into(), status: None });
+    Json(ProblemList { problems: documents.chain(jobs).collect() })
+}
+
+pub fn problems_entry() -> Value {
+    plain_get(
+        "catalogue",
+        "listProblems",
+        "Kinds of problem documents and of failed jobs",
+        "application/json",
+        &reference("ProblemList"),
+    )
 }
 
 /// Describes the `type` of a problem document or of a failed job's error.

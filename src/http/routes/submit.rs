@@ -3,7 +3,7 @@
 use super::mesh::{bytes_of, describe, mesh_file};
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::entry::{prefer_parameter, reference, with_problems};
+use crate::http::entry::{file_content, prefer_parameter, reference, with_problems};
 use crate::http::negotiate::{accepted, prefer_wait_s};
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
@@ -126,6 +126,11 @@ fn entry(kind: Kind) -> Value {
         `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead \
         to its job. A job without a mesh is then answered with 409."
         .into();
+    // The description of this operation says when the answer is a file. `getMesh` has the file's own media types too.
+    let files = file_content(MeshFormat::ALL.map(MeshFormat::media_type));
+    if let (Some(content), Value::Object(files)) = (post["responses"]["200"]["content"].as_object_mut(), files) {
+        content.extend(files);
+    }
     post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
     if kind.has_source() {
         post["responses"]["404"] = json!({ "$ref": "#/components/responses/NotFound" });

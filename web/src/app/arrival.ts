@@ -3,6 +3,7 @@
 import { ConnectionFailed, type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
 import { hasKey, plateau, published } from '../api';
 import { $, el } from '../dom';
+import { useCatalogue } from '../model/applies';
 import { isWhole, KINDS } from '../model/request';
 import type { OpenApi } from '../panels/form';
 import { useTrees } from '../stage/surface';
@@ -102,6 +103,7 @@ async function learn(begun: Promise<void>): Promise<void> {
     published<OpenApi>('openapi.json'), published<ObjectiveList>('v1/objectives'), published<{ examples: ExampleSummary[] }>('v1/examples'),
   ]);
   Object.assign(server, { openapi, objectives, examples });
+  useCatalogue(objectives);
   later.parts = parts;
   showReport();
   useTrees(parts.trees);

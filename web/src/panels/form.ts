@@ -6,7 +6,7 @@ import type { Request } from '../model/request';
 import { humanise } from '../text';
 
 export interface Schema {
-  $ref?: string; type?: string | string[]; description?: string; 'x-default'?: unknown; enum?: unknown[]; 'x-enum-descriptions'?: string[]; properties?: Record<string, Schema>;
+  $ref?: string; type?: string | string[]; description?: string; 'x-default'?: unknown; 'x-optional'?: boolean; enum?: unknown[]; 'x-enum-descriptions'?: string[]; properties?: Record<string, Schema>;
   allOf?: Schema[]; anyOf?: Schema[]; oneOf?: Schema[]; items?: Schema; minimum?: number; maximum?: number; exclusiveMinimum?: number; maxProperties?: number;
   minItems?: number; maxItems?: number; required?: string[]; nullable?: boolean;
 }
@@ -26,8 +26,10 @@ function resolve(openapi: OpenApi, schema: Schema): Schema {
   for (let depth = 0; depth < 8; depth += 1) {
     if (found.description !== undefined) outer.description ??= found.description;
     if (found['x-default'] !== undefined) outer['x-default'] ??= found['x-default'];
-    const union: Schema[] = found.anyOf ?? found.oneOf ?? [];
-    if (union.some(isNull)) outer.nullable = true;
+    const union: Schema[] = found.oneOf ?? [];
+    // The null of an optional field stands for a field that is left out, and is no choice of its own.
+    if (found['x-optional']) outer['x-optional'] = true;
+    else if (union.some(isNull)) outer.nullable = true;
     const others: Schema[] = union.filter((each) => !isNull(each));
     const only: Schema | undefined = union.some(isNull) && others.length === 1 ? others[0] : undefined;
     const next: Schema | undefined = found.$ref ? { $ref: found.$ref } : found.allOf?.[0] ?? only;

@@ -15,6 +15,10 @@ CurveLike = Any
 
 Points = List[List[float]]
 
+TOO_MANY = (
+    "has a level of brackets too many: it must be a list of points [x, y, z], such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]"
+)
+
 SAMPLES = 64
 """Number of points on a smooth curve of compas or rhino3dm unless `points` is told another."""
 
@@ -43,6 +47,8 @@ def _of_array(values: Any) -> Points:
         ) from error
     if array.ndim == 1 and array.shape[0] in (2, 3):
         array = array[np.newaxis]
+    if array.ndim == 3 and array.shape[2] in (2, 3):
+        raise InvalidRequest("Not a curve", TOO_MANY)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
         raise InvalidRequest("Not a curve", f"expected points as [[x, y, z], …], got an array of shape {array.shape}")
     if array.shape[1] == 2:

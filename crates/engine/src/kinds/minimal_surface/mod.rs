@@ -21,6 +21,7 @@ use crate::common::{self, Point};
 use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
+use crate::options::{Choice, Given, Optioned, RequestOption, when};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use crate::strict::union;
@@ -126,14 +127,17 @@ pub struct MinimalSurfaceRequest {
     pub topology: Topology,
     /// Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
     /// `minimal_area` film with a larger residual has the warning `not_minimal`.
-    #[serde(default = "default_tolerance")]
+    #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
+    #[schemars(extend("default" = 1e-6))]
     pub tolerance: Fraction,
     /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged.
-    #[serde(default = "default_tolerance")]
+    #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
+    #[schemars(extend("default" = 1e-6))]
     pub area_tolerance: Fraction,
     /// Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
     /// objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε.
-    #[serde(default = "default_tolerance")]
+    #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
+    #[schemars(extend("default" = 1e-6))]
     pub least_squares_tolerance: Fraction,
     /// Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     /// `area_tolerance`.
@@ -153,15 +157,18 @@ pub struct MinimalSurfaceRequest {
     pub linear_solver: LinearSolver,
     /// Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
     /// angle. 0 removes none.
-    #[serde(default = "default_degenerate_angle_deg")]
+    #[serde(default = "default_degenerate_angle_deg", skip_serializing_if = "is_default_angle")]
+    #[schemars(extend("default" = 1.0))]
     pub degenerate_angle_deg: UpTo20,
     /// Seed of the choice among the candidate points of `initial_mesh: barycentres`.
-    #[serde(default = "default_seed")]
+    #[serde(default = "default_seed", skip_serializing_if = "is_default_seed")]
+    #[schemars(extend("default" = 1))]
     #[schemars(range(min = 0, max = 4_294_967_295u32))]
     pub seed: u32,
     /// Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
     /// does. The film then leaves the minimal surface beside the boundary.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
+    #[schemars(extend("default" = false))]
     pub boundary_curvature: bool,
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     /// bound is to be and how long the search may take. Only for `minimal_area`.
@@ -179,6 +186,18 @@ fn default_seed() -> u32 {
 
 fn default_tolerance() -> Fraction {
     Fraction::new(1e-6)
+}
+
+fn is_default_angle(angle: &UpTo20) -> bool {
+    *angle == default_degenerate_angle_deg()
+}
+
+fn is_default_seed(seed: &u32) -> bool {
+    *seed == default_seed()
+}
+
+fn is_default_tolerance(tolerance: &Fraction) -> bool {
+    *tolerance == default_tolerance()
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -212,6 +231,27 @@ pub enum Solver {
     Newton,
 }
 
+impl From<Objective> for geometry::Objective {
+    fn from(objective: Objective) -> Self {
+        match objective {
+            Objective::MinimalArea => Self::MinimalArea,
+            Objective::MinimalDirichletEnergy => Self::MinimalDirichletEnergy,
+            Objective::MinimalMeanCurvature => Self::MinimalMeanCurvature,
+        }
+    }
+}
+
+impl Solver {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::VertexRelaxation => "vertex_relaxation",
+            Self::PinkallPolthier => "pinkall_polthier",
+            Self::Newton => "newton",
+        }
+    }
+}
+
 /// Mesh that the solver starts from: built by the service, or supplied by the client.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
@@ -225,6 +265,20 @@ union!(InitialMesh { name: Made, object: Given });
 impl Default for InitialMesh {
     fn default() -> Self {
         Self::Made(MadeMesh::Auto)
+    }
+}
+
+impl InitialMesh {
+    /// Returns the name of the construction, or `given` for the client's own mesh.
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Made(MadeMesh::Auto) => "auto",
+            Self::Made(MadeMesh::Planar) => "planar",
+            Self::Made(MadeMesh::Disk) => "disk",
+            Self::Made(MadeMesh::Rings) => "rings",
+            Self::Made(MadeMesh::Barycentres) => "barycentres",
+            Self::Given(_) => "given",
+        }
     }
 }
 
@@ -318,25 +372,125 @@ pub enum Topology {
     Best,
 }
 
+impl Topology {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Fixed => "fixed",
+            Self::Free => "free",
+            Self::Best => "best",
+        }
+    }
+}
+
 /// One process, or several that take turns.
-// The union also has a practical use: openapi-generator's Python cannot read a list of lists of names.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum ProcessStage {
     One(Process),
-    Several(List<Process, 1, 16>),
+    Several(Processes),
 }
 
-union!(ProcessStage { name: One, list: Several });
+union!(ProcessStage { name: One, object: Several });
+
+/// Processes that take turns in one stage.
+// An object instead of a bare list, because the generated clients of Java and Python cannot read a list of lists.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Processes {
+    /// The processes in the order of each turn.
+    pub together: List<Process, 1, 16>,
+}
 
 impl ProcessStage {
     fn processes(&self) -> &[Process] {
         match self {
             Self::One(process) => std::slice::from_ref(process),
-            Self::Several(processes) => processes,
+            Self::Several(processes) => &processes.together,
         }
     }
 }
+
+impl Optioned for MinimalSurfaceRequest {
+    const OPTIONS: &'static [RequestOption] = &[
+        RequestOption::with("solver", &[&[when("objective", AREA)]]),
+        RequestOption::with("resolution", &[&[when("initial_mesh", MADE)]]),
+        RequestOption::with("boundary_sampling", &[&[when("initial_mesh", MADE)]]),
+        RequestOption::always("initial_mesh"),
+        RequestOption::always("constraints"),
+        RequestOption::always("join_tolerance"),
+        RequestOption::with(
+            "topology",
+            &[&[when("objective", AREA), when("solver", &["auto", "pinkall_polthier", "newton"])]],
+        ),
+        RequestOption::with("tolerance", &[&[when("objective", AREA)]]),
+        RequestOption::with(
+            "area_tolerance",
+            &[&[when("objective", AREA), when("solver", &["vertex_relaxation", "pinkall_polthier"])]],
+        ),
+        RequestOption::with("least_squares_tolerance", &[&[when("objective", &["minimal_mean_curvature"])]]),
+        RequestOption::with("fairing_tolerance", &[&[when("objective", AREA), when("solver", &["vertex_relaxation"])]]),
+        RequestOption::with("processes", &[&[when("objective", AREA), when("solver", &["vertex_relaxation"])]]),
+        RequestOption::with("max_iterations", &[&[when("objective", &["minimal_area", "minimal_mean_curvature"])]]),
+        RequestOption::with(
+            "on_unstable",
+            &[&[when("objective", AREA), when("solver", &["auto", "newton"]), when("topology", &["fixed"])]],
+        ),
+        RequestOption::with("linear_solver", REMOVES_TRIANGLES),
+        RequestOption::with("degenerate_angle_deg", REMOVES_TRIANGLES),
+        RequestOption::with(
+            "seed",
+            &[
+                &[when("initial_mesh", &["barycentres"])],
+                &[when("objective", &["minimal_mean_curvature"]), when("initial_mesh", &["auto"])],
+            ],
+        ),
+        RequestOption::with("boundary_curvature", &[&[when("objective", &["minimal_mean_curvature"])]]),
+        RequestOption::with("certify", &[&[when("objective", AREA)]]),
+    ];
+
+    fn choice(&self, member: &str) -> &'static str {
+        match member {
+            "objective" => geometry::Objective::from(self.objective).name(),
+            "solver" => self.solver.name(),
+            "topology" => self.topology.name(),
+            _ => self.initial_mesh.name(),
+        }
+    }
+
+    fn idle(&self, given: &Given<'_>) -> Vec<FieldError> {
+        let mut errors = Vec::new();
+        let mut refuse = |is_idle: bool, member: &str, detail: &str| {
+            let pointer = format!("/{member}");
+            if is_idle && given.has(&pointer) {
+                errors.push(FieldError::new(pointer, detail));
+            }
+        };
+        let is_made = matches!(self.initial_mesh, InitialMesh::Made(MadeMesh::Auto));
+        let takes_points = self.boundaries.len() == 1 && self.constraints == Constraints::default();
+        refuse(
+            is_made && matches!(self.objective, Objective::MinimalMeanCurvature) && !takes_points,
+            "seed",
+            "has no effect in this request: it needs one boundary and no constraints, or `initial_mesh: barycentres`",
+        );
+        let fairs = |stage: &ProcessStage| !stage.processes().contains(&Process::AreaMinimising);
+        refuse(
+            self.processes.as_ref().is_some_and(|stages| !stages.iter().any(fairs)),
+            "fairing_tolerance",
+            "has no effect in this request: it needs a stage of `processes` without area_minimising",
+        );
+        errors
+    }
+}
+
+/// The objectives with which the methods for the area act.
+const AREA: &[&str] = &["minimal_area"];
+/// The initial meshes that the service makes.
+const MADE: &[&str] = &["auto", "planar", "disk", "rings", "barycentres"];
+/// The choices with which triangles with small angles are removed while the film shrinks.
+const REMOVES_TRIANGLES: &[&[Choice]] = &[
+    &[when("objective", AREA), when("solver", &["pinkall_polthier"])],
+    &[when("objective", AREA), when("topology", &["free"])],
+];
 
 impl KindRequest for MinimalSurfaceRequest {
     type Statistics = MinimalStatistics;
@@ -359,9 +513,9 @@ impl KindRequest for MinimalSurfaceRequest {
         limits::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
         let initial_mesh = self.initial_mesh(limits)?;
         limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
-        let errors = self.combinations();
-        if !errors.is_empty() {
-            return Err(Rejection::Invalid(errors));
+        if matches!((self.solver, self.topology), (Solver::PinkallPolthier, Topology::Best)) {
+            let detail = "`best` needs the solver auto or newton; pinkall_polthier takes `fixed` and `free`";
+            return Err(FieldError::new("/topology", detail).into());
         }
         let certify = self.certify_options()?;
         let (boundaries, mut options) = self.to_geometry(initial_mesh);
@@ -393,19 +547,16 @@ impl MinimalSurfaceRequest {
     /// Returns the options of the search for a lower bound of the area, if the request asks for one.
     ///
     /// # Errors
-    /// Fails at `/certify` for other objectives, and in a build without the feature `certificates`.
+    /// Fails at `/certify` in a build without the feature `certificates`.
     fn certify_options(&self) -> Result<Option<CertifyOptions>, Rejection> {
         let options = match self.certify {
             Certify::Default(false) => return Ok(None),
             Certify::Default(true) => CertifyOptions::default(),
             Certify::Options(options) => options,
         };
-        let refused = |detail: &str| Err(FieldError::new("/certify", detail).into());
-        if !matches!(self.objective, Objective::MinimalArea) {
-            return refused("is only allowed with the objective minimal_area, because the bound is one of the area");
-        }
         if cfg!(not(feature = "certificates")) {
-            return refused("must be false, because lower bounds were left out of this build");
+            let detail = "must be false, because lower bounds were left out of this build";
+            return Err(FieldError::new("/certify", detail).into());
         }
         Ok(Some(options))
     }
@@ -477,7 +628,7 @@ impl MinimalSurfaceRequest {
         Ok(joined.notes)
     }
 
-    /// Returns the method for the objective and the solver, which [`combinations`](Self::combinations) has checked.
+    /// Returns the method for the objective and the solver.
     fn method(&self) -> geometry::Method {
         let linear_solver = self.linear_solver;
         let degenerate_angle = self.degenerate_angle_deg.get();
@@ -520,31 +671,6 @@ impl MinimalSurfaceRequest {
             }),
         }
     }
-
-    /// Returns errors for fields whose values cannot be combined.
-    fn combinations(&self) -> Vec<FieldError> {
-        let mut errors = Vec::new();
-        let solves = match self.objective {
-            Objective::MinimalArea => true,
-            Objective::MinimalDirichletEnergy => matches!(self.solver, Solver::Auto | Solver::PinkallPolthier),
-            Objective::MinimalMeanCurvature => matches!(self.solver, Solver::Auto),
-        };
-        if !solves {
-            errors.push(FieldError::new("/solver", "does not solve this objective; use auto"));
-        }
-        let area = matches!(self.objective, Objective::MinimalArea);
-        let takes_topology = match self.topology {
-            Topology::Fixed => true,
-            Topology::Free => area && !matches!(self.solver, Solver::VertexRelaxation),
-            Topology::Best => area && matches!(self.solver, Solver::Auto | Solver::Newton),
-        };
-        if !takes_topology {
-            let detail =
-                "requires the minimal area with the solver auto or newton, or for `free` also pinkall_polthier";
-            errors.push(FieldError::new("/topology", detail));
-        }
-        errors
-    }
 }
 
 /// Returns the objectives of this kind.
@@ -559,27 +685,7 @@ fn objectives() -> Vec<ObjectiveDoc> {
                 minimises: about.minimises,
                 unit: about.unit,
                 source: about.source,
-                options: vec![
-                    "solver",
-                    "resolution",
-                    "boundary_sampling",
-                    "initial_mesh",
-                    "constraints",
-                    "join_tolerance",
-                    "topology",
-                    "tolerance",
-                    "area_tolerance",
-                    "least_squares_tolerance",
-                    "fairing_tolerance",
-                    "processes",
-                    "max_iterations",
-                    "on_unstable",
-                    "linear_solver",
-                    "degenerate_angle_deg",
-                    "seed",
-                    "boundary_curvature",
-                    "certify",
-                ],
+                options: Vec::new(),
             }
         })
         .collect()

@@ -12,6 +12,7 @@ use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
+use crate::options::{Optioned, RequestOption, when};
 use crate::rejection::{FieldError, Rejection};
 use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
@@ -226,6 +227,28 @@ pub enum Objective {
     MinimalNormalVariation,
 }
 
+impl Optioned for RuledSurfaceRequest {
+    const OPTIONS: &'static [RequestOption] = &[
+        RequestOption::always("closed"),
+        RequestOption::with("secondary_objective", &[&[when("objective", &["maximal_convexity"])]]),
+        RequestOption::always("convexity_tolerance_deg"),
+        RequestOption::always("direction"),
+        RequestOption::with("caps", &[&[when("closed", &["true"])]]),
+        RequestOption::always("normals"),
+        RequestOption::always("tangents"),
+        RequestOption::always("all_objectives"),
+        RequestOption::always("sampling"),
+    ];
+
+    fn choice(&self, member: &str) -> &'static str {
+        match member {
+            "closed" if self.closed => "true",
+            "closed" => "false",
+            _ => geometry::Objective::from(self.objective).name(),
+        }
+    }
+}
+
 impl KindRequest for RuledSurfaceRequest {
     type Statistics = RuledStatistics;
 
@@ -352,17 +375,7 @@ fn objectives() -> Vec<ObjectiveDoc> {
             minimises: objective.minimises(),
             unit: objective.unit(),
             source: objective.source(),
-            options: vec![
-                "closed",
-                "secondary_objective",
-                "convexity_tolerance_deg",
-                "direction",
-                "caps",
-                "normals",
-                "tangents",
-                "all_objectives",
-                "sampling",
-            ],
+            options: Vec::new(),
         })
         .collect()
 }

@@ -24,6 +24,7 @@ use crate::common::{self, LengthAndForce, Point};
 use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
+use crate::options::{Optioned, RequestOption};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
@@ -267,6 +268,30 @@ impl BoundaryPoint {
     }
 }
 
+impl Optioned for TensileStructureRequest {
+    const OPTIONS: &'static [RequestOption] = &[
+        RequestOption::always("film"),
+        RequestOption::always("layers"),
+        RequestOption::always("chambers"),
+        RequestOption::always("cables"),
+        RequestOption::always("free_points"),
+        RequestOption::always("supports"),
+        RequestOption::always("rings"),
+        RequestOption::always("joints"),
+        RequestOption::always("join_tolerance"),
+        RequestOption::always("masts"),
+        RequestOption::always("pressure"),
+        RequestOption::always("volume"),
+        RequestOption::always("resolution"),
+        RequestOption::always("tolerance"),
+        RequestOption::always("max_iterations"),
+    ];
+
+    fn choice(&self, _member: &str) -> &'static str {
+        "equilibrium"
+    }
+}
+
 impl KindRequest for TensileStructureRequest {
     type Statistics = TensileStatistics;
 
@@ -499,22 +524,6 @@ fn objectives() -> Vec<ObjectiveDoc> {
                     beside an edge of given contact angle θ",
         unit: "force u",
         source: "Schek 1974; Bletzinger, Ramm 1999, section 3",
-        options: vec![
-            "film",
-            "layers",
-            "chambers",
-            "cables",
-            "free_points",
-            "supports",
-            "rings",
-            "joints",
-            "join_tolerance",
-            "masts",
-            "pressure",
-            "volume",
-            "resolution",
-            "tolerance",
-            "max_iterations",
-        ],
+        options: Vec::new(),
     }]
 }

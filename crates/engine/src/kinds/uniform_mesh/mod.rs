@@ -12,6 +12,7 @@ use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point, count};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
+use crate::options::{Optioned, RequestOption, when};
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_uniform_mesh as geometry;
@@ -91,7 +92,8 @@ pub struct UniformMeshRequest {
     #[serde(default, skip_serializing_if = "is_default")]
     pub objective: geometry::Objective,
     /// Whether the inner nodes of a curved domain move on the surface after meshing.
-    #[serde(default = "yes")]
+    #[serde(default = "yes", skip_serializing_if = "Clone::clone")]
+    #[schemars(extend("default" = true))]
     pub optimise_nodes: bool,
     /// Aim of moving the nodes.
     #[serde(default, skip_serializing_if = "is_default")]
@@ -107,7 +109,8 @@ pub struct UniformMeshRequest {
     #[serde(default, skip_serializing_if = "is_default")]
     pub rim: geometry::Transition,
     /// Number of rectangles along u and v in the auxiliary triangulation of a patch.
-    #[serde(default = "default_auxiliary_grid")]
+    #[serde(default = "default_auxiliary_grid", skip_serializing_if = "is_default_auxiliary_grid")]
+    #[schemars(extend("default" = [15, 15]))]
     pub auxiliary_grid: [Whole<2, 400>; 2],
 }
 
@@ -117,6 +120,10 @@ fn yes() -> bool {
 
 fn default_auxiliary_grid() -> [Whole<2, 400>; 2] {
     [Whole::new(15); 2]
+}
+
+fn is_default_auxiliary_grid(grid: &[Whole<2, 400>; 2]) -> bool {
+    *grid == default_auxiliary_grid()
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -188,6 +195,17 @@ pub enum Optimise {
 }
 
 impl Domain {
+    /// Returns the name of the member that gives the domain, or an empty text if there is not exactly one.
+    fn name(&self) -> &'static str {
+        match (&self.polygon, &self.bezier, &self.nurbs, &self.boundaries) {
+            (Some(_), None, None, None) => "polygon",
+            (None, Some(_), None, None) => "bezier",
+            (None, None, Some(_), None) => "nurbs",
+            (None, None, None, Some(_)) => "boundaries",
+            _ => "",
+        }
+    }
+
     /// Returns the number of points, and the JSON Pointer for an error about too many points.
     fn point_count(&self) -> (usize, &'static str) {
         match self {
@@ -239,6 +257,33 @@ impl Domain {
     }
 }
 
+impl Optioned for UniformMeshRequest {
+    const OPTIONS: &'static [RequestOption] = &[
+        RequestOption::always("edge_length"),
+        RequestOption::with("optimise_nodes", &[&[when("domain", CURVED)]]),
+        RequestOption::with("optimise", &[&[when("optimise_nodes", &["true"])]]),
+        RequestOption::with("max_distinct_lengths", &[&[when("optimise", &["lengths"])]]),
+        RequestOption::always("length_tolerance"),
+        RequestOption::with("rim", &[&[when("domain", CURVED), when("optimise_nodes", &["true"])]]),
+        RequestOption::with("auxiliary_grid", &[&[when("domain", &["bezier", "nurbs"])]]),
+    ];
+
+    fn choice(&self, member: &str) -> &'static str {
+        match member {
+            "optimise_nodes" if self.optimise_nodes => "true",
+            "optimise_nodes" => "false",
+            "optimise" => match self.optimise {
+                Optimise::Nodes => "nodes",
+                Optimise::Lengths => "lengths",
+            },
+            _ => self.domain.name(),
+        }
+    }
+}
+
+/// The domains whose nodes can move on a surface.
+const CURVED: &[&str] = &["bezier", "nurbs", "boundaries"];
+
 impl KindRequest for UniformMeshRequest {
     type Statistics = UniformStatistics;
 
@@ -257,14 +302,8 @@ impl KindRequest for UniformMeshRequest {
                 "must be true with `optimise: lengths`, because lengths are optimised by moving nodes",
             );
         }
-        match (self.optimise, self.max_distinct_lengths) {
-            (Optimise::Lengths, None) => {
-                return invalid("/max_distinct_lengths", "is required with `optimise: lengths`");
-            }
-            (Optimise::Nodes, Some(_)) => {
-                return invalid("/max_distinct_lengths", "is only allowed with `optimise: lengths`");
-            }
-            _ => {}
+        if self.optimise == Optimise::Lengths && self.max_distinct_lengths.is_none() {
+            return invalid("/max_distinct_lengths", "is required with `optimise: lengths`");
         }
         let (domain, options) = self.to_geometry();
         let estimate = geometry::estimate(&domain, &options)?;
@@ -314,15 +353,7 @@ fn objectives() -> Vec<ObjectiveDoc> {
             minimises: objective.description(),
             unit: objective.unit(),
             source: objective.source(),
-            options: vec![
-                "edge_length",
-                "optimise_nodes",
-                "optimise",
-                "max_distinct_lengths",
-                "length_tolerance",
-                "rim",
-                "auxiliary_grid",
-            ],
+            options: Vec::new(),
         })
         .collect()
 }
