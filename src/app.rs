@@ -1,15 +1,16 @@
 //! Wires configuration, keys, store, jobs and HTTP together, starts them and shuts them down.
 
 use crate::auth::Keys;
-use crate::config::Config;
+use crate::config::{Config, HttpConfig};
 use crate::http::budget::Budget;
 use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
 use crate::http::{mcp, openapi, router, serve};
-use crate::jobs::{self, Jobs, callbacks};
+use crate::jobs::{self, Jobs, callbacks, shares};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
+use rustix::process::{Resource, Rlimit};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
@@ -51,8 +52,14 @@ const BALLAST_BYTES: u64 = 32 << 20;
 /// Fails if a setting is invalid, if the store cannot be opened or an address cannot be bound, or if the process ended
 /// because too many solvers did not answer.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
-    let config = Arc::new(config);
     let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
+    let config = Arc::new(Config { http: with_descriptors(config.http, role), ..config });
+    if keys.file_is_empty() {
+        tracing::warn!(
+            file = %config.auth.keys_file.display(),
+            "auth.keys_file has no keys: every client may do everything until a key is added"
+        );
+    }
     let (keys, address) = (Arc::new(keys), config.http.listen);
     // Jobs and results belong to their clients, so no other user of this machine may read the files of this process.
     rustix::process::umask(rustix::fs::Mode::RWXG | rustix::fs::Mode::RWXO);
@@ -79,6 +86,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let count = jobs.solvers();
     jobs.spawn_workers();
     let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
+    let upkeep = tokio::spawn(telemetry::keep_up(metrics.clone()));
+    let shares = tokio::spawn(shares::run(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
     let reloader = tokio::spawn({
         let keys = keys.clone();
@@ -119,6 +128,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let too_many = jobs.has_too_many_unresponsive();
     // If shutdown interrupts a webhook attempt, another process repeats it.
     callbacks.abort();
+    upkeep.abort();
+    shares.abort();
     sweeper.abort();
     reloader.abort();
     store.close().await;
@@ -127,6 +138,37 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         return Err(StartError::Failed(detail));
     }
     Ok(())
+}
+
+/// File descriptors of a process besides those of its connections: the store's, the cached files', the logs', and those
+/// of messages to callback URLs.
+const OTHER_DESCRIPTORS: u64 = 200;
+
+/// Raises the limit of file descriptors as far as the connections need and the system allows. If that is not enough,
+/// returns settings with fewer connections.
+fn with_descriptors(http: HttpConfig, role: Role) -> HttpConfig {
+    if role == Role::Worker {
+        return http;
+    }
+    let needed = (http.connections as u64).saturating_add(OTHER_DESCRIPTORS);
+    let limit = rustix::process::getrlimit(Resource::Nofile);
+    // The absence of a limit is `None`.
+    let Some(soft) = limit.current.filter(|soft| *soft < needed) else { return http };
+    let raised = limit.maximum.map_or(needed, |hard| hard.min(needed)).max(soft);
+    let set = rustix::process::setrlimit(Resource::Nofile, Rlimit { current: Some(raised), ..limit });
+    let available = if set.is_ok() { raised } else { soft };
+    if available >= needed {
+        return http;
+    }
+    // At least half of the descriptors stay for connections, however few there are.
+    let connections = available.saturating_sub(OTHER_DESCRIPTORS).max(available / 2).max(1) as usize;
+    tracing::warn!(
+        descriptors = available,
+        needed,
+        connections,
+        "the limit of file descriptors (ulimit -n) is too low for http.connections; fewer connections are taken"
+    );
+    HttpConfig { connections: connections.min(http.connections), ..http }
 }
 
 /// Checks all settings on which a start depends, without changing anything and without reaching the database. Returns
@@ -177,6 +219,7 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
         queue_limit: config.jobs.queue_length as u64,
         owner_queue_limit: config.owner_queue_length() as u64,
         max_attempts: config.jobs.attempts_max,
+        unread_patience: Duration::from_secs(config.jobs.unread_s),
         lease: Duration::from_millis(config.jobs.lease_ms),
         retention: Duration::from_secs(retention_s),
         max_jobs: config.store.max_jobs,

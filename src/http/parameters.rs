@@ -16,7 +16,7 @@ pub fn parameters<const N: usize>(query: Option<&str>, names: [&str; N]) -> Resu
         let index = names
             .iter()
             .position(|known| *known == name)
-            .ok_or_else(|| Failure::bad_query(format!("known parameters are: {}", names.join(", "))))?;
+            .ok_or_else(|| Failure::unknown_parameter(&names))?;
         if values[index].is_some() {
             return Err(Failure::bad_query(format!("{} is given twice", names[index])));
         }

@@ -82,5 +82,5 @@ async fn claim(
     if uncertain && let Some(claimed) = jobs.store().claimed_by(name, lease).await? {
         return Ok(Some(claimed));
     }
-    jobs.store().claim_within(name, lease, room).await
+    jobs.store().claim_within(name, lease, room, jobs.preference()).await
 }

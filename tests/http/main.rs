@@ -30,6 +30,8 @@ mod idempotency;
 mod initial_meshes;
 mod jobs;
 mod limits;
+#[cfg(feature = "test-hooks")]
+mod limits_of_the_system;
 mod load;
 mod mcp;
 mod memory;
@@ -40,6 +42,7 @@ mod pairs;
 #[path = "../postgres/mod.rs"]
 mod postgres;
 mod prefer;
+mod requests;
 mod restart;
 mod ruled_surfaces;
 mod series;

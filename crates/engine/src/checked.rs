@@ -74,6 +74,9 @@ pub(crate) struct Types {
     /// body is refused.
     #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
+    /// Same as `read`, but returns the first reason for which a body is refused. It takes longer.
+    #[cfg(feature = "stored")]
+    pub read_tracked: fn(&[u8], &[&str], Find<'_>, &Limits) -> Result<ReadApart, Rejection>,
     /// Reads a request from a JSON value. The error is `None` if the type refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the first place at which the type refuses a value. It explains values that the type refuses although the
@@ -94,6 +97,10 @@ impl Types {
             has_source: false,
             #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
+            #[cfg(feature = "stored")]
+            read_tracked: |body, aside, _, limits| {
+                read_tracked::<R>(body, aside, |request| checked(request, limits))
+            },
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
             refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
@@ -112,6 +119,10 @@ impl Types {
             has_source: true,
             #[cfg(feature = "stored")]
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
+            #[cfg(feature = "stored")]
+            read_tracked: |body, aside, find, limits| {
+                read_tracked::<R>(body, aside, |request| checked_from(request, find, limits))
+            },
             read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
             refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
@@ -152,6 +163,16 @@ fn read<R: DeserializeOwned + Serialize>(
 ) -> Option<ReadApart> {
     let (request, aside) = strict::read::<R>(body, aside).ok()?;
     Some((written(&request, &checks).ok()?, aside))
+}
+
+#[cfg(feature = "stored")]
+fn read_tracked<R: DeserializeOwned + Serialize>(
+    body: &[u8],
+    aside: &[&str],
+    checks: impl Fn(&R) -> Result<Passed, Rejection>,
+) -> Result<ReadApart, Rejection> {
+    let (request, aside) = strict::read_tracked::<R>(body, aside)?;
+    Ok((written(&request, &checks)?, aside))
 }
 
 fn read_value<R: DeserializeOwned + Serialize>(
