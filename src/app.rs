@@ -9,6 +9,7 @@ use crate::http::{mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks, shares};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
+use crate::threads::STACK_BYTES;
 use crate::webhook::Sender;
 use rustix::process::{Resource, Rlimit};
 use std::sync::Arc;
@@ -138,6 +139,35 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         return Err(StartError::Failed(detail));
     }
     Ok(())
+}
+
+/// Fails if the limit of the address space leaves no room for the threads of this process. A thread that cannot be
+/// started, or a heap that cannot be extended, would end the process later without a word about the cause.
+///
+/// # Errors
+/// Returns a message that names the limit.
+pub fn check_address_space(config: &Config) -> Result<(), String> {
+    /// Address space that the allocator reserves for a thread, in bytes.
+    const HEAP_BYTES: u64 = 64 << 20;
+    /// Threads with small stacks: those of the store, of the clock and of name lookups.
+    const SMALL_THREADS: u64 = 16;
+    /// The program, its libraries and the cache of files.
+    const PROGRAM_BYTES: u64 = 256 << 20;
+    let Some(limit) = rustix::process::getrlimit(Resource::As).current else { return Ok(()) };
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    // Each core has a thread of the runtime, and there is one more converter than cores.
+    let solvers = config.jobs.workers.unwrap_or(cores) + config.small_workers();
+    let threads = (2 * cores.max(2) + 1 + solvers) as u64;
+    let needed = threads * (STACK_BYTES as u64 + HEAP_BYTES) + SMALL_THREADS * HEAP_BYTES / 2 + PROGRAM_BYTES;
+    if limit >= needed {
+        return Ok(());
+    }
+    Err(format!(
+        "the limit of the address space (ulimit -v) is {} MiB, and the threads of this process need {} MiB: raise it, set \
+         jobs.workers, or limit the memory by a control group instead",
+        limit >> 20,
+        needed.div_ceil(1 << 20)
+    ))
 }
 
 /// File descriptors of a process besides those of its connections: the store's, the cached files', the logs', and those

@@ -131,12 +131,12 @@ async fn a_list_selects_by_label_time_and_several_states() {
     let first: Value = app.post(MINIMAL, &labelled).await.json().await.unwrap();
     let second: Value = app.post(MINIMAL, &small_film(0.2)).await.json().await.unwrap();
     app.request(Method::POST, second["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
-    let ids = async |query: &str| -> Vec<Value> {
+    let ids = async |query: &str| -> Vec<String> {
         let list = app.get_json(&format!("/v1/jobs?{query}")).await;
-        list["jobs"].as_array().unwrap().iter().map(|job| job["id"].clone()).collect()
+        list["jobs"].as_array().unwrap().iter().map(|job| job["id"].as_str().unwrap().to_owned()).collect()
     };
-    let (first, second) = (&first["id"], &second["id"]);
-    let none: [&Value; 0] = [];
+    let (first, second) = (first["id"].as_str().unwrap(), second["id"].as_str().unwrap());
+    let none: [&str; 0] = [];
     assert_eq!(ids("label=roof%20%2B%20wall").await, [first]);
     assert_eq!(ids("label=roof").await, none);
     assert_eq!(ids("status=queued,cancelled").await, [second, first]);
