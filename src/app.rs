@@ -6,7 +6,7 @@ use crate::http::budget::Budget;
 use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
 use crate::http::{mcp, openapi, router, serve};
-use crate::jobs::{self, Jobs, callbacks, shares};
+use crate::jobs::{self, Jobs, callbacks, worker};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
 use crate::threads::STACK_BYTES;
@@ -88,7 +88,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     jobs.spawn_workers();
     let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
     let upkeep = tokio::spawn(telemetry::keep_up(metrics.clone()));
-    let shares = tokio::spawn(shares::run(jobs.clone()));
+    let shares = tokio::spawn(worker::make_room(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
     let reloader = tokio::spawn({
         let keys = keys.clone();

@@ -17,7 +17,7 @@ mod memory;
 pub mod progress;
 mod reading;
 pub(crate) mod service;
-pub(crate) mod shares;
+mod shares;
 mod sources;
 pub(crate) mod submission;
 mod view;

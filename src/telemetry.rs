@@ -20,8 +20,7 @@ const TALKATIVE: [&str; 3] = ["rmcp", "tokio_postgres", "postgres"];
 /// Fails if the text is no list of levels.
 pub fn filter(config: &LogConfig) -> Result<Targets, String> {
     let asked: Targets = config.level.parse().map_err(|error| format!("log.level: {error}"))?;
-    let mut kept: Vec<(String, LevelFilter)> =
-        asked.iter().map(|(target, level)| (target.to_owned(), level)).collect();
+    let mut kept: Vec<(String, LevelFilter)> = asked.iter().map(|(target, level)| (target.to_owned(), level)).collect();
     for (target, level) in &mut kept {
         if TALKATIVE.iter().any(|library| is_part(target, library)) {
             *level = (*level).min(LevelFilter::INFO);

@@ -37,6 +37,12 @@ impl Accepts {
     }
 }
 
+/// Returns whether an operation with this entry refuses clients that accept none of its media types.
+#[must_use]
+pub fn negotiates(entry: &Value) -> bool {
+    !Accepts::of(entry).media_types.is_empty()
+}
+
 /// Refuses query parameters that the operation does not have, and clients that accept none of its media types.
 async fn check(State(accepts): State<Arc<Accepts>>, request: Request, next: Next) -> Response {
     let Accepts { parameters, media_types } = &*accepts;

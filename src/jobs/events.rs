@@ -51,7 +51,15 @@ impl Jobs {
         if last.is_some() && nothing_follows {
             return Ok(None);
         }
-        Ok(Some(Events { jobs: self.clone(), watch, last, row: None, pending: VecDeque::new(), begun: false, ended: false }))
+        Ok(Some(Events {
+            jobs: self.clone(),
+            watch,
+            last,
+            row: None,
+            pending: VecDeque::new(),
+            begun: false,
+            ended: false,
+        }))
     }
 }
 

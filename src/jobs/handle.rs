@@ -12,8 +12,8 @@ use crate::webhook::Sender;
 use crate::wire::batch::Batch;
 use crate::wire::job::Job;
 use std::collections::VecDeque;
-use std::sync::{Arc, Mutex, PoisonError};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Upper bound of the workers and attempts of one process. Memory runs out long before this number.

@@ -5,10 +5,9 @@
 //! run the jobs of one owner. If another owner then has to wait, the latest of these jobs is handed back to the queue,
 //! unless that would leave its owner with fewer solvers than the other.
 
-use super::Jobs;
 use super::memory::MemoryBudget;
 use super::progress::SolverLink;
-use crate::store::{Preference, WaitingOwner};
+use crate::store::WaitingOwner;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -17,10 +16,6 @@ use std::time::{Duration, Instant};
 const HALF_LIFE: Duration = Duration::from_secs(600);
 /// Owners whose jobs ran for less are equal.
 const LEAST: Duration = Duration::from_millis(10);
-/// Interval at which waiting owners are looked for.
-const INTERVAL: Duration = Duration::from_millis(250);
-/// Time for which an owner waits before a job of another owner is handed back.
-const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Solvers that run in this process, by job identifier, and the time for which the jobs of each owner ran.
 #[derive(Debug, Default)]
@@ -136,36 +131,15 @@ impl Running {
     }
 
     /// Returns true if an owner runs so many jobs that another owner may take one of their solvers.
-    fn may_hand_back(&self) -> bool {
+    #[must_use]
+    pub fn may_hand_back(&self) -> bool {
         self.state().running().values().any(|count| *count >= 2)
     }
-}
 
-impl Jobs {
-    /// Returns which jobs a worker of this process takes first and which it leaves out.
-    pub(super) fn preference(&self) -> Preference {
-        let later_owners = if self.config().has_owners() { self.running().later_owners() } else { Vec::new() };
-        Preference { later_owners, except: self.unread() }
-    }
-}
-
-/// Hands jobs back whose owner has more than their share of the solvers while others wait. Never returns.
-pub(crate) async fn run(jobs: Jobs) {
-    if !jobs.config().has_owners() {
-        return std::future::pending().await;
-    }
-    loop {
-        tokio::time::sleep(INTERVAL).await;
-        if jobs.slots().available_permits() > 0 || !jobs.running().may_hand_back() {
-            continue;
-        }
-        match jobs.store().waiting_owners(PATIENCE).await {
-            Ok(waiting) => {
-                if let Some(solver) = jobs.running().state().to_hand_back(&waiting, jobs.memory()) {
-                    solver.link.hand_back();
-                }
-            }
-            Err(error) => tracing::warn!(%error, "cannot look for waiting owners"),
+    /// Hands a job back to the queue whose owner has more than their share while one of these owners waits.
+    pub fn make_room(&self, waiting: &[WaitingOwner], memory: &MemoryBudget) {
+        if let Some(solver) = self.state().to_hand_back(waiting, memory) {
+            solver.link.hand_back();
         }
     }
 }

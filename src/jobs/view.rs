@@ -32,12 +32,8 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
             (progress.unwrap_or_else(waiting), ExtraFiles::default())
         }
     };
-    let related = Related {
-        files,
-        request: row.has_request,
-        batch: row.batch.as_deref(),
-        successor: row.successor.as_deref(),
-    };
+    let related =
+        Related { files, request: row.has_request, batch: row.batch.as_deref(), successor: row.successor.as_deref() };
     Ok(Job {
         links: Links::of(base, &row.id, status, related),
         id: row.id.clone(),

@@ -115,13 +115,8 @@ pub(super) fn claim(
              ORDER BY {columns} LIMIT 1 /* skip locked */"
         )
     };
-    let values: [Value<'_>; 5] = [
-        0.into(),
-        0.into(),
-        room.bytes().into(),
-        (&order.later_owners).into(),
-        (&order.except).into(),
-    ];
+    let values: [Value<'_>; 5] =
+        [0.into(), 0.into(), room.bytes().into(), (&order.later_owners).into(), (&order.except).into()];
     let Some(row) = tx.row(&fitting(&format!("id, turn, {rank} AS rank")), &values)? else { return Ok(None) };
     let (id, turn): (String, i64) = (row.get("id")?, row.get("turn")?);
     let ahead = if order.rank.is_empty() {
@@ -351,7 +346,10 @@ pub(super) fn hand_back_unread(tx: &mut Tx<'_>, id: &str, attempt: i64, error: &
 
 /// Fails jobs that no worker could read for too long. Returns their number.
 fn fail_unread(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
-    let text = format!("UPDATE jobs SET {}, error = unread_error WHERE {UNREAD_FOR_TOO_LONG} RETURNING id", ending(Status::Failed));
+    let text = format!(
+        "UPDATE jobs SET {}, error = unread_error WHERE {UNREAD_FOR_TOO_LONG} RETURNING id",
+        ending(Status::Failed)
+    );
     let values = [milliseconds(options.unread_patience).into(), milliseconds(options.retention).into()];
     let failed = tx.rows(&text, &values)?;
     for row in &failed {

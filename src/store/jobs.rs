@@ -403,13 +403,7 @@ fn ended_with(other: JobRow, queued: JobRow, now_ms: i64, expires_at_ms: i64) ->
 }
 
 /// Returns the row of a job that was solved before it was stored.
-fn ended_as(
-    solved: &EarlyEnd,
-    result: Option<&Prepared>,
-    queued: JobRow,
-    now_ms: i64,
-    expires_at_ms: i64,
-) -> JobRow {
+fn ended_as(solved: &EarlyEnd, result: Option<&Prepared>, queued: JobRow, now_ms: i64, expires_at_ms: i64) -> JobRow {
     let (created_at_ms, started_at_ms) = (now_ms - solved.submitted_ms, now_ms - solved.started_ms);
     let row = JobRow {
         attempt: 1,
@@ -544,8 +538,7 @@ pub(super) fn list(
             several => format!("status IN ({})", several.join(", ")),
         });
     }
-    let conditions =
-        if conditions.is_empty() { String::new() } else { format!("WHERE {}", conditions.join(" AND ")) };
+    let conditions = if conditions.is_empty() { String::new() } else { format!("WHERE {}", conditions.join(" AND ")) };
     let columns = if filter.statistics {
         COLUMNS.to_owned()
     } else {
@@ -579,12 +572,8 @@ pub(super) fn cancel(
          RETURNING {COLUMNS}",
         ending(Status::Cancelled)
     );
-    let values = [
-        id.into(),
-        milliseconds(options.retention).into(),
-        owner.unwrap_or_default().into(),
-        because.name().into(),
-    ];
+    let values =
+        [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into(), because.name().into()];
     let Some(row) = tx.row(&text, &values)? else { return get(tx, id, owner) };
     release_source(tx, id)?;
     tx.changed(id);

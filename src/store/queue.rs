@@ -125,10 +125,7 @@ pub(super) fn waiting_owners(tx: &mut Tx<'_>, age: Duration) -> Result<Vec<Waiti
                 WHERE status = 'queued' AND created_at <= now_ms() - $1 GROUP BY owner";
     let rows = tx.rows(text, &[milliseconds(age).into()])?;
     let read = |row: &Row| {
-        Ok(WaitingOwner {
-            owner: row.get("owner")?,
-            memory_bytes: row.get::<i64>("memory_bytes")?.unsigned_abs(),
-        })
+        Ok(WaitingOwner { owner: row.get("owner")?, memory_bytes: row.get::<i64>("memory_bytes")?.unsigned_abs() })
     };
     rows.iter().map(read).collect()
 }

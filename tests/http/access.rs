@@ -365,7 +365,8 @@ async fn a_key_is_replaced_without_a_gap() {
     let file = secrets.path().join("keys");
     let ((old, old_line), (new, new_line)) = (new_key("alice").await, new_key("alice").await);
     std::fs::write(&file, format!("{old_line}\n{new_line}\n")).unwrap();
-    let app = TestApp::start_with(&[("PLATEAU_AUTH__KEYS_FILE", file.to_str().unwrap()), ("PLATEAU_WORKERS", "0")]).await;
+    let app =
+        TestApp::start_with(&[("PLATEAU_AUTH__KEYS_FILE", file.to_str().unwrap()), ("PLATEAU_WORKERS", "0")]).await;
     let ask = async |key: &str, path: &str| app.request(Method::GET, path).bearer_auth(key).send().await.unwrap();
     let posted = app.request(Method::POST, MINIMAL).bearer_auth(&old).json(&small_film(0.1)).send().await.unwrap();
     let job: Value = posted.json().await.unwrap();

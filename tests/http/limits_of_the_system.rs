@@ -68,8 +68,10 @@ async fn the_limit_of_descriptors_is_raised_or_fewer_connections_are_taken() {
     assert!(!server.log().contains("ulimit"), "{}", server.log());
     let server = Limited::start(&folder.path().join("b"), "ulimit -n 300", &[]).await.unwrap();
     assert_eq!(server.metric("process_max_fds").await as u64, 300);
-    until("the warning", async || server.log().contains("fewer connections are taken connections=150")
-        || server.log().contains("connections=150")).await;
+    until("the warning", async || {
+        server.log().contains("fewer connections are taken connections=150") || server.log().contains("connections=150")
+    })
+    .await;
 }
 
 /// A server whose address space is limited starts, or ends with a message.
@@ -90,7 +92,10 @@ async fn a_limit_of_the_address_space_causes_no_panic() {
             }
             Err(log) => {
                 assert!(mebibytes <= 1024, "{mebibytes} MiB: {log}");
-                assert!(log.starts_with("plateau: the limit of the address space (ulimit -v)"), "{mebibytes} MiB: {log}");
+                assert!(
+                    log.starts_with("plateau: the limit of the address space (ulimit -v)"),
+                    "{mebibytes} MiB: {log}"
+                );
             }
         }
     }
@@ -140,9 +145,10 @@ async fn a_failed_job_is_logged_and_counted_with_its_type() {
     let job: Value = post.send().await.unwrap().json().await.unwrap();
     assert_eq!(job["error"]["type"], "/problems/deadline", "{job:#}");
     assert!(counted("plateau_job_failures_total{kind=\"minimal_surface\",type=\"deadline\"} 1").await);
-    let logged = |log: String| log.lines().any(|line| {
-        line.contains("ended") && line.contains("error_type=\"deadline\"") && line.contains("detail=")
-    });
+    let logged = |log: String| {
+        log.lines()
+            .any(|line| line.contains("ended") && line.contains("error_type=\"deadline\"") && line.contains("detail="))
+    };
     until("the failure is logged", async || logged(server.log())).await;
 }
 
@@ -179,8 +185,10 @@ async fn a_server_that_cannot_write_is_not_ready() {
     // The table of the probe is gone, as far as writes are concerned.
     let path = app.folder.path().join("data/plateau.sqlite");
     let change = |text: &str| rusqlite::Connection::open(&path).unwrap().execute_batch(text).unwrap();
-    change("CREATE TRIGGER dead BEFORE UPDATE ON leaders BEGIN SELECT raise(ABORT, 'dead'); END;
-        CREATE TRIGGER gone BEFORE INSERT ON leaders BEGIN SELECT raise(ABORT, 'dead'); END");
+    change(
+        "CREATE TRIGGER dead BEFORE UPDATE ON leaders BEGIN SELECT raise(ABORT, 'dead'); END;
+        CREATE TRIGGER gone BEFORE INSERT ON leaders BEGIN SELECT raise(ABORT, 'dead'); END",
+    );
     until("readiness is off", async || app.get("/health/ready").await.status() != 200).await;
     change("DROP TRIGGER dead; DROP TRIGGER gone");
     until("readiness is on", async || app.get("/health/ready").await.status() == 200).await;

@@ -72,7 +72,7 @@ async fn a_small_job_does_not_wait_for_long_ones() {
 }
 
 /// Length of the bodies of [`no_body_takes_many_times_its_length_in_memory`] in bytes.
-const BODY_BYTES: usize = 16 << 20;
+const BODY_BYTES: usize = 8 << 20;
 /// Bytes that the server takes besides the parsed bodies, such as for buffers and for the schemas that explain errors.
 const BESIDES: u64 = 48 << 20;
 

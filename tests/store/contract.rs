@@ -445,7 +445,9 @@ async fn a_request_is_kept_as_long_as_its_job(database: Database) {
     database.execute("UPDATE jobs SET expires_at = 1").await;
     assert_eq!(store.sweep().await.unwrap().expired, 3);
     // The number of requests that are left is the time in this row.
-    database.execute("INSERT INTO expired_jobs (id, owner, expired_at) SELECT 'left', '', count(*) FROM requests").await;
+    database
+        .execute("INSERT INTO expired_jobs (id, owner, expired_at) SELECT 'left', '', count(*) FROM requests")
+        .await;
     database.execute("DELETE FROM expired_jobs WHERE id = 'left' AND expired_at = 0").await;
     assert_eq!(store.get("left", None).await.unwrap(), Lookup::Missing);
 }
@@ -571,7 +573,10 @@ async fn a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_o
     assert_eq!((claimed.id, claimed.memory_bytes), (large, FREE + 1));
     // The next job that does not fit is overtaken as often as the first one.
     for number in 116..132 {
-        assert_eq!(store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap().unwrap().id, job(number).id);
+        assert_eq!(
+            store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap().unwrap().id,
+            job(number).id
+        );
     }
     assert_eq!(store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap(), None);
     assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, larger);
@@ -586,7 +591,10 @@ async fn a_worker_for_small_jobs_takes_them_in_order_and_overtakes_no_job_for_la
     }
     let later = create(&store, NewJob { memory_bytes: 2000, ..job(20) }).await.id;
     for number in 2..20 {
-        assert_eq!(store.claim_within("small", LEASE, room, Preference::default()).await.unwrap().unwrap().id, job(number).id);
+        assert_eq!(
+            store.claim_within("small", LEASE, room, Preference::default()).await.unwrap().unwrap().id,
+            job(number).id
+        );
     }
     assert_eq!(store.claim_within("small", LEASE, room, Preference::default()).await.unwrap(), None);
     // Neither of the larger jobs has waited for memory so far, so small jobs still pass the last one.

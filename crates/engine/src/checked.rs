@@ -98,9 +98,7 @@ impl Types {
             #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
             #[cfg(feature = "stored")]
-            read_tracked: |body, aside, _, limits| {
-                read_tracked::<R>(body, aside, |request| checked(request, limits))
-            },
+            read_tracked: |body, aside, _, limits| read_tracked::<R>(body, aside, |request| checked(request, limits)),
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
             refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]

@@ -19,7 +19,8 @@ use std::fmt;
 pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     refuse_what_is_no_text(body)?;
     let mut deserializer = serde_json::Deserializer::from_slice(body);
-    let outcome = AnyValue::default().deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
+    let outcome =
+        AnyValue::default().deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
     outcome.map_err(|error| unparsed(body, &error, || stopped_at(body)))
 }
 

@@ -116,8 +116,7 @@ pub fn check_number(field: &str, number: Option<u32>, most: usize) -> Result<(),
 mod tests {
     use super::*;
 
-    const LIMITS: Limits =
-        Limits { points: 200_000, triangles: 1, grid_cells: 1, iterations: 1, memory_bytes: 1 };
+    const LIMITS: Limits = Limits { points: 200_000, triangles: 1, grid_cells: 1, iterations: 1, memory_bytes: 1 };
 
     #[test]
     fn lists_and_values_are_counted_before_the_parse() {

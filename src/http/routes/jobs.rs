@@ -23,17 +23,8 @@ use serde_json::{Value, json};
 use std::time::Duration;
 
 pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQuery) -> Result<Json<JobList>, Failure> {
-    let names = [
-        "status",
-        "kind",
-        "label",
-        "batch",
-        "created_after",
-        "idempotency_key",
-        "limit",
-        "cursor",
-        "statistics",
-    ];
+    let names =
+        ["status", "kind", "label", "batch", "created_after", "idempotency_key", "limit", "cursor", "statistics"];
     let [status, kind, label, batch, created_after, idempotency_key, limit, cursor, statistics] =
         parameters(query.as_deref(), names)?;
     let read_status = |name: &str| {
@@ -76,8 +67,11 @@ pub fn list_entry() -> Value {
     let names = |names: Vec<&str>| json!({ "type": "string", "enum": names });
     let statuses = names(Status::ALL.iter().map(|status| status.name()).collect());
     let kinds = names(Kind::ALL.iter().map(|kind| kind.name()).collect());
-    let mut status = query_parameter("status", "Only jobs in one of these states, separated by commas.",
-        json!({ "type": "array", "items": statuses, "minItems": 1 }));
+    let mut status = query_parameter(
+        "status",
+        "Only jobs in one of these states, separated by commas.",
+        json!({ "type": "array", "items": statuses, "minItems": 1 }),
+    );
     status["style"] = "form".into();
     status["explode"] = false.into();
     let key = json!({ "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" });

@@ -142,6 +142,7 @@ fn entry(kind: Kind) -> Value {
             content.entry(media_type).or_insert(schema);
         }
     }
+    post["responses"]["200"]["content"][MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
     if kind.has_source() {
         post["responses"]["404"] = json!({ "$ref": "#/components/responses/NotFound" });
         post["responses"]["410"] = json!({ "$ref": "#/components/responses/Gone" });
