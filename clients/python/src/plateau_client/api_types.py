@@ -28,6 +28,13 @@ Cache = Literal['reuse', 'bypass']
 
 - `reuse`: Return a stored result if there is one, and store this one for later requests.
 - `bypass`: Solve again, and do not store the result for later requests."""
+CancelReason = Literal['client', 'superseded', 'disconnected', 'deleted']
+"""Reason for which a job was cancelled.
+
+- `client`: A client cancelled the job or its batch.
+- `superseded`: A newer job of the same series took the job's place.
+- `disconnected`: The client that waited for the job closed its connection.
+- `deleted`: The job was deleted before it had ended. Only the job's last event shows this."""
 Caps = Literal['none', 'flat']
 """The caps at the ends of a closed stack.
 
@@ -205,9 +212,10 @@ class BatchJob(TypedDict):
 
 class BatchLinks(TypedDict):
     """Addresses that belong to a batch."""
-    cancel: str
+    cancel: NotRequired[Optional[str]]
+    """Address that cancels the jobs of the batch. Present until every job has ended."""
     meshes: NotRequired[Optional[str]]
-    """Address of all meshes in one file. Absent if the batch has ended without a mesh."""
+    """Address of all meshes in one file. Present once every job has ended and one has succeeded."""
     self: str
 
 
@@ -274,6 +282,8 @@ class CableForce(TypedDict):
 
 class CableNetJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -723,6 +733,8 @@ class JobList(TypedDict):
 
 class JobSummary(TypedDict):
     """A job of a list."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -905,17 +917,24 @@ class LineValues(TypedDict):
 
 
 class Links(TypedDict):
-    """Addresses that belong to a job."""
-    cancel: str
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
+    batch: NotRequired[Optional[str]]
+    """Address of the batch that the job belongs to."""
+    cancel: NotRequired[Optional[str]]
+    """Address that cancels the job. Present until the job has ended."""
     certificate: NotRequired[Optional[str]]
     """Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
     surfaces do, if their request has `certify`."""
     events: str
     mesh: NotRequired[Optional[str]]
-    """Address of the mesh. Absent from failed and cancelled jobs."""
+    """Address of the mesh. Present once the job has succeeded."""
     pattern: NotRequired[Optional[str]]
     """Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do."""
+    request: NotRequired[Optional[str]]
+    """Address of the request as it was accepted. Absent from jobs that ended under a version that dropped requests."""
     self: str
+    successor: NotRequired[Optional[str]]
+    """Address of the job that superseded this one."""
 
 
 class Mast(TypedDict):
@@ -1058,6 +1077,8 @@ class MinimalStatistics(TypedDict):
 
 class MinimalSurfaceJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -1450,6 +1471,8 @@ class RuledStatistics(TypedDict):
 
 class RuledSurfaceJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -1848,6 +1871,8 @@ class TensileStatistics(TypedDict):
 
 class TensileStructureJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -2010,6 +2035,8 @@ class TorusGuide(TypedDict):
 
 class UniformMeshJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
