@@ -15,6 +15,7 @@ use rustix::process::{Resource, Rlimit};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
+use tokio::task::JoinHandle;
 
 /// Role of this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,14 +87,13 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     }
     let count = jobs.solvers();
     jobs.spawn_workers();
-    let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
-    let upkeep = tokio::spawn(telemetry::keep_up(metrics.clone()));
-    let shares = tokio::spawn(worker::make_room(jobs.clone()));
-    let sweeper = tokio::spawn(sweep(store.clone()));
-    let reloader = tokio::spawn({
-        let keys = keys.clone();
-        async move { keys.follow_file().await }
-    });
+    let tasks = [
+        tokio::spawn(callbacks::run(jobs.clone())),
+        tokio::spawn(telemetry::keep_up(metrics.clone())),
+        tokio::spawn(worker::make_room(jobs.clone())),
+        tokio::spawn(sweep(store.clone())),
+        tokio::spawn(follow_keys(keys.clone())),
+    ];
     let stopping = jobs.clone();
     tokio::spawn(async move {
         stop_signal().await;
@@ -128,17 +128,17 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     jobs.idle().await;
     let too_many = jobs.has_too_many_unresponsive();
     // If shutdown interrupts a webhook attempt, another process repeats it.
-    callbacks.abort();
-    upkeep.abort();
-    shares.abort();
-    sweeper.abort();
-    reloader.abort();
+    tasks.iter().for_each(JoinHandle::abort);
     store.close().await;
     if too_many {
         let detail = format!("{} solvers did not answer (jobs.unresponsive_max)", jobs.unresponsive());
         return Err(StartError::Failed(detail));
     }
     Ok(())
+}
+
+async fn follow_keys(keys: Arc<Keys>) {
+    keys.follow_file().await;
 }
 
 /// Fails if the limit of the address space leaves no room for the threads of this process. A thread that cannot be
