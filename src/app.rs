@@ -8,14 +8,17 @@ use crate::http::mcp;
 use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
 use crate::http::{openapi, router, serve};
-use crate::jobs::{self, Jobs, callbacks};
+use crate::jobs::{self, Jobs, callbacks, worker};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
+use crate::threads::STACK_BYTES;
 use crate::webhook::Sender;
+use rustix::process::{Resource, Rlimit};
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
+use tokio::task::JoinHandle;
 
 /// Role of this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,8 +57,14 @@ const BALLAST_BYTES: u64 = 32 << 20;
 /// Fails if a setting is invalid, if the store cannot be opened or an address cannot be bound, or if the process ended
 /// because too many solvers did not answer.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
-    let config = Arc::new(config);
     let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
+    let config = Arc::new(Config { http: with_descriptors(config.http, role), ..config });
+    if keys.file_is_empty() {
+        tracing::warn!(
+            file = %config.auth.keys_file.display(),
+            "auth.keys_file has no keys: every client may do everything until a key is added"
+        );
+    }
     let (keys, address) = (Arc::new(keys), config.http.listen);
     // Jobs and results belong to their clients, so no other user of this machine may read the files of this process.
     rustix::process::umask(rustix::fs::Mode::RWXG | rustix::fs::Mode::RWXO);
@@ -81,12 +90,13 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     }
     let count = jobs.solvers();
     jobs.spawn_workers();
-    let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
-    let sweeper = tokio::spawn(sweep(store.clone()));
-    let reloader = tokio::spawn({
-        let keys = keys.clone();
-        async move { keys.follow_file().await }
-    });
+    let tasks = [
+        tokio::spawn(callbacks::run(jobs.clone())),
+        tokio::spawn(telemetry::keep_up(metrics.clone())),
+        tokio::spawn(worker::make_room(jobs.clone())),
+        tokio::spawn(sweep(store.clone())),
+        tokio::spawn(follow_keys(keys.clone())),
+    ];
     let stopping = jobs.clone();
     tokio::spawn(async move {
         stop_signal().await;
@@ -123,9 +133,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     jobs.idle().await;
     let too_many = jobs.has_too_many_unresponsive();
     // If shutdown interrupts a webhook attempt, another process repeats it.
-    callbacks.abort();
-    sweeper.abort();
-    reloader.abort();
+    tasks.iter().for_each(JoinHandle::abort);
     store.close().await;
     if too_many {
         let detail = format!("{} solvers did not answer (jobs.unresponsive_max)", jobs.unresponsive());
@@ -147,6 +155,70 @@ fn log_doors(http: &HttpConfig, address: SocketAddr, workers: usize, role: Role)
     if !http.mcp && role == Role::Serve {
         tracing::info!("MCP over HTTP is off (http.mcp)");
     }
+}
+
+async fn follow_keys(keys: Arc<Keys>) {
+    keys.follow_file().await;
+}
+
+/// Fails if the limit of the address space leaves no room for the threads of this process. A thread that cannot be
+/// started, or a heap that cannot be extended, would end the process later without a word about the cause.
+///
+/// # Errors
+/// Returns a message that names the limit.
+pub fn check_address_space(config: &Config) -> Result<(), String> {
+    /// Address space that the allocator reserves for a thread, in bytes.
+    const HEAP_BYTES: u64 = 64 << 20;
+    /// Threads with small stacks: those of the store, of the clock and of name lookups.
+    const SMALL_THREADS: u64 = 16;
+    /// The program, its libraries and the cache of files.
+    const PROGRAM_BYTES: u64 = 256 << 20;
+    let Some(limit) = rustix::process::getrlimit(Resource::As).current else { return Ok(()) };
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    // Each core has a thread of the runtime, and there is one more converter than cores.
+    let solvers = config.jobs.workers.unwrap_or(cores) + config.small_workers();
+    let threads = (2 * cores.max(2) + 1 + solvers) as u64;
+    let needed = threads * (STACK_BYTES as u64 + HEAP_BYTES) + SMALL_THREADS * HEAP_BYTES / 2 + PROGRAM_BYTES;
+    if limit >= needed {
+        return Ok(());
+    }
+    Err(format!(
+        "the limit of the address space (ulimit -v) is {} MiB, and the threads of this process need {} MiB: raise it, set \
+         jobs.workers, or limit the memory by a control group instead",
+        limit >> 20,
+        needed.div_ceil(1 << 20)
+    ))
+}
+
+/// File descriptors of a process besides those of its connections: the store's, the cached files', the logs', and those
+/// of messages to callback URLs.
+const OTHER_DESCRIPTORS: u64 = 200;
+
+/// Raises the limit of file descriptors as far as the connections need and the system allows. If that is not enough,
+/// returns settings with fewer connections.
+fn with_descriptors(http: HttpConfig, role: Role) -> HttpConfig {
+    if role == Role::Worker {
+        return http;
+    }
+    let needed = (http.connections as u64).saturating_add(OTHER_DESCRIPTORS);
+    let limit = rustix::process::getrlimit(Resource::Nofile);
+    // The absence of a limit is `None`.
+    let Some(soft) = limit.current.filter(|soft| *soft < needed) else { return http };
+    let raised = limit.maximum.map_or(needed, |hard| hard.min(needed)).max(soft);
+    let set = rustix::process::setrlimit(Resource::Nofile, Rlimit { current: Some(raised), ..limit });
+    let available = if set.is_ok() { raised } else { soft };
+    if available >= needed {
+        return http;
+    }
+    // At least half of the descriptors stay for connections, however few there are.
+    let connections = available.saturating_sub(OTHER_DESCRIPTORS).max(available / 2).max(1) as usize;
+    tracing::warn!(
+        descriptors = available,
+        needed,
+        connections,
+        "the limit of file descriptors (ulimit -n) is too low for http.connections; fewer connections are taken"
+    );
+    HttpConfig { connections: connections.min(http.connections), ..http }
 }
 
 /// Checks all settings on which a start depends, without changing anything and without reaching the database. Returns
@@ -197,6 +269,7 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
         queue_limit: config.jobs.queue_length as u64,
         owner_queue_limit: config.owner_queue_length() as u64,
         max_attempts: config.jobs.attempts_max,
+        unread_patience: Duration::from_secs(config.jobs.unread_s),
         lease: Duration::from_millis(config.jobs.lease_ms),
         retention: Duration::from_secs(retention_s),
         max_jobs: config.store.max_jobs,

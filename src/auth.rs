@@ -7,11 +7,11 @@
 use crate::config::AuthConfig;
 use futures_util::FutureExt;
 use futures_util::future::{BoxFuture, Shared};
-use sha2::{Digest, Sha256};
+use sha2::{Digest as _, Sha256};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 use subtle::ConstantTimeEq;
 use tokio::sync::watch;
 
@@ -73,16 +73,45 @@ struct Known {
     required: bool,
 }
 
+/// The keys of a name. While a key is replaced, the name has two.
+#[derive(Debug)]
 struct Key {
     name: Arc<str>,
-    digest: [u8; 32],
-    allowance: Mutex<Allowance>,
+    digests: Vec<Digest>,
+    /// Shared by both keys, and kept when they change.
+    allowance: Arc<Mutex<Allowance>>,
+}
+
+/// The digest of a key, and the time until which the key is valid.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Digest {
+    sha256: [u8; 32],
+    until: Option<SystemTime>,
 }
 
 // Logs must not contain digests.
-impl std::fmt::Debug for Key {
+impl std::fmt::Debug for Digest {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.debug_struct("Key").field("name", &self.name).finish_non_exhaustive()
+        formatter.debug_struct("Digest").field("until", &self.until).finish_non_exhaustive()
+    }
+}
+
+impl Digest {
+    /// Reads `SHA256` or `SHA256 UNTIL`, given as words.
+    fn read(words: &[&str]) -> Result<Self, &'static str> {
+        let (digest, until) = match *words {
+            [digest] => (digest, None),
+            [digest, until] => (digest, Some(until)),
+            _ => return Err("expected a SHA-256 and, at most, a time"),
+        };
+        let sha256 = from_hex(digest).ok_or("expected a SHA-256 of 64 hex digits")?;
+        let until = until.map(humantime::parse_rfc3339).transpose();
+        let until = until.map_err(|_| "expected a time in UTC like 2026-12-31T00:00:00Z after the SHA-256")?;
+        Ok(Self { sha256, until })
+    }
+
+    fn is_valid_at(&self, now: SystemTime) -> bool {
+        self.until.is_none_or(|until| now < until)
     }
 }
 
@@ -123,8 +152,8 @@ pub struct Left {
 /// A request that may go on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Admitted {
-    /// Name of the key, or `None` if the server requires no key.
-    pub name: Option<Arc<str>>,
+    /// Name and digest of the key, or `None` if the server requires no key.
+    pub key: Option<(Arc<str>, Digest)>,
     /// Requests that the key may still make, if they are limited.
     pub left: Option<Left>,
 }
@@ -139,7 +168,8 @@ pub enum AuthError {
 }
 
 impl Keys {
-    /// Reads the keys of the configuration and of its keys file, which has one `NAME SHA256` per line.
+    /// Reads the keys of the configuration and of its keys file, which has one `NAME SHA256` or `NAME SHA256 UNTIL` per
+    /// line.
     ///
     /// # Errors
     /// Returns a message that names the setting and, for the keys file, the line.
@@ -156,13 +186,12 @@ impl Keys {
         let digests = digests(&self.config, text)?;
         let now = Instant::now();
         let mut known = self.known.write().unwrap_or_else(PoisonError::into_inner);
-        let keys = digests.into_iter().map(|(name, digest)| {
-            // A key that was known before keeps the rest of its allowance.
-            let same = known.keys.iter().find(|key| *key.name == name && key.digest == digest);
-            same.cloned().unwrap_or_else(|| {
-                let full = Allowance { requests: f64::from(self.config.requests_per_minute), at: now };
-                Arc::new(Key { name: name.into(), digest, allowance: Mutex::new(full) })
-            })
+        let keys = digests.into_iter().map(|(name, digests)| {
+            // A name that was known before keeps the rest of its allowance.
+            let same = known.keys.iter().find(|key| *key.name == name);
+            let full = || Allowance { requests: f64::from(self.config.requests_per_minute), at: now };
+            let allowance = same.map_or_else(|| Arc::new(Mutex::new(full())), |key| key.allowance.clone());
+            Arc::new(Key { name: name.into(), digests, allowance })
         });
         let keys: Vec<_> = keys.collect();
         known.required |= !keys.is_empty();
@@ -204,23 +233,47 @@ impl Keys {
         }
     }
 
-    /// Returns a future that completes when the key that has this name now is removed or replaced by another one.
-    pub fn removal(self: &Arc<Self>, name: Arc<str>) -> Removal {
+    /// Returns a future that completes when this key of this name is removed or is not valid any more.
+    pub fn removal(self: &Arc<Self>, name: Arc<str>, digest: Digest) -> Removal {
         let keys = self.clone();
         let mut replaced = self.replaced.subscribe();
-        let digest = self.digest(&name);
         let removed = async move {
-            while digest.is_some() && keys.digest(&name) == digest {
-                // Waiting cannot fail, because `keys` owns the sender.
-                let _ = replaced.changed().await;
+            while let Some(digest) = keys.known_as(&name, &digest) {
+                let now = SystemTime::now();
+                if !digest.is_valid_at(now) {
+                    break;
+                }
+                let end = async {
+                    match digest.until {
+                        // The clock may be set meanwhile, so the time is looked at again before long.
+                        Some(until) => {
+                            let left = until.duration_since(now).unwrap_or_default();
+                            tokio::time::sleep(left.min(Duration::from_secs(60))).await;
+                        }
+                        None => std::future::pending().await,
+                    }
+                };
+                tokio::select! {
+                    // Waiting cannot fail, because `keys` owns the sender.
+                    _ = replaced.changed() => {}
+                    () = end => {}
+                }
             }
         };
         removed.boxed().shared()
     }
 
-    fn digest(&self, name: &str) -> Option<[u8; 32]> {
+    /// Returns this key of this name with its present end, or `None` if it is not known any more.
+    fn known_as(&self, name: &str, digest: &Digest) -> Option<Digest> {
         let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
-        known.keys.iter().find(|key| *key.name == *name).map(|key| key.digest)
+        let key = known.keys.iter().find(|key| *key.name == *name)?;
+        key.digests.iter().find(|known| known.sha256 == digest.sha256).copied()
+    }
+
+    /// Returns true if a keys file is configured, and neither it nor the configuration has a key.
+    #[must_use]
+    pub fn file_is_empty(&self) -> bool {
+        !self.config.keys_file.as_os_str().is_empty() && !self.required()
     }
 
     fn count(&self) -> usize {
@@ -241,10 +294,11 @@ impl Keys {
         let key = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
             if !known.required {
-                return Ok(Admitted { name: None, left: None });
+                return Ok(Admitted { key: None, left: None });
             }
-            presented.and_then(|presented| known.find(presented)).ok_or(AuthError::Unknown)?
+            presented.and_then(|presented| known.find(presented, SystemTime::now())).ok_or(AuthError::Unknown)?
         };
+        let (key, digest) = key;
         let per_minute = self.config.requests_per_minute;
         let mut left = None;
         if per_minute > 0 {
@@ -252,39 +306,51 @@ impl Keys {
             let taken = allowance.take(f64::from(per_minute), Instant::now());
             left = Some(taken.map_err(|wait_s| AuthError::TooMany { wait_s })?);
         }
-        Ok(Admitted { name: Some(key.name.clone()), left })
+        Ok(Admitted { key: Some((key.name.clone(), digest)), left })
     }
 }
 
 impl Known {
     /// Finds the key with this text. The time taken does not depend on which key matches, or whether one does.
-    fn find(&self, presented: &str) -> Option<Arc<Key>> {
-        let digest: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
+    fn find(&self, presented: &str, now: SystemTime) -> Option<(Arc<Key>, Digest)> {
+        let sha256: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
         let mut found = None;
         for key in &self.keys {
-            if key.digest.ct_eq(&digest).into() {
-                found = Some(key);
+            for digest in &key.digests {
+                if digest.sha256.ct_eq(&sha256).into() {
+                    found = Some((key, digest));
+                }
             }
         }
-        found.cloned()
+        found.filter(|(_, digest)| digest.is_valid_at(now)).map(|(key, digest)| (key.clone(), *digest))
     }
 }
 
-/// Returns the digest of each key by its name, read from the configuration and from the text of its keys file.
-fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, [u8; 32]>, String> {
-    let mut digests = BTreeMap::new();
-    let mut add = |origin: String, name: &str, digest: &str| {
+/// Number of keys that a name may have, so that one can replace the other.
+const KEYS_OF_A_NAME: usize = 2;
+
+/// Returns the digests of the keys of each name, read from the configuration and from the text of its keys file.
+fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, Vec<Digest>>, String> {
+    let mut digests: BTreeMap<String, Vec<Digest>> = BTreeMap::new();
+    let mut add = |origin: String, name: &str, words: &[&str]| {
         if !is_key_name(name) {
             return Err(format!("{origin}: a key's name has 1 to 64 letters, digits, dots, dashes or underscores"));
         }
-        let digest = from_hex(digest).ok_or_else(|| format!("{origin}: expected a SHA-256 of 64 hex digits"))?;
-        match digests.insert(name.to_owned(), digest) {
-            Some(_) => Err(format!("{origin}: the name {name} is used twice")),
-            None => Ok(()),
+        let digest = Digest::read(words).map_err(|reason| format!("{origin}: {reason}"))?;
+        let of_name = digests.entry(name.to_owned()).or_default();
+        if of_name.iter().any(|known| known.sha256 == digest.sha256) {
+            return Err(format!("{origin}: this key of the name {name} is given twice"));
         }
+        if of_name.len() == KEYS_OF_A_NAME {
+            return Err(format!("{origin}: the name {name} has more than {KEYS_OF_A_NAME} keys"));
+        }
+        of_name.push(digest);
+        Ok(())
     };
-    for (name, digest) in &config.keys {
-        add(format!("auth.keys.{name}"), name, digest)?;
+    for (name, keys) in &config.keys {
+        for key in keys.split(',') {
+            add(format!("auth.keys.{name}"), name, &key.split_whitespace().collect::<Vec<_>>())?;
+        }
     }
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
@@ -293,8 +359,8 @@ fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, [u8; 32]>
         }
         let origin = format!("auth.keys_file {} line {}", config.keys_file.display(), number + 1);
         match line.split_whitespace().collect::<Vec<_>>()[..] {
-            [name, digest] => add(origin, name, digest)?,
-            _ => return Err(format!("{origin}: expected NAME SHA256")),
+            [name, ref words @ ..] if (1..=2).contains(&words.len()) => add(origin, name, words)?,
+            _ => return Err(format!("{origin}: expected NAME SHA256 or NAME SHA256 UNTIL")),
         }
     }
     Ok(digests)
@@ -323,9 +389,13 @@ fn file_error(path: &Path, error: &std::io::Error) -> String {
 mod tests {
     use super::*;
 
-    fn keys(pairs: &[(&str, &str)]) -> AuthConfig {
+    fn keys_of(pairs: &[(&str, &str)]) -> AuthConfig {
         let keys = pairs.iter().map(|(name, digest)| ((*name).into(), (*digest).into())).collect();
         AuthConfig { keys, ..AuthConfig::default() }
+    }
+
+    fn name_of(admitted: Result<Admitted, AuthError>) -> Option<Arc<str>> {
+        admitted.ok()?.key.map(|(name, _)| name)
     }
 
     #[test]
@@ -333,8 +403,8 @@ mod tests {
         let (key, digest) = new_key().unwrap();
         let (other, other_digest) = new_key().unwrap();
         assert_ne!(key, other);
-        let known = Keys::load(&keys(&[("me", &digest), ("you", &other_digest)])).unwrap();
-        let admitted = |text: &str| known.admit(Some(text)).ok().and_then(|admitted| admitted.name);
+        let known = Keys::load(&keys_of(&[("me", &digest), ("you", &other_digest)])).unwrap();
+        let admitted = |text: &str| name_of(known.admit(Some(text)));
         assert_eq!(admitted(&key).as_deref(), Some("me"));
         assert_eq!(admitted(&other).as_deref(), Some("you"));
         for wrong in [digest.clone(), format!("{key}0"), String::new()] {
@@ -348,16 +418,16 @@ mod tests {
     fn a_server_without_keys_admits_requests_without_an_owner() {
         let none = Keys::load(&AuthConfig::default()).unwrap();
         assert!(!none.required());
-        assert_eq!(none.admit(None), Ok(Admitted { name: None, left: None }));
+        assert_eq!(none.admit(None), Ok(Admitted { key: None, left: None }));
     }
 
     #[test]
     fn an_error_message_names_the_wrong_key_setting() {
         let digest = "00".repeat(32);
         let error = |config: &AuthConfig| Keys::load(config).unwrap_err();
-        assert!(error(&keys(&[("me", "12")])).contains("auth.keys.me"));
-        assert!(error(&keys(&[("me", &"é".repeat(32))])).contains("auth.keys.me"));
-        assert!(error(&keys(&[("a b", &digest)])).contains("auth.keys.a b"));
+        assert!(error(&keys_of(&[("me", "12")])).contains("auth.keys.me"));
+        assert!(error(&keys_of(&[("me", &"é".repeat(32))])).contains("auth.keys.me"));
+        assert!(error(&keys_of(&[("a b", &digest)])).contains("auth.keys.a b"));
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("keys");
         std::fs::write(&file, format!("# ours\nme {digest}\n\nyou\n")).unwrap();
@@ -392,23 +462,70 @@ mod tests {
         std::fs::write(&file, format!("me {digest}\n")).unwrap();
         let keys = Keys::load(&AuthConfig { keys_file: file, ..AuthConfig::default() }).unwrap();
         assert!(keys.replace("me 12").is_err());
-        assert!(keys.admit(Some(&key)).unwrap().name.is_some());
+        assert!(keys.admit(Some(&key)).unwrap().key.is_some());
         keys.replace("").unwrap();
         assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(AuthError::Unknown), Err(AuthError::Unknown)));
     }
 
     #[tokio::test]
     async fn a_removal_ends_with_its_key_only() {
-        let (first, second) = (new_key().unwrap().1, new_key().unwrap().1);
+        let [(first_key, first), (second_key, second)] = [new_key().unwrap(), new_key().unwrap()];
         let keys = Arc::new(Keys::load(&AuthConfig::default()).unwrap());
-        keys.replace(&format!("me {first}\nyou {first}")).unwrap();
-        let [mine, yours] = ["me", "you"].map(|name| keys.removal(name.into()));
-        keys.replace(&format!("me {first}\nyou {second}")).unwrap();
-        yours.await;
-        assert!(mine.clone().now_or_never().is_none());
-        keys.replace("").unwrap();
-        mine.await;
-        keys.removal("me".into()).await;
+        let removal = |key: &str| {
+            let (name, digest) = keys.admit(Some(key)).unwrap().key.unwrap();
+            keys.removal(name, digest)
+        };
+        keys.replace(&format!("me {first}\nme {second}")).unwrap();
+        let [one, other] = [&first_key, &second_key].map(|key| removal(key));
+        keys.replace(&format!("me {second}")).unwrap();
+        one.await;
+        assert!(other.clone().now_or_never().is_none());
+        let soon = SystemTime::now() + Duration::from_millis(1500);
+        let soon = humantime::format_rfc3339_millis(soon);
+        keys.replace(&format!("me {second} {soon}")).unwrap();
+        assert!(keys.admit(Some(&second_key)).is_ok());
+        other.await;
+        assert_eq!(keys.admit(Some(&second_key)), Err(AuthError::Unknown));
+        assert!(keys.required());
+    }
+
+    #[test]
+    fn a_name_has_two_keys_with_an_end_and_one_allowance() {
+        let [(old, old_digest), (new, new_digest), (_, third)] = [(); 3].map(|()| new_key().unwrap());
+        let config = AuthConfig { requests_per_minute: 3, ..AuthConfig::default() };
+        let keys = Keys::load(&config).unwrap();
+        let lines = format!("me {old_digest} 2999-12-31T00:00:00Z\nme {new_digest}\n");
+        keys.replace(&lines).unwrap();
+        assert_eq!(name_of(keys.admit(Some(&old))).as_deref(), Some("me"));
+        assert_eq!(name_of(keys.admit(Some(&new))).as_deref(), Some("me"));
+        keys.replace(&format!("me {old_digest} 2020-01-01T00:00:00Z\nme {new_digest}\n")).unwrap();
+        assert_eq!(keys.admit(Some(&old)), Err(AuthError::Unknown));
+        assert_eq!(name_of(keys.admit(Some(&new))).as_deref(), Some("me"));
+        assert!(matches!(keys.admit(Some(&new)), Err(AuthError::TooMany { .. })), "one allowance of a name");
+        for (wrong, reason) in [
+            (format!("{lines}me {third}"), "more than 2 keys"),
+            (format!("{lines}me {new_digest}"), "twice"),
+            (format!("me {old_digest} tomorrow"), "a time in UTC"),
+            (format!("me {old_digest} 2999-12-31T00:00:00Z more"), "expected NAME SHA256"),
+        ] {
+            assert!(keys.replace(&wrong).unwrap_err().contains(reason), "{wrong}");
+        }
+        let both = [("me", &*format!("{old_digest} 2020-01-01T00:00:00Z, {new_digest}"))];
+        let configured = Keys::load(&keys_of(&both)).unwrap();
+        assert_eq!(configured.admit(Some(&old)), Err(AuthError::Unknown));
+        assert_eq!(name_of(configured.admit(Some(&new))).as_deref(), Some("me"));
+    }
+
+    #[test]
+    fn an_empty_keys_file_is_noticed() {
+        let folder = tempfile::tempdir().unwrap();
+        let keys_file = folder.path().join("keys");
+        std::fs::write(&keys_file, "# none yet\n").unwrap();
+        let config = AuthConfig { keys_file: keys_file.clone(), ..AuthConfig::default() };
+        assert!(Keys::load(&config).unwrap().file_is_empty());
+        assert!(!Keys::load(&AuthConfig::default()).unwrap().file_is_empty());
+        std::fs::write(&keys_file, format!("me {}", new_key().unwrap().1)).unwrap();
+        assert!(!Keys::load(&config).unwrap().file_is_empty());
     }
 
     #[test]

@@ -171,6 +171,9 @@ pub fn main() -> ExitCode {
             if let Err(message) = telemetry::init_logs(&config.log) {
                 return fail(USAGE, &message);
             }
+            if let Err(message) = app::check_address_space(&config) {
+                return fail(1, &message);
+            }
             let runtime =
                 tokio::runtime::Builder::new_multi_thread().enable_all().thread_stack_size(STACK_BYTES).build();
             let runtime = match runtime {

@@ -60,8 +60,8 @@ pub struct HttpConfig {
     pub shutdown_notice_ms: u64,
     /// Time for running jobs to end after a shutdown was asked for, and for open requests after the notice.
     pub shutdown_grace_ms: u64,
-    /// Number of connections that may be open at once. A further one replaces the one that has been idle for longest;
-    /// if none is idle, its requests wait for a second and are then answered with 503. Health checks are always
+    /// Number of connections that may be open at once. If the system allows fewer file descriptors, the number is lower,
+    /// and the log says so. A further connection replaces the one that has been idle for longest; if none is idle, its requests wait for a second and are then answered with 503. Health checks are always
     /// answered.
     pub connections: usize,
     /// Share of `connections` that the open requests of one key may take. Without keys it is the share of one client's
@@ -152,8 +152,9 @@ pub struct StoreConfig {
     pub results: String,
     /// Largest result that is kept in the database.
     pub inline_bytes: usize,
-    /// Number of bytes that all results together may take, with SQLite including the database file. Beyond it the
-    /// oldest jobs of the keys with the largest results expire early. 0 means no limit.
+    /// Number of bytes that all results and the requests of finished jobs together may take, with SQLite including the
+    /// database file. Beyond four fifths of it the oldest jobs of the keys with the largest results and requests expire
+    /// early. 0 means no limit.
     pub max_bytes: u64,
     /// Number of finished jobs that are kept. Beyond it the oldest jobs of the keys with the most jobs expire early.
     pub max_jobs: u64,
@@ -168,7 +169,7 @@ impl Default for StoreConfig {
             database: String::new(),
             results: String::new(),
             inline_bytes: 1 << 20,
-            max_bytes: 0,
+            max_bytes: 20 << 30,
             max_jobs: 100_000,
             connections: 10,
         }
@@ -200,6 +201,9 @@ pub struct JobsConfig {
     pub lease_ms: u64,
     /// Number of workers that may die while they solve one job. After that many the job fails.
     pub attempts_max: u32,
+    /// Time for which a job waits for a worker that can read its request, after a worker of another version or with lower
+    /// limits could not. After it the job fails as `refused`.
+    pub unread_s: u64,
     /// Shortest interval between two writes of a job's progress.
     pub progress_interval_ms: u64,
     /// Memory that all running solvers together may take, by estimate. A job that would exceed it stays queued, and up
@@ -222,6 +226,7 @@ impl Default for JobsConfig {
             unresponsive_max: 4,
             lease_ms: 15_000,
             attempts_max: 5,
+            unread_s: 3600,
             progress_interval_ms: 250,
             memory_bytes: None,
             retention_s: 7 * 24 * 3600,
@@ -280,11 +285,12 @@ impl LimitsConfig {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
-    /// SHA-256 of each key as 64 hex digits, by the key's name. Without a key here or in the keys file every client may
-    /// do everything.
+    /// SHA-256 of each key as 64 hex digits, by the key's name. A time in UTC may follow, until which the key is valid:
+    /// `"SHA256 2026-12-31T00:00:00Z"`. A second key of the name follows after a comma. Without a key here or in the keys
+    /// file every client may do everything.
     pub keys: BTreeMap<String, String>,
-    /// Path of a file with a line `NAME SHA256` for each key, as `plateau key new NAME` prints it. The file is read
-    /// again within seconds when it changes.
+    /// Path of a file with a line `NAME SHA256` or `NAME SHA256 UNTIL` for each key, as `plateau key new NAME` prints it. A
+    /// name may have two keys. The file is read again within seconds when it changes.
     pub keys_file: PathBuf,
     /// Number of requests of each key in a minute. 0 means no limit.
     pub requests_per_minute: u32,

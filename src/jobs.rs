@@ -17,6 +17,7 @@ mod memory;
 pub mod progress;
 mod reading;
 pub(crate) mod service;
+mod shares;
 mod sources;
 pub(crate) mod submission;
 mod view;
@@ -43,9 +44,15 @@ pub fn result_version() -> String {
 /// Selection of the jobs in a list. The default selects all jobs.
 #[derive(Clone, Debug, Default)]
 pub struct Selection {
-    pub status: Option<Status>,
+    /// States of the jobs. An empty list selects jobs in every state.
+    pub statuses: Vec<Status>,
     pub kind: Option<Kind>,
     pub idempotency_key: Option<String>,
+    pub label: Option<String>,
+    /// Identifier of a batch.
+    pub batch: Option<String>,
+    /// Time after which the jobs were submitted, in milliseconds since 1970.
+    pub created_after_ms: Option<i64>,
 }
 
 /// Error of an operation on jobs.
@@ -77,6 +84,8 @@ pub enum JobsError {
     NoPattern,
     /// The request did not ask for a lower bound of the area, or none could be computed.
     NoCertificate,
+    /// The job ended under a version that did not keep requests.
+    NoRequest,
     /// The request of the job or batch named no callback URL.
     NoCallback,
     /// The answer is larger than one file can hold. The text says what to do instead.

@@ -61,6 +61,7 @@ pub use claims::{Claimed, Renewed, Room};
 pub use handle::Store;
 pub use history::{EventId, StatusEvent};
 pub use jobs::{Addition, EarlyEnd, Filter, JobRow, Lookup, NewJob, Outcome};
+pub use queue::{Preference, WaitingOwner};
 pub use redact::redacted;
 pub use results::Artefact;
 pub use retention::Swept;
@@ -77,6 +78,8 @@ pub struct StoreOptions {
     pub owner_queue_limit: u64,
     /// Number of leases of one job that may run out before it fails.
     pub max_attempts: u32,
+    /// Time for which a job waits for a worker that can read its request, after another worker could not.
+    pub unread_patience: Duration,
     /// Length of the leases that this process asks for.
     pub lease: Duration,
     /// Time for which a job and its mesh are kept after the job ended.
@@ -113,6 +116,7 @@ impl Default for StoreOptions {
             queue_limit: 1000,
             owner_queue_limit: 1000,
             max_attempts: 5,
+            unread_patience: Duration::from_secs(3600),
             lease: Duration::from_secs(15),
             retention: Duration::from_secs(7 * 24 * 3600),
             expired_retention: Duration::from_secs(30 * 24 * 3600),

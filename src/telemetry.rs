@@ -2,17 +2,42 @@
 
 use crate::config::{LogConfig, LogFormat};
 use metrics_exporter_prometheus::{Matcher, PrometheusBuilder, PrometheusHandle};
+use plateau_engine::kind::Kind;
 use std::io::IsTerminal;
+use std::time::Duration;
+use tracing::level_filters::LevelFilter;
 use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::{Layer, SubscriberExt};
 use tracing_subscriber::util::SubscriberInitExt;
+
+/// Libraries that log the bodies of requests or the values of statements at the level debug. Logs must not contain them,
+/// so these libraries never log below the level info.
+const TALKATIVE: [&str; 3] = ["rmcp", "tokio_postgres", "postgres"];
 
 /// Reads the levels of the parts of the program.
 ///
 /// # Errors
 /// Fails if the text is no list of levels.
 pub fn filter(config: &LogConfig) -> Result<Targets, String> {
-    config.level.parse().map_err(|error| format!("log.level: {error}"))
+    let asked: Targets = config.level.parse().map_err(|error| format!("log.level: {error}"))?;
+    let mut kept: Vec<(String, LevelFilter)> = asked.iter().map(|(target, level)| (target.to_owned(), level)).collect();
+    for (target, level) in &mut kept {
+        if TALKATIVE.iter().any(|library| is_part(target, library)) {
+            *level = (*level).min(LevelFilter::INFO);
+        }
+    }
+    let default = asked.default_level().unwrap_or(LevelFilter::OFF);
+    for library in TALKATIVE {
+        if !kept.iter().any(|(target, _)| target == library) {
+            kept.push((library.to_owned(), default.min(LevelFilter::INFO)));
+        }
+    }
+    Ok(Targets::new().with_targets(kept).with_default(default))
+}
+
+/// Returns true if a target is a library or a module of it.
+fn is_part(target: &str, library: &str) -> bool {
+    target.strip_prefix(library).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
 }
 
 /// Sends logs to standard error, filtered and formatted as configured.
@@ -34,6 +59,8 @@ pub fn init_logs(config: &LogConfig) -> Result<(), String> {
 pub mod metric {
     /// Counter of finished jobs by kind and final status. A cancelled job is counted by the process that cancelled it.
     pub const JOBS: &str = "plateau_jobs_total";
+    /// Counter of failed jobs by kind and type of the error.
+    pub const FAILURES: &str = "plateau_job_failures_total";
     /// Counter of results that the audit withheld, by kind.
     pub const AUDIT_FAILURES: &str = "plateau_audit_failures_total";
     /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full, failed).
@@ -61,6 +88,17 @@ pub mod metric {
     pub const HTTP_SECONDS: &str = "plateau_http_request_seconds";
 }
 
+/// Interval at which the recorder empties the lists of observations of its histograms.
+const UPKEEP_INTERVAL: Duration = Duration::from_secs(5);
+
+/// Keeps the recorder's histograms small while nobody asks for the metrics. Never returns.
+pub async fn keep_up(handle: PrometheusHandle) {
+    loop {
+        tokio::time::sleep(UPKEEP_INTERVAL).await;
+        handle.run_upkeep();
+    }
+}
+
 /// Installs the recorder. Call it once per process. The returned handle renders the text that `GET /metrics` serves.
 ///
 /// # Errors
@@ -73,6 +111,7 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
         .and_then(PrometheusBuilder::install_recorder)
         .map_err(|error| error.to_string())?;
     metrics::describe_counter!(metric::JOBS, "Finished jobs by kind and final status");
+    metrics::describe_counter!(metric::FAILURES, "Failed jobs by kind and type of the error");
     metrics::describe_counter!(metric::AUDIT_FAILURES, "Results that the audit withheld, by kind");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
     metrics::describe_counter!(metric::CALLBACKS, "Attempts to send a message to a callback URL, by outcome");
@@ -84,6 +123,10 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_gauge!(metric::UNRESPONSIVE, "Solvers that were given up because they did not answer");
     metrics::describe_gauge!(metric::BUILD_INFO, "Version of the program as a label; the value is always 1");
     metrics::gauge!(metric::UNRESPONSIVE).set(0.0);
+    // An alert on a counter's increase needs its value before the first increase.
+    for kind in Kind::ALL {
+        metrics::counter!(metric::AUDIT_FAILURES, "kind" => kind.name()).increment(0);
+    }
     metrics::gauge!(metric::BUILD_INFO, "version" => env!("CARGO_PKG_VERSION")).set(1.0);
     metrics_process::Collector::default().describe();
     metrics::describe_counter!(metric::HTTP_REQUESTS, "HTTP requests by method, route and status");

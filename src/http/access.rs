@@ -94,16 +94,16 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
     let per_minute = app.config.auth.requests_per_minute;
     match app.keys.admit(presented) {
         Ok(admitted) => {
-            if let Some(name) = &admitted.name {
+            if let Some((name, _)) = &admitted.key {
                 tracing::Span::current().record("key", &**name);
             }
-            let response = match admitted.name {
+            let response = match admitted.key {
                 None => {
                     let client = open_requests::address(request.extensions());
                     seated(&app, &client, request, next).await
                 }
-                Some(name) => {
-                    let removal = app.keys.removal(name.clone());
+                Some((name, digest)) => {
+                    let removal = app.keys.removal(name.clone(), digest);
                     request.extensions_mut().insert(Caller(Some(name.clone())));
                     let mut response = tokio::select! {
                         response = seated(&app, &name, request, next) => response,

@@ -13,7 +13,7 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 use crate::wire::job::{Job, JobSummary};
 use crate::wire::objectives::{self, Limits};
 use axum::http::uri::Authority;
@@ -150,7 +150,9 @@ impl Tools {
         let job = tokio::select! {
             job = self.app.jobs.wait(&job.id, self.owner(), self.granted(wait_s)) => job?,
             // The caller has cancelled the call or has gone away.
-            () = context.ct.cancelled() => self.app.jobs.cancel(&job.id, self.owner()).await?,
+            () = context.ct.cancelled() => {
+                self.app.jobs.cancel(&job.id, self.owner(), CancelReason::Disconnected).await?
+            },
         };
         self.answer(job).await
     }

@@ -8,7 +8,7 @@ mod words;
 
 use crate::http::access::is_public;
 use crate::http::entry::{problem, reference};
-use crate::http::resource::Resource;
+use crate::http::resource::{Resource, negotiates};
 use crate::http::router;
 use crate::wire::components::{MESSAGE, components};
 use serde_json::{Map, Value, json};
@@ -83,17 +83,23 @@ fn document() -> Value {
 }
 
 /// Returns every path with its operations. Each operation gets the errors of the checks before its handler: first the
-/// host, then foreign pages that want to change something, then the key.
+/// host, then foreign pages that want to change something, then the key, then unknown query parameters and `Accept`.
 fn paths() -> Value {
     let response = |name: &str| json!({ "$ref": format!("#/components/responses/{name}") });
     let mut paths = Map::new();
     for (path, mut item) in router::resources(true).into_iter().filter_map(Resource::documented) {
         for (method, operation) in item.as_object_mut().into_iter().flatten() {
+            let negotiates = negotiates(operation);
             words::complete(operation);
             if operation["requestBody"].is_object() {
                 operation["callbacks"] = json!({ "ended": { "$ref": "#/components/callbacks/ended" } });
             }
             let responses = &mut operation["responses"];
+            for (status, name) in [("400", "BadRequest"), ("406", "NotAcceptable")] {
+                if (status == "400" || negotiates) && responses.get(status).is_none() {
+                    responses[status] = response(name);
+                }
+            }
             responses["421"] = response("Misdirected");
             if method != "get" {
                 responses["403"] = response("ForeignPage");

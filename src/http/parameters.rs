@@ -13,10 +13,7 @@ pub fn checked(id: &str) -> Result<String, Failure> {
 pub fn parameters<const N: usize>(query: Option<&str>, names: [&str; N]) -> Result<[Option<String>; N], Failure> {
     let mut values = [const { None }; N];
     for (name, value) in url::form_urlencoded::parse(query.unwrap_or_default().as_bytes()) {
-        let index = names
-            .iter()
-            .position(|known| *known == name)
-            .ok_or_else(|| Failure::bad_query(format!("known parameters are: {}", names.join(", "))))?;
+        let index = names.iter().position(|known| *known == name).ok_or_else(|| Failure::unknown_parameter(&names))?;
         if values[index].is_some() {
             return Err(Failure::bad_query(format!("{} is given twice", names[index])));
         }

@@ -10,13 +10,16 @@ use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_engine::report::SolveError;
+use std::borrow::Cow;
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]
 pub struct Failure {
     status: StatusCode,
-    kind: &'static str,
-    title: &'static str,
+    /// Last part of the type.
+    kind: Cow<'static, str>,
+    title: Cow<'static, str>,
     detail: String,
     errors: Vec<FieldError>,
     headers: Vec<(HeaderName, HeaderValue)>,
@@ -76,7 +79,24 @@ impl Failure {
             }
             _ => Vec::new(),
         };
-        Self { status, kind, title, detail, errors: Vec::new(), headers }
+        Self { status, kind: kind.into(), title: title.into(), detail, errors: Vec::new(), headers }
+    }
+
+    /// Returns the failure for a query with a parameter that is not one of `known`.
+    pub fn unknown_parameter<S: AsRef<str>>(known: &[S]) -> Self {
+        let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
+        Self::bad_query(match known.is_empty() {
+            true => "this path has no query parameters".into(),
+            false => format!("known parameters are: {}", known.join(", ")),
+        })
+    }
+
+    /// Returns the failure for the mesh of a job that failed with this error. Its type and title are the error's own.
+    #[must_use]
+    pub fn of_failed_job(error: SolveError) -> Self {
+        let kind = error.kind.rsplit('/').next().unwrap_or_default().to_owned();
+        let failure = Self::no_mesh(error.detail).with_errors(error.errors);
+        Self { kind: kind.into(), title: error.title.into(), ..failure }
     }
 
     /// Returns the failure for a status that a library has chosen. Its text becomes the detail.
@@ -154,6 +174,9 @@ impl From<JobsError> for Failure {
                 "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if \
                  it is missing",
             ),
+            JobsError::NoRequest => {
+                Self::not_found("the job ended under an earlier version of this server, which did not keep requests")
+            }
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
             JobsError::TooMuch(detail) => Self::unwritable(detail),
             JobsError::Unwritable(error) => Self::unwritable(error.to_string()),
@@ -182,7 +205,7 @@ impl IntoResponse for Failure {
         self.errors.truncate(MAX_ERRORS);
         let problem = Problem {
             kind: format!("/problems/{}", self.kind),
-            title: self.title.into(),
+            title: self.title.into_owned(),
             status: self.status.as_u16(),
             detail: self.detail,
             instance: String::new(),
@@ -234,7 +257,7 @@ impl Failure {
     /// Returns this failure as the lines of text that Hops shows. `line` formats an offending value as a line.
     pub fn lines(&self, line: impl Fn(&FieldError) -> String) -> Vec<String> {
         match self.errors.as_slice() {
-            [] if self.detail.is_empty() => vec![self.title.into()],
+            [] if self.detail.is_empty() => vec![self.title.to_string()],
             [] => vec![format!("{}: {}", self.title, self.detail)],
             errors => errors.iter().take(MAX_ERRORS).map(line).collect(),
         }

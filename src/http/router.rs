@@ -34,6 +34,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
     resources.extend([
         Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
+        Resource::at("/v1/jobs/{id}/request").get(jobs::request, jobs::request_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),
         Resource::at("/v1/jobs/{id}/callbacks")
             .get(jobs::callbacks, jobs::callbacks_entry())
@@ -184,6 +185,8 @@ fn cors(origins: &[String]) -> CorsLayer {
             observe::REQUEST_ID,
         ])
         .expose_headers([
+            header::CONTENT_DISPOSITION,
+            header::CONTENT_RANGE,
             header::LOCATION,
             header::LINK,
             header::RETRY_AFTER,

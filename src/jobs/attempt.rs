@@ -15,6 +15,7 @@ use plateau_engine::report::SolveError;
 use plateau_engine::request::Request;
 use plateau_engine::solved::{self, Solved, Unsolved};
 use sha2::{Digest, Sha256};
+use std::cell::Cell;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -46,18 +47,39 @@ pub(super) struct Attempt {
     _under_way: Option<OwnedSemaphorePermit>,
 }
 
+/// The job of an attempt that begins.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Start<'a> {
+    pub id: &'a str,
+    pub kind: &'a str,
+    pub owner: Option<&'a str>,
+    /// Number of the attempt.
+    pub attempt: i64,
+    pub waited_ms: i64,
+    pub memory_bytes: u64,
+}
+
 /// How an attempt ended.
 pub(super) enum AttemptEnd {
-    Finished(Status),
+    Succeeded,
+    Failed(SolveError),
     /// The job was cancelled, deleted or taken over, so the outcome is not stored.
     Dropped,
     HandedBack,
 }
 
+/// What a solver leaves behind.
+enum Left {
+    Outcome(Outcome),
+    /// The solver was told to stop, so there is no outcome.
+    Nothing,
+    /// This version cannot read the request. The text is the error, as JSON, of a job that no version can read.
+    Unread(String),
+}
+
 /// Reason why the wait for a solver ended.
 enum WaitEnd {
-    /// The solver ended. There is no outcome if the job was cancelled.
-    SolverEnded(Option<Outcome>),
+    SolverEnded(Left),
     /// The solver did not end within [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms).
     Unresponsive,
     /// The shutdown's grace time is over.
@@ -68,18 +90,26 @@ enum WaitEnd {
 enum SolverEnd {
     Solved(Box<Solved>),
     Unsolved(Unsolved),
-    Rejected(Rejection),
+    /// The request or its kind is unknown to this version, or beyond this worker's limits.
+    Unread(SolveError),
     Panicked,
     Unresponsive,
 }
 
-/// Receives the outcome of the solver's thread, or `None` if the job was cancelled. A thread that ends without sending
-/// has panicked.
-type Solver = oneshot::Receiver<Option<Outcome>>;
+/// Receives what the solver's thread leaves behind. A thread that ends without sending has panicked.
+type Solver = oneshot::Receiver<Left>;
 
 /// Runs one attempt at a claimed job, whose memory is reserved.
 pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit, share: Share) {
-    let attempt = Attempt::begin(&jobs, &claimed.id, &claimed.kind, claimed.attempt, claimed.waited_ms);
+    let start = Start {
+        id: &claimed.id,
+        kind: &claimed.kind,
+        owner: claimed.owner.as_deref(),
+        attempt: claimed.attempt,
+        waited_ms: claimed.waited_ms,
+        memory_bytes: claimed.memory_bytes,
+    };
+    let attempt = Attempt::begin(&jobs, start);
     let span = attempt.span.clone();
     let solver = attempt.spawn_solver(claimed, share);
     async {
@@ -98,9 +128,10 @@ pub(super) async fn hand_back(jobs: &Jobs, claimed: &Claimed) {
 }
 
 impl Attempt {
-    pub(super) fn begin(jobs: &Jobs, id: &str, kind: &str, number: i64, waited_ms: i64) -> Self {
+    pub(super) fn begin(jobs: &Jobs, start: Start<'_>) -> Self {
+        let Start { id, kind, owner, attempt: number, waited_ms, memory_bytes } = start;
         let link = Arc::new(SolverLink::new(Duration::from_millis(jobs.config().jobs.deadline_ms)));
-        jobs.running().insert(id, link.clone());
+        jobs.running().insert(id, link.clone(), owner, memory_bytes);
         metrics::gauge!(metric::RUNNING).increment(1.0);
         let waited_s = waited_ms as f64 / 1e3;
         metrics::histogram!(metric::WAIT_SECONDS, "kind" => kind.to_owned()).record(waited_s);
@@ -119,6 +150,8 @@ impl Attempt {
     }
 
     pub(super) fn end(self, end: AttemptEnd) {
+        let elapsed = self.started.elapsed();
+        let elapsed_ms = elapsed.as_secs_f64() * 1e3;
         let status = match end {
             AttemptEnd::HandedBack => return,
             // A cancelled job was counted by its cancel. A job that another worker took over is counted by that worker.
@@ -126,10 +159,20 @@ impl Attempt {
                 self.span.in_scope(|| tracing::info!("ended without a result"));
                 return;
             }
-            AttemptEnd::Finished(status) => status.name(),
+            AttemptEnd::Succeeded => {
+                self.span.in_scope(|| tracing::info!(status = Status::Succeeded.name(), elapsed_ms, "ended"));
+                Status::Succeeded.name()
+            }
+            AttemptEnd::Failed(error) => {
+                let error_type = error.kind.rsplit('/').next().unwrap_or_default().to_owned();
+                self.span.in_scope(|| {
+                    let status = Status::Failed.name();
+                    tracing::info!(status, error_type, detail = error.detail, elapsed_ms, "ended");
+                });
+                metrics::counter!(metric::FAILURES, "kind" => self.kind.clone(), "type" => error_type).increment(1);
+                Status::Failed.name()
+            }
         };
-        let elapsed = self.started.elapsed();
-        self.span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "ended"));
         metrics::counter!(metric::JOBS, "kind" => self.kind.clone(), "status" => status).increment(1);
         metrics::histogram!(metric::SOLVE_SECONDS, "kind" => self.kind.clone()).record(elapsed.as_secs_f64());
     }
@@ -139,7 +182,10 @@ impl Attempt {
         let _entered = self.span.enter();
         let ended = guarded(|| solve(&self.id, request, &self.link));
         note_audit(&ended, &self.kind, || *request_hash);
-        outcome(ended)
+        match left(ended) {
+            Left::Outcome(outcome) => Some(outcome),
+            Left::Nothing | Left::Unread(_) => None,
+        }
     }
 
     fn spawn_solver(&self, claimed: Claimed, mut share: Share) -> Solver {
@@ -151,7 +197,7 @@ impl Attempt {
             note_audit(&ended, &claimed.kind, || Sha256::digest(&claimed.request).into());
             drop(share);
             // The receiver is gone if this solver was given up.
-            if sender.send(outcome(ended)).is_err() {
+            if sender.send(left(ended)).is_err() {
                 tracing::warn!("a solver that was given up has ended");
                 jobs.solver_came_back();
             }
@@ -169,8 +215,8 @@ impl Attempt {
             tokio::time::sleep(Duration::from_millis(self.jobs.config().http.shutdown_grace_ms)).await;
         };
         let mut grace: Pin<&mut (dyn Future<Output = ()> + Send)> = std::pin::pin!(grace);
-        let ended = match self.renew_until_solved(&mut solver, &mut grace).await {
-            WaitEnd::SolverEnded(outcome) => outcome,
+        let left = match self.renew_until_solved(&mut solver, &mut grace).await {
+            WaitEnd::SolverEnded(left) => left,
             WaitEnd::Unresponsive => self.give_up(solver),
             WaitEnd::ShutDown => {
                 self.link.stop();
@@ -185,23 +231,32 @@ impl Attempt {
         };
         // The slot is released before the outcome is stored, so that the next solver need not wait for the disk.
         drop(slot);
-        match ended {
-            Some(outcome) => self.store_outcome(outcome, &mut grace).await,
-            None => AttemptEnd::Dropped,
+        match left {
+            Left::Outcome(outcome) => self.store_outcome(outcome, &mut grace).await,
+            Left::Nothing if self.link.hands_back() => {
+                tracing::info!("makes room for the job of another key");
+                self.hand_back().await
+            }
+            Left::Nothing => AttemptEnd::Dropped,
+            Left::Unread(error) => {
+                tracing::warn!(error, "this version cannot read the request, which is handed back");
+                self.jobs.cannot_read(&self.id);
+                self.hand_back_as(Some(&error)).await
+            }
         }
     }
 
     /// Gives up a solver that does not answer, unless it has just ended. Its thread goes on and keeps its memory.
-    fn give_up(&self, mut solver: Solver) -> Option<Outcome> {
+    fn give_up(&self, mut solver: Solver) -> Left {
         self.jobs.give_up_solver();
         solver.close();
-        if let Ok(outcome) = solver.try_recv() {
+        if let Ok(left) = solver.try_recv() {
             self.jobs.solver_came_back();
-            return outcome;
+            return left;
         }
         let not_looked_for_ms = self.link.not_looked_for().as_millis() as u64;
         tracing::error!(not_looked_for_ms, "the solver does not answer, and is given up");
-        outcome(SolverEnd::Unresponsive)
+        left(SolverEnd::Unresponsive)
     }
 
     /// Time limit for a solver to end after it was asked to end.
@@ -218,7 +273,7 @@ impl Attempt {
         progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
         loop {
             let renewed = tokio::select! {
-                ended = &mut *solver => return WaitEnd::SolverEnded(ended.unwrap_or_else(|_| outcome(SolverEnd::Panicked))),
+                ended = &mut *solver => return WaitEnd::SolverEnded(ended.unwrap_or_else(|_| left(SolverEnd::Panicked))),
                 _ = progress.tick() => match self.link.take() {
                     _ if self.link.asked_to_end_for().is_some_and(|time| time > self.patience()) => {
                         return WaitEnd::Unresponsive;
@@ -248,12 +303,11 @@ impl Attempt {
     /// attempt's number. The store also says whether an earlier try was stored although its answer was lost.
     async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> AttemptEnd {
         let (store, lease) = (self.jobs.store(), self.lease());
-        let status = outcome.status();
         let outcome = Arc::new(outcome);
         let (mut pause, mut defects, mut slot) = (FIRST_PAUSE, 0, None);
         loop {
             match store.finish(&self.id, self.number, outcome.clone()).await {
-                Ok(true) => return AttemptEnd::Finished(status),
+                Ok(true) => return AttemptEnd::of(&outcome),
                 Ok(false) => return AttemptEnd::Dropped,
                 Err(error) => {
                     tracing::warn!(%error, "cannot store the outcome; it is held and tried again");
@@ -284,9 +338,18 @@ impl Attempt {
     }
 
     async fn hand_back(&self) -> AttemptEnd {
-        let given_up = Instant::now() + HAND_BACK_PATIENCE;
+        self.hand_back_as(None).await
+    }
+
+    /// Hands the job back. `unread` is the error of a job that this version cannot read.
+    async fn hand_back_as(&self, unread: Option<&str>) -> AttemptEnd {
+        let (store, given_up) = (self.jobs.store(), Instant::now() + HAND_BACK_PATIENCE);
         loop {
-            match self.jobs.store().hand_back(&self.id, self.number).await {
+            let handed_back = match unread {
+                Some(error) => store.hand_back_unread(&self.id, self.number, error).await,
+                None => store.hand_back(&self.id, self.number).await,
+            };
+            match handed_back {
                 Ok(true) => tracing::info!("handed back"),
                 Ok(false) => return AttemptEnd::Dropped,
                 Err(error) if Instant::now() < given_up => {
@@ -305,6 +368,19 @@ impl Attempt {
     }
 }
 
+impl AttemptEnd {
+    /// Returns the end of an attempt whose outcome was stored.
+    pub(super) fn of(outcome: &Outcome) -> Self {
+        match outcome {
+            Outcome::Succeeded { .. } => Self::Succeeded,
+            // Reading cannot fail, because this process wrote the error.
+            Outcome::Failed { error } => Self::Failed(
+                serde_json::from_str(error).unwrap_or_else(|defect| SolveError::internal(defect.to_string())),
+            ),
+        }
+    }
+}
+
 impl Drop for Attempt {
     fn drop(&mut self) {
         self.jobs.running().remove(&self.id, &self.link);
@@ -314,13 +390,20 @@ impl Drop for Attempt {
 
 fn read_and_solve(jobs: &Jobs, claimed: &Claimed, link: &SolverLink, share: &mut Share) -> SolverEnd {
     let Some(kind) = Kind::from_name(&claimed.kind) else {
-        let detail = "this version does not know this kind of job";
-        return SolverEnd::Unsolved(Unsolved::Failed(JobFailure::UnknownKind.error(detail, Vec::new())));
+        let detail = "the workers' version does not know this kind of job";
+        return SolverEnd::Unread(JobFailure::Refused.error(detail, Vec::new()));
     };
-    let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), link);
+    let source_lost = Cell::new(false);
+    let find = |_: &str| {
+        let found = sources::claimed(jobs, claimed.source.as_deref(), link);
+        source_lost.set(found.is_err());
+        found
+    };
     let request = match Request::read_stored(kind, &claimed.request, &find, &jobs.config().limits.requests()) {
         Ok(request) => request,
-        Err(rejection) => return SolverEnd::Rejected(rejection),
+        Err(_) if link.is_asked_to_end() => return SolverEnd::Unsolved(Unsolved::Cancelled),
+        Err(rejection) if source_lost.get() => return SolverEnd::Unsolved(Unsolved::Failed(refused(rejection))),
+        Err(rejection) => return SolverEnd::Unread(refused(rejection)),
     };
     share.raise_to(request.memory_bytes);
     solve(&claimed.id, &request, link)
@@ -368,12 +451,21 @@ fn note_audit(ended: &SolverEnd, kind: &str, request_hash: impl FnOnce() -> [u8;
     metrics::counter!(metric::AUDIT_FAILURES, "kind" => kind.to_owned()).increment(1);
 }
 
-/// Returns the outcome to store, or `None` if the job was cancelled.
-fn outcome(ended: SolverEnd) -> Option<Outcome> {
+/// Returns the error of a job whose stored request a worker does not accept.
+fn refused(rejection: Rejection) -> SolveError {
+    let (detail, errors) = match rejection {
+        Rejection::Malformed(detail) => (detail, Vec::new()),
+        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
+    };
+    JobFailure::Refused.error(detail, errors)
+}
+
+/// Returns what a solver that ended leaves behind.
+fn left(ended: SolverEnd) -> Left {
     let error = match ended {
         SolverEnd::Solved(solved) => match solved.archive.to_bytes() {
             Ok(artefact) => {
-                return Some(Outcome::Succeeded {
+                return Left::Outcome(Outcome::Succeeded {
                     summary: view::summary_of(&solved.statistics),
                     statistics: solved.statistics,
                     // Serialization cannot fail because warnings have only strings.
@@ -385,15 +477,9 @@ fn outcome(ended: SolverEnd) -> Option<Outcome> {
             }
             Err(defect) => SolveError::internal(defect.to_string()),
         },
-        SolverEnd::Unsolved(Unsolved::Cancelled) => return None,
+        SolverEnd::Unsolved(Unsolved::Cancelled) => return Left::Nothing,
         SolverEnd::Unsolved(Unsolved::Failed(error)) => error,
-        SolverEnd::Rejected(rejection) => {
-            let (detail, errors) = match rejection {
-                Rejection::Malformed(detail) => (detail, Vec::new()),
-                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
-            };
-            JobFailure::Refused.error(detail, errors)
-        }
+        SolverEnd::Unread(error) => return Left::Unread(text_of(&error)),
         SolverEnd::Unresponsive => {
             let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect \
                 of this server; the request is not the cause";
@@ -404,8 +490,12 @@ fn outcome(ended: SolverEnd) -> Option<Outcome> {
             JobFailure::SolverPanicked.error(detail, Vec::new())
         }
     };
+    Left::Outcome(Outcome::Failed { error: text_of(&error) })
+}
+
+fn text_of(error: &SolveError) -> String {
     // Serialization cannot fail because an error has only strings.
-    Some(Outcome::Failed { error: serde_json::to_string(&error).unwrap_or_default() })
+    serde_json::to_string(error).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -416,19 +506,19 @@ mod tests {
     #[test]
     fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {
         let ended = guarded(|| panic!("a defect"));
-        let Some(Outcome::Failed { error }) = outcome(ended) else { panic!("should have failed") };
+        let Left::Outcome(Outcome::Failed { error }) = left(ended) else { panic!("should have failed") };
         let error: SolveError = serde_json::from_str(&error).unwrap();
         assert_eq!(error.kind, "/problems/solver-panicked");
     }
 
     #[test]
-    fn a_stored_request_that_is_no_longer_accepted_fails_with_the_cause_as_its_detail() {
+    fn the_error_of_a_stored_request_that_is_not_accepted_has_the_cause_as_its_detail() {
         let errors = vec![FieldError::new("/boundaries", "is too large"), FieldError::new("/units", "is unknown")];
         for (rejection, detail) in [
             (Rejection::Invalid(errors), "/boundaries is too large; one more error is listed in errors"),
             (Rejection::Malformed("the body is UTF-16".into()), "the body is UTF-16"),
         ] {
-            let Some(Outcome::Failed { error }) = outcome(SolverEnd::Rejected(rejection)) else { panic!("failed") };
+            let Left::Unread(error) = left(SolverEnd::Unread(refused(rejection))) else { panic!("is handed back") };
             let error: SolveError = serde_json::from_str(&error).unwrap();
             assert_eq!((error.kind.as_str(), error.detail.as_str()), ("/problems/refused", detail));
         }
@@ -436,7 +526,8 @@ mod tests {
 
     #[test]
     fn a_cancelled_job_has_no_outcome_and_a_missed_deadline_is_a_failed_one() {
-        assert!(outcome(SolverEnd::Unsolved(Unsolved::Cancelled)).is_none());
-        assert!(matches!(outcome(SolverEnd::Unsolved(Unsolved::deadline())), Some(Outcome::Failed { .. })));
+        assert!(matches!(left(SolverEnd::Unsolved(Unsolved::Cancelled)), Left::Nothing));
+        let missed = left(SolverEnd::Unsolved(Unsolved::deadline()));
+        assert!(matches!(missed, Left::Outcome(Outcome::Failed { .. })));
     }
 }

@@ -1,10 +1,11 @@
 //! Events of one job, for a client that follows it.
 
 use super::{Jobs, JobsError};
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 use crate::store::{EventId, JobRow, JobWatch, StatusEvent};
 use serde_json::json;
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 /// A change of a job's status, or its progress.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub struct Events {
     jobs: Jobs,
     watch: JobWatch,
     last: Option<EventId>,
+    /// The job as it was read last.
+    row: Option<Arc<JobRow>>,
     pending: VecDeque<Event>,
     /// False until the job has been read once.
     begun: bool,
@@ -36,21 +39,33 @@ impl Jobs {
     ///
     /// # Errors
     /// Returns the errors of [`Jobs::get`].
-    pub async fn events(&self, id: &str, owner: Option<&str>, last: Option<&str>) -> Result<Option<Events>, JobsError> {
-        let last: Option<EventId> = last.and_then(|text| text.parse().ok());
+    pub async fn events(
+        &self,
+        id: &str,
+        owner: Option<&str>,
+        last: Option<EventId>,
+    ) -> Result<Option<Events>, JobsError> {
         let mut watch = self.watch(id, owner).await?;
         let nothing_follows =
             watch.current().is_some_and(|row| row.status.is_final() && row.events_since(last).next().is_none());
         if last.is_some() && nothing_follows {
             return Ok(None);
         }
-        Ok(Some(Events { jobs: self.clone(), watch, last, pending: VecDeque::new(), begun: false, ended: false }))
+        Ok(Some(Events {
+            jobs: self.clone(),
+            watch,
+            last,
+            row: None,
+            pending: VecDeque::new(),
+            begun: false,
+            ended: false,
+        }))
     }
 }
 
 impl Events {
-    /// Waits for the next event. Returns `None` after the final event, when the job has been removed, and when this
-    /// server shuts down. After a shutdown the client reconnects with the last identifier that it has seen.
+    /// Waits for the next event. The final event of a job that is deleted says so. Returns `None` after the final event,
+    /// when a finished job has been removed, and when this server shuts down. After a shutdown the client reconnects with the last identifier that it has seen.
     pub async fn next(&mut self) -> Option<Event> {
         loop {
             if let Some(event) = self.pending.pop_front() {
@@ -66,8 +81,19 @@ impl Events {
                 }
             }
             self.begun = true;
-            let row = self.watch.current()?;
-            self.queue(&row);
+            match self.watch.current() {
+                Some(row) => {
+                    self.queue(&row);
+                    self.row = Some(row);
+                }
+                None => {
+                    let row = self.row.take()?;
+                    let row = deleted(&row);
+                    let job = self.jobs.view(&row).ok()?;
+                    self.push(row.event_id(), "status", serde_json::to_string(&job).unwrap_or_default());
+                    self.ended = true;
+                }
+            }
         }
     }
 
@@ -89,10 +115,14 @@ impl Events {
         }
         events.sort_by_key(|&(id, ..)| id);
         for (id, name, data) in events {
-            self.last = Some(id);
-            self.pending.push_back(Event { id: id.to_string(), name, data });
+            self.push(id, name, data);
         }
         self.ended = row.status.is_final();
+    }
+
+    fn push(&mut self, id: EventId, name: &'static str, data: String) {
+        self.last = Some(id);
+        self.pending.push_back(Event { id: id.to_string(), name, data });
     }
 }
 
@@ -116,6 +146,19 @@ fn as_of(row: &JobRow, change: &StatusEvent) -> JobRow {
         warnings: "[]".into(),
         error: None,
         artefact: None,
+        cancelled_because: None,
+        successor: None,
+        ..row.clone()
+    }
+}
+
+/// Returns a job that was removed before it had ended, as its last event shows it.
+fn deleted(row: &JobRow) -> JobRow {
+    JobRow {
+        status: Status::Cancelled,
+        cancelled_because: Some(CancelReason::Deleted),
+        sequence: row.sequence + 1,
+        progress: None,
         ..row.clone()
     }
 }

@@ -3,7 +3,7 @@
 use super::converters::{Converters, Length};
 use super::files::FileCache;
 use super::memory::MemoryBudget;
-use super::progress::Running;
+use super::shares::Running;
 use super::{JobsError, view};
 use crate::config::Config;
 use crate::store::{BatchRow, JobRow, Store};
@@ -11,13 +11,16 @@ use crate::telemetry::metric;
 use crate::webhook::Sender;
 use crate::wire::batch::Batch;
 use crate::wire::job::Job;
-use plateau_engine::kind::Kind;
-use std::sync::Arc;
+use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
 const MAX_UNDER_WAY: u32 = 1 << 24;
+
+/// Number of jobs that this process could not read and remembers. It is as large as the default length of the queue.
+const MAX_UNREAD: usize = 1000;
 
 /// Handle of the job service. Clones share one service.
 #[derive(Clone, Debug)]
@@ -29,6 +32,8 @@ pub(super) struct Inner {
     pub(super) config: Arc<Config>,
     /// Solvers that run in this process.
     pub(super) running: Running,
+    /// Jobs whose requests this process could not read.
+    unread: Mutex<VecDeque<String>>,
     pub(super) shutdown: watch::Sender<bool>,
     pub(super) memory: MemoryBudget,
     pub(super) converters: Converters,
@@ -72,6 +77,7 @@ impl Jobs {
             under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
+            unread: Mutex::default(),
             shutdown: watch::Sender::new(false),
             converters: Converters::start(cores.max(2))?,
         })))
@@ -126,7 +132,7 @@ impl Jobs {
     pub(super) fn superseded(&self, cancelled: &[JobRow]) {
         for job in cancelled {
             self.0.running.cancel(&job.id);
-            Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
+            count_cancelled(&job.kind);
         }
     }
 
@@ -140,6 +146,20 @@ impl Jobs {
 
     pub(super) fn running(&self) -> &Running {
         &self.0.running
+    }
+
+    /// Returns the jobs whose requests this process could not read.
+    pub(super) fn unread(&self) -> Vec<String> {
+        self.0.unread.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+    }
+
+    /// Remembers a job whose request this process cannot read, so that it does not claim the job again.
+    pub(super) fn cannot_read(&self, id: &str) {
+        let mut unread = self.0.unread.lock().unwrap_or_else(PoisonError::into_inner);
+        if unread.len() == MAX_UNREAD {
+            unread.pop_front();
+        }
+        unread.push_back(id.to_owned());
     }
 
     /// Counts a solver that is given up. Shuts the process down if there are too many.
@@ -187,7 +207,7 @@ impl Jobs {
         view::job(&self.0.config.http.public_base_path, row)
     }
 
-    pub(super) fn view_batch(&self, row: &BatchRow) -> Result<Batch, JobsError> {
+    pub(super) fn view_batch(&self, row: &BatchRow) -> Batch {
         view::batch(&self.0.config.http.public_base_path, row)
     }
 
@@ -206,6 +226,6 @@ impl Jobs {
 }
 
 /// Counts a job that this process has cancelled.
-pub(super) fn count_cancelled(kind: Kind) {
-    metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
+pub(super) fn count_cancelled(kind: &str) {
+    metrics::counter!(metric::JOBS, "kind" => kind.to_owned(), "status" => "cancelled").increment(1);
 }

@@ -2,9 +2,8 @@
 
 use plateau_engine::report::Progress;
 use plateau_engine::solved::Signal;
-use std::collections::HashMap;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 /// State that a running solver shares with its attempt.
@@ -13,6 +12,8 @@ pub struct SolverLink {
     started: Instant,
     deadline: Instant,
     stopped: OnceLock<Instant>,
+    /// True if the solver was stopped to make room for the job of another owner.
+    hands_back: AtomicBool,
     /// Time of the solver's last look at the signal, in milliseconds since the start.
     looked_ms: AtomicU64,
     latest: Mutex<Option<Progress>>,
@@ -26,6 +27,7 @@ impl SolverLink {
             started,
             deadline: started + deadline,
             stopped: OnceLock::new(),
+            hands_back: AtomicBool::new(false),
             looked_ms: AtomicU64::new(0),
             latest: Mutex::new(None),
         }
@@ -34,6 +36,24 @@ impl SolverLink {
     /// Asks the solver to stop without a result.
     pub fn stop(&self) {
         self.stopped.get_or_init(Instant::now);
+    }
+
+    /// Asks the solver to stop, after which its job goes back to the queue.
+    pub fn hand_back(&self) {
+        self.hands_back.store(true, Ordering::Relaxed);
+        self.stop();
+    }
+
+    /// Returns true if the job goes back to the queue when its solver has stopped without a result.
+    #[must_use]
+    pub fn hands_back(&self) -> bool {
+        self.hands_back.load(Ordering::Relaxed)
+    }
+
+    /// Returns true if the solver was asked to end.
+    #[must_use]
+    pub fn is_asked_to_end(&self) -> bool {
+        self.stopped.get().is_some()
     }
 
     /// Returns the time since the solver was asked to end, by a stop or by its deadline.
@@ -82,34 +102,5 @@ impl SolverLink {
     #[must_use]
     pub fn take(&self) -> Option<Progress> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).take()
-    }
-}
-
-/// Solvers that run in this process, by job identifier.
-#[derive(Debug, Default)]
-pub struct Running(Mutex<HashMap<String, Arc<SolverLink>>>);
-
-impl Running {
-    fn links(&self) -> std::sync::MutexGuard<'_, HashMap<String, Arc<SolverLink>>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    pub fn insert(&self, id: &str, link: Arc<SolverLink>) {
-        self.links().insert(id.into(), link);
-    }
-
-    /// Removes a solver. If another attempt at the same job is registered, it stays.
-    pub fn remove(&self, id: &str, link: &Arc<SolverLink>) {
-        let mut links = self.links();
-        if links.get(id).is_some_and(|current| Arc::ptr_eq(current, link)) {
-            links.remove(id);
-        }
-    }
-
-    /// Asks the job's solver to stop, if it runs in this process.
-    pub fn cancel(&self, id: &str) {
-        if let Some(link) = self.links().get(id) {
-            link.stop();
-        }
     }
 }

@@ -35,7 +35,21 @@ impl Jobs {
     /// # Errors
     /// Returns [`JobsError::NoBatch`], [`JobsError::Expired`] or an error of the store.
     pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
-        self.view_batch(&found_batch(self.0.store.batch(id, owner).await?)?)
+        Ok(self.view_batch(&found_batch(self.0.store.batch(id, owner).await?)?))
+    }
+
+    /// Returns the request of a job as JSON, as the request's type wrote it when the request was accepted. It names its
+    /// kind, so that `plateau solve` and batches take it.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::get`], and [`JobsError::NoRequest`] if the job ended under a version that dropped
+    /// requests.
+    pub async fn request(&self, id: &str, owner: Option<&str>) -> Result<File, JobsError> {
+        let Some((kind, text)) = self.0.store.request(id, owner).await? else {
+            return found(self.0.store.get(id, owner).await?).and(Err(JobsError::NoRequest));
+        };
+        let service = self.clone();
+        self.off_runtime(move || service.files().file(with_kind(&kind, text))).await?
     }
 
     /// Returns a file made from a succeeded job's mesh. The conversion runs outside the async threads, and the number
@@ -84,6 +98,9 @@ impl Jobs {
     /// equal request is solved again instead of reusing it.
     pub(super) async fn unreadable(&self, defect: &Defect, artefact: &Artefact) -> JobsError {
         tracing::error!(error = %defect, "a stored mesh cannot be read");
+        if matches!(defect, Defect::Version(_)) {
+            return JobsError::Unavailable("the mesh was stored by another version of this server".into());
+        }
         if !matches!(defect, Defect::Magic | Defect::Checksum) {
             return JobsError::Internal("a stored mesh cannot be read".into());
         }
@@ -92,6 +109,17 @@ impl Jobs {
             Err(error) => error.into(),
         }
     }
+}
+
+/// Returns the text of a request with its kind as the first member. The types write the kind first if it was given.
+fn with_kind(kind: &str, mut text: Vec<u8>) -> Vec<u8> {
+    const NAME: &[u8] = b"{\"kind\":";
+    if !text.starts_with(NAME) {
+        let comma = if text.get(1) == Some(&b'}') { "" } else { "," };
+        let first = format!("{}{}{comma}", String::from_utf8_lossy(NAME), serde_json::Value::from(kind));
+        text.splice(..1, first.into_bytes());
+    }
+    text
 }
 
 /// Returns how long converting a mesh with these statistics takes.

@@ -5,7 +5,7 @@ use super::batch::BatchMeshes;
 use super::handle::count_cancelled;
 use super::reading::{found, found_batch};
 use super::{Jobs, JobsError, Selection, batch, callbacks, view, worker};
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 use crate::store::{Filter, Subject};
 use crate::wire::batch::Batch;
 use crate::wire::callback::Callbacks;
@@ -91,8 +91,11 @@ impl Jobs {
         let filter = Filter {
             owner: owner.map(str::to_owned),
             kind: selection.kind.map(|kind| kind.name().into()),
-            status: selection.status,
+            statuses: selection.statuses,
             idempotency_key: selection.idempotency_key,
+            label: selection.label,
+            batch: selection.batch,
+            created_after_ms: selection.created_after_ms,
             statistics: with_statistics,
         };
         let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
@@ -160,13 +163,13 @@ impl Jobs {
     ///
     /// # Errors
     /// Returns the errors of [`Jobs::get`].
-    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+    pub async fn cancel(&self, id: &str, owner: Option<&str>, because: CancelReason) -> Result<Job, JobsError> {
         let before = found(self.0.store.get(id, owner).await?)?;
-        let job = self.view(&*found(self.0.store.cancel(id, owner).await?)?)?;
+        let job = self.view(&*found(self.0.store.cancel(id, owner, because).await?)?)?;
         if job.status == Status::Cancelled {
             self.0.running.cancel(id);
             if !before.status.is_final() {
-                count_cancelled(job.kind);
+                count_cancelled(job.kind.name());
             }
         }
         Ok(job)
@@ -222,9 +225,9 @@ impl Jobs {
     pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
         let (lookup, cancelled) = self.0.store.cancel_batch(id, owner).await?;
         cancelled.iter().for_each(|id| self.0.running.cancel(id));
-        let batch = self.view_batch(&found_batch(lookup)?)?;
+        let batch = self.view_batch(&found_batch(lookup)?);
         let cancelled_now = batch.jobs.iter().filter(|job| cancelled.contains(&job.id));
-        cancelled_now.for_each(|job| count_cancelled(job.kind));
+        cancelled_now.for_each(|job| count_cancelled(job.kind.name()));
         Ok(batch)
     }
 
@@ -270,7 +273,7 @@ impl Drop for CancelOnDrop {
         let Some((id, owner)) = self.job.take() else { return };
         let jobs = self.jobs.clone();
         tokio::spawn(async move {
-            if let Err(error) = jobs.cancel(&id, owner.as_deref()).await {
+            if let Err(error) = jobs.cancel(&id, owner.as_deref(), CancelReason::Disconnected).await {
                 tracing::warn!(?error, job_id = id, "a job whose client went away was not cancelled");
             }
         });

@@ -5,7 +5,7 @@
 //! yet. If the process dies before the write, the submission leaves no trace, as if the process had died while it read
 //! the body.
 
-use super::attempt::{Attempt, AttemptEnd};
+use super::attempt::{Attempt, AttemptEnd, Start};
 use super::sources::Sources;
 use super::{Jobs, JobsError, view};
 use crate::store::{Addition, BatchAddition, EarlyEnd, NewBatch, NewJob, StoreError};
@@ -133,11 +133,11 @@ async fn store(
     waited_for: bool,
 ) -> Result<Submitted<Job>, JobsError> {
     if waited_for && let Some((attempt, solved)) = solve_here(jobs, &job, request, submitted_at) {
-        let status = solved.outcome.status();
+        let end = AttemptEnd::of(&solved.outcome);
         let stored = jobs.store().add_ended_job(job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
         let created = matches!(stored, Ok(Addition::Created(..)));
-        attempt.end(if created { AttemptEnd::Finished(status) } else { AttemptEnd::Dropped });
+        attempt.end(if created { end } else { AttemptEnd::Dropped });
         return answer(jobs, stored);
     }
     answer(jobs, jobs.store().add_job(job).await)
@@ -157,7 +157,15 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
     let _slot = jobs.slots().try_acquire_owned().ok()?;
     let started_at = Instant::now();
     let waited_ms = milliseconds(started_at - submitted_at);
-    let attempt = Attempt::begin(jobs, &job.id, &job.kind, 1, waited_ms);
+    let start = Start {
+        id: &job.id,
+        kind: &job.kind,
+        owner: job.owner.as_deref(),
+        attempt: 1,
+        waited_ms,
+        memory_bytes: job.memory_bytes,
+    };
+    let attempt = Attempt::begin(jobs, start);
     // Only a cancelled job has no outcome, and a client cannot cancel this job because it does not know the identifier
     // yet.
     let outcome = attempt.solve(request, &job.request_hash)?;
@@ -184,9 +192,8 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
         let read = BatchRequest::read(&body, &|id| sources.find(id), &limits);
         read.map_err(|rejection| sources.refused_batch(rejection))
     };
-    let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
+    let BatchRequest { requests, callback_url, hash: body_hash } = jobs.off_runtime(read).await??;
     check_callback(jobs, "", callback_url.as_deref())?;
-    let body_hash = hash_of(&value);
     let Submitter { owner, idempotency_key } = from;
     let mut new_jobs = Vec::with_capacity(requests.len());
     for (index, request) in requests.into_iter().enumerate() {
@@ -208,9 +215,9 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     match jobs.store().add_batch(batch).await? {
         BatchAddition::Created(row) => {
             tracing::info!(batch_id = %row.id, jobs = row.size, "submitted a batch");
-            Ok(Submitted::Created(view::batch(base, &row)?))
+            Ok(Submitted::Created(view::batch(base, &row)))
         }
-        BatchAddition::Existing(row) => Ok(Submitted::Existing(view::batch(base, &row)?)),
+        BatchAddition::Existing(row) => Ok(Submitted::Existing(view::batch(base, &row))),
         BatchAddition::KeyConflict => Err(JobsError::KeyConflict),
     }
 }

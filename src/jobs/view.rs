@@ -4,8 +4,7 @@ use super::JobsError;
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
-use crate::wire::job::{ExtraFiles, Job, JobSummary, Links};
-use plateau_engine::kind::Kind;
+use crate::wire::job::{ExtraFiles, Job, JobKind, JobSummary, Links, Related};
 use plateau_engine::report::{Progress, SolveError, Warning};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize, Serializer};
@@ -15,7 +14,6 @@ use std::time::{Duration, SystemTime};
 /// Returns a job. `base` is the path that a proxy puts before the paths of this server.
 pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
-    let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
     let status = row.status;
     let statistics = row.statistics.as_deref();
     let summary = row.summary.as_deref().or(statistics);
@@ -34,11 +32,14 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
             (progress.unwrap_or_else(waiting), ExtraFiles::default())
         }
     };
+    let related =
+        Related { files, request: row.has_request, batch: row.batch.as_deref(), successor: row.successor.as_deref() };
     Ok(Job {
-        links: Links::of(base, &row.id, status, files),
+        links: Links::of(base, &row.id, status, related),
         id: row.id.clone(),
-        kind,
+        kind: JobKind::from_name(&row.kind),
         status,
+        cancelled_because: row.cancelled_because,
         label: row.label.clone(),
         metadata,
         created_at: timestamp(row.created_at_ms),
@@ -128,28 +129,28 @@ pub(super) fn counts(row: &BatchRow) -> BatchCounts {
     BatchCounts::of(row.jobs.iter().map(|job| job.status))
 }
 
-pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
+pub(super) fn batch(base: &str, row: &BatchRow) -> Batch {
     let jobs = row.jobs.iter().map(|job| {
-        let kind = Kind::from_name(&job.kind).ok_or_else(|| JobsError::Internal("an unknown kind of job".into()))?;
-        Ok(BatchJob {
+        let related = Related { request: job.has_request, batch: Some(&row.id), ..Related::default() };
+        BatchJob {
             index: job.index.unsigned_abs(),
             id: job.id.clone(),
-            kind,
+            kind: JobKind::from_name(&job.kind),
             status: job.status,
-            links: Links::of(base, &job.id, job.status, ExtraFiles::default()),
-        })
+            links: Links::of(base, &job.id, job.status, related),
+        }
     });
     let counts = counts(row);
     let finished_at_ms = row.jobs.iter().map(|job| job.finished_at_ms).max().flatten();
-    Ok(Batch {
+    Batch {
         id: row.id.clone(),
         status: counts.status(),
         created_at: timestamp(row.created_at_ms),
         finished_at: finished_at_ms.filter(|_| counts.status().is_final()).map(timestamp),
         counts,
-        jobs: jobs.collect::<Result<_, JobsError>>()?,
+        jobs: jobs.collect(),
         links: BatchLinks::of(base, &row.id, &counts),
-    })
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! and solves the next job, so that solvers do not wait for the disk.
 
 use super::{Jobs, attempt};
-use crate::store::{Claimed, Room, StoreError};
+use crate::store::{Claimed, Preference, Room, StoreError};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
@@ -70,6 +70,34 @@ pub(super) async fn run(jobs: Jobs, name: String, slots: Arc<Semaphore>, most_by
     }
 }
 
+/// Interval at which waiting owners are looked for.
+const ROOM_INTERVAL: Duration = Duration::from_millis(250);
+/// Time for which an owner waits before a job of another owner is handed back.
+const ROOM_PATIENCE: Duration = Duration::from_millis(500);
+
+/// Hands jobs back whose owner has more than their share of the solvers while others wait. Never returns.
+pub(crate) async fn make_room(jobs: Jobs) {
+    if !jobs.config().has_owners() {
+        return std::future::pending().await;
+    }
+    loop {
+        tokio::time::sleep(ROOM_INTERVAL).await;
+        if jobs.slots().available_permits() > 0 || !jobs.running().may_hand_back() {
+            continue;
+        }
+        match jobs.store().waiting_owners(ROOM_PATIENCE).await {
+            Ok(waiting) => jobs.running().make_room(&waiting, jobs.memory()),
+            Err(error) => tracing::warn!(%error, "cannot look for waiting owners"),
+        }
+    }
+}
+
+/// Returns which jobs a worker of this process takes first and which it leaves out.
+fn preference(jobs: &Jobs) -> Preference {
+    let later_owners = if jobs.config().has_owners() { jobs.running().later_owners() } else { Vec::new() };
+    Preference { later_owners, except: jobs.unread() }
+}
+
 /// Claims a job. If `uncertain`, an earlier claim under this name has failed, but may have been committed although its
 /// answer was lost. In that case the job of that claim is returned first.
 async fn claim(
@@ -82,5 +110,5 @@ async fn claim(
     if uncertain && let Some(claimed) = jobs.store().claimed_by(name, lease).await? {
         return Ok(Some(claimed));
     }
-    jobs.store().claim_within(name, lease, room).await
+    jobs.store().claim_within(name, lease, room, preference(jobs)).await
 }

@@ -3,10 +3,10 @@
 
 use super::callbacks::host_of;
 use super::history::{ending, read_status};
-use super::jobs::{self, Addition, BatchPlace, COLUMNS, JobRow, NewJob, drop_request};
+use super::jobs::{self, Addition, BatchPlace, COLUMNS, JobRow, NewJob, drop_request, release_source};
 use super::tx::{Row, Tx};
 use super::{Result, StoreError, StoreOptions, limit, milliseconds};
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 
 /// A batch that has not been stored yet. Its jobs are stored together or not at all, and must have no idempotency keys
 /// of their own.
@@ -52,6 +52,8 @@ pub struct BatchJob {
     pub kind: String,
     pub status: Status,
     pub finished_at_ms: Option<i64>,
+    /// True if the job's request is kept.
+    pub has_request: bool,
 }
 
 /// Result of looking up a batch.
@@ -72,6 +74,7 @@ impl BatchJob {
             kind: row.get("kind")?,
             status: read_status(row)?,
             finished_at_ms: row.get("finished_at")?,
+            has_request: row.get::<i64>("request_bytes")? > 0,
         })
     }
 }
@@ -122,7 +125,8 @@ fn earlier_batch(tx: &mut Tx<'_>, batch: &NewBatch) -> Result<Option<BatchAdditi
 fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<BatchRow>> {
     let text = "SELECT created_at, size FROM batches WHERE id = $1 AND ($2 = '' OR owner = $2)";
     let Some(row) = tx.row(text, &[id.into(), owner.unwrap_or_default().into()])? else { return Ok(None) };
-    let jobs = "SELECT batch_index, id, kind, status, finished_at FROM jobs WHERE batch = $1 ORDER BY batch_index";
+    let jobs = "SELECT batch_index, id, kind, status, finished_at, request_bytes FROM jobs \
+                WHERE batch = $1 ORDER BY batch_index";
     let jobs = tx.rows(jobs, &[id.into()])?;
     Ok(Some(BatchRow {
         id: id.to_owned(),
@@ -153,12 +157,21 @@ pub(super) fn cancel(
     options: &StoreOptions,
 ) -> Result<(BatchLookup, Vec<String>)> {
     let text = format!(
-        "UPDATE jobs SET {} WHERE batch = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
+        "UPDATE jobs SET {}, cancelled_because = $4 WHERE batch = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
          RETURNING id",
         ending(Status::Cancelled)
     );
-    let values = [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into()];
-    let cancelled = run_and_drop_requests(tx, &text, &values)?;
+    let values = [
+        id.into(),
+        milliseconds(options.retention).into(),
+        owner.unwrap_or_default().into(),
+        CancelReason::Client.name().into(),
+    ];
+    let cancelled = ids_of(&tx.rows(&text, &values)?)?;
+    for id in &cancelled {
+        release_source(tx, id)?;
+        tx.changed(id);
+    }
     Ok((get(tx, id, owner)?, cancelled))
 }
 
@@ -169,18 +182,16 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<O
     if tx.execute(text, &[id.into(), owner.unwrap_or_default().into()])? == 0 {
         return Ok(None);
     }
-    run_and_drop_requests(tx, "DELETE FROM jobs WHERE batch = $1 RETURNING id", &[id.into()]).map(Some)
-}
-
-/// Runs a statement that ends or removes jobs, and drops the requests of these jobs. Returns the jobs' identifiers.
-fn run_and_drop_requests(tx: &mut Tx<'_>, text: &str, values: &[super::value::Value<'_>]) -> Result<Vec<String>> {
-    let rows = tx.rows(text, values)?;
-    let ids = rows.iter().map(|row| row.get("id")).collect::<Result<Vec<String>>>()?;
-    for id in &ids {
+    let removed = ids_of(&tx.rows("DELETE FROM jobs WHERE batch = $1 RETURNING id", &[id.into()])?)?;
+    for id in &removed {
         drop_request(tx, id)?;
         tx.changed(id);
     }
-    Ok(ids)
+    Ok(Some(removed))
+}
+
+fn ids_of(rows: &[Row]) -> Result<Vec<String>> {
+    rows.iter().map(|row| row.get("id")).collect()
 }
 
 /// Returns the complete rows of a batch's jobs, in the order of the submission.

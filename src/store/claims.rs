@@ -7,7 +7,8 @@ use std::time::Duration;
 use serde_json::json;
 
 use super::history::{ending, history_line};
-use super::jobs::{Outcome, Sharing, drop_request};
+use super::jobs::{Outcome, Sharing, release_source};
+use super::queue::{Order, Preference};
 use super::results::{self, Prepared};
 use super::tx::{Row, Tx};
 use super::value::Value;
@@ -19,6 +20,7 @@ use crate::status::Status;
 pub struct Claimed {
     pub id: String,
     pub kind: String,
+    pub owner: Option<String>,
     pub request: Vec<u8>,
     /// Name of the result from which the request begins.
     pub source: Option<Vec<u8>>,
@@ -70,32 +72,71 @@ impl Room {
     }
 }
 
-/// Returns two flags: whether a lease of at most `lease_max_ms` has run out, and whether a queued job fits into `room`.
-pub(super) fn pending_work(tx: &mut Tx<'_>, lease_max_ms: i64, room: Room) -> Result<(bool, bool)> {
+/// SQL condition for waiting jobs that no worker could read for too long. `$1` is the patience in ms.
+const UNREAD_FOR_TOO_LONG: &str = "status = 'queued' AND unread_since <= now_ms() - $1";
+
+/// Returns two flags: whether jobs are to be recovered, because a lease of at most `lease_max_ms` has run out or no
+/// worker could read a job for too long; and whether a queued job fits into `room`.
+pub(super) fn pending_work(
+    tx: &mut Tx<'_>,
+    lease_max_ms: i64,
+    room: Room,
+    preference: &Preference,
+    options: &StoreOptions,
+) -> Result<(bool, bool)> {
     let lost = format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1");
-    let lost = tx.exists(&lost, &[lease_max_ms.into()])?;
-    let waiting = "SELECT 1 FROM jobs WHERE status = 'queued' AND memory_bytes <= $1 LIMIT 1";
-    Ok((lost, tx.exists(waiting, &[room.bytes().into()])?))
+    let unread = format!("SELECT 1 FROM jobs WHERE {UNREAD_FOR_TOO_LONG} LIMIT 1");
+    let due = tx.exists(&lost, &[lease_max_ms.into()])?
+        || tx.exists(&unread, &[milliseconds(options.unread_patience).into()])?;
+    let order = preference.order(tx, "$3", "$2");
+    let waiting = format!("SELECT 1 FROM jobs WHERE {} AND memory_bytes <= $1 LIMIT 1", order.waiting);
+    Ok((due, tx.exists(&waiting, &[room.bytes().into(), (&order.except).into()])?))
 }
 
 /// Claims the first job in the queue for which there is room. It may overtake a job that does not fit into the free
 /// memory, but only [`MAX_OVERTAKEN`] jobs may.
-pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
-    let first = "SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */";
-    if let Some(claimed) = claim_chosen(tx, first, worker, lease, room)? {
+pub(super) fn claim(
+    tx: &mut Tx<'_>,
+    worker: &str,
+    lease: Duration,
+    room: Room,
+    preference: &Preference,
+) -> Result<Option<Claimed>> {
+    let order = preference.order(tx, "$4", "$5");
+    let (waiting, columns) = (&order.waiting, order.columns());
+    let first = format!("SELECT id FROM jobs WHERE {waiting} ORDER BY {columns} LIMIT 1 /* skip locked */");
+    if let Some(claimed) = claim_chosen(tx, &first, worker, lease, room, &order)? {
         return Ok(Some(claimed));
     }
-    let fitting = |columns: &str, bytes: &str| {
+    let rank = if order.rank.is_empty() { "CAST(0 AS BIGINT)" } else { &order.rank };
+    let fitting = |selected: &str| {
         format!(
-            "SELECT {columns} FROM jobs WHERE status = 'queued' AND memory_bytes <= {bytes} \
-             ORDER BY turn, id LIMIT 1 /* skip locked */"
+            "SELECT {selected} FROM jobs WHERE {waiting} AND memory_bytes <= $3 \
+             ORDER BY {columns} LIMIT 1 /* skip locked */"
         )
     };
-    let Some(row) = tx.row(&fitting("id, turn", "$1"), &[room.bytes().into()])? else { return Ok(None) };
+    let values: [Value<'_>; 5] =
+        [0.into(), 0.into(), room.bytes().into(), (&order.later_owners).into(), (&order.except).into()];
+    let Some(row) = tx.row(&fitting(&format!("id, turn, {rank} AS rank")), &values)? else { return Ok(None) };
     let (id, turn): (String, i64) = (row.get("id")?, row.get("turn")?);
-    let too_large = "SELECT id, overtaken FROM jobs WHERE status = 'queued' AND memory_bytes > $1 AND \
-        (turn, id) < ($2, $3) ORDER BY turn, id LIMIT 1 /* skip locked */";
-    let overtaken = tx.row(too_large, &[limit(room.free_bytes).into(), turn.into(), (&id).into()])?;
+    let ahead = if order.rank.is_empty() {
+        "(turn, id) < ($2, $1)".to_owned()
+    } else {
+        format!("({rank}, turn, id) < ($6, $2, $1)")
+    };
+    let too_large = format!(
+        "SELECT id, overtaken FROM jobs WHERE {waiting} AND memory_bytes > $3 AND {ahead} \
+         ORDER BY {columns} LIMIT 1 /* skip locked */"
+    );
+    let values = [
+        (&id).into(),
+        turn.into(),
+        limit(room.free_bytes).into(),
+        (&order.later_owners).into(),
+        (&order.except).into(),
+        row.get::<i64>("rank")?.into(),
+    ];
+    let overtaken = tx.row(&too_large, &values)?;
     if let Some(row) = overtaken {
         if row.get::<i64>("overtaken")? >= MAX_OVERTAKEN {
             return Ok(None);
@@ -103,29 +144,47 @@ pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration, room: Room) 
         let overtaken: String = row.get("id")?;
         tx.execute("UPDATE jobs SET overtaken = overtaken + 1 WHERE id = $1", &[(&overtaken).into()])?;
     }
-    claim_chosen(tx, &fitting("id", "$3"), worker, lease, room)
+    claim_chosen(tx, &fitting("id"), worker, lease, room, &order)
 }
 
+/// Columns of a claimed job that [`claimed`] reads.
+const CLAIMED: &str = "id, kind, owner, attempt, memory_bytes, now_ms() - created_at AS waited";
+
 /// Claims the job that the query `chosen` selects, if the job fits into `room` (`$3`).
-fn claim_chosen(tx: &mut Tx<'_>, chosen: &str, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
+fn claim_chosen(
+    tx: &mut Tx<'_>,
+    chosen: &str,
+    worker: &str,
+    lease: Duration,
+    room: Room,
+    order: &Order,
+) -> Result<Option<Claimed>> {
     let text = format!(
         "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
          lease_until = now_ms() + $2, lease_ms = $2, started_at = now_ms(), progress = NULL, progress_sequence = 0, \
          history = {} \
          WHERE id = ({chosen}) AND memory_bytes <= $3 \
-         RETURNING id, kind, attempt, memory_bytes, now_ms() - created_at AS waited",
+         RETURNING {CLAIMED}",
         history_line("(attempt + 1)", Status::Running)
     );
-    let values = [worker.into(), milliseconds(lease).into(), room.bytes().into()];
+    let values = [
+        worker.into(),
+        milliseconds(lease).into(),
+        room.bytes().into(),
+        (&order.later_owners).into(),
+        (&order.except).into(),
+    ];
     let Some(row) = tx.row(&text, &values)? else { return Ok(None) };
     claimed(tx, &row).map(Some)
 }
 
 /// Returns the running job that was claimed under the name `worker`, if there is one, and extends its lease.
 pub(super) fn claimed_by(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
-    let text = "UPDATE jobs SET lease_until = now_ms() + $2, lease_ms = $2 WHERE worker = $1 AND status = 'running' \
-                RETURNING id, kind, attempt, memory_bytes, now_ms() - created_at AS waited";
-    let Some(row) = tx.row(text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
+    let text = format!(
+        "UPDATE jobs SET lease_until = now_ms() + $2, lease_ms = $2 WHERE worker = $1 AND status = 'running' \
+         RETURNING {CLAIMED}"
+    );
+    let Some(row) = tx.row(&text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
     claimed(tx, &row).map(Some)
 }
 
@@ -138,6 +197,7 @@ fn claimed(tx: &mut Tx<'_>, row: &Row) -> Result<Claimed> {
     Ok(Claimed {
         id,
         kind: row.get("kind")?,
+        owner: row.owner()?,
         request: request.get("body")?,
         source: request.get("source")?,
         attempt: row.get("attempt")?,
@@ -229,7 +289,7 @@ pub(super) fn finish(
     if let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) {
         results::keep(tx, result, artefact)?;
     }
-    drop_request(tx, id)?;
+    release_source(tx, id)?;
     tx.changed(id);
     Ok(true)
 }
@@ -275,6 +335,31 @@ pub(super) fn hand_back(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<bool>
     Ok(true)
 }
 
+/// Same as [`hand_back`], for a job whose request the worker's version cannot read. If no other worker can read it in
+/// time, the job fails with `error` (JSON text).
+pub(super) fn hand_back_unread(tx: &mut Tx<'_>, id: &str, attempt: i64, error: &str) -> Result<bool> {
+    let text = "UPDATE jobs SET unread_since = coalesce(unread_since, now_ms()), unread_error = $3 \
+                WHERE id = $1 AND attempt = $2 AND status = 'running'";
+    tx.execute(text, &[id.into(), attempt.into(), error.into()])?;
+    hand_back(tx, id, attempt)
+}
+
+/// Fails jobs that no worker could read for too long. Returns their number.
+fn fail_unread(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
+    let text = format!(
+        "UPDATE jobs SET {}, error = unread_error WHERE {UNREAD_FOR_TOO_LONG} RETURNING id",
+        ending(Status::Failed)
+    );
+    let values = [milliseconds(options.unread_patience).into(), milliseconds(options.retention).into()];
+    let failed = tx.rows(&text, &values)?;
+    for row in &failed {
+        let id: String = row.get("id")?;
+        release_source(tx, &id)?;
+        tx.changed(&id);
+    }
+    Ok(failed.len())
+}
+
 /// Beginning of the line that describes the loss of an attempt.
 fn loss_of(attempt: i64) -> String {
     format!("attempt {attempt} on ")
@@ -296,7 +381,7 @@ fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
 }
 
 /// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue. A job whose lease has run out too
-/// often fails instead. Returns the number of jobs of both kinds.
+/// often fails instead, and so does a job that no worker could read for too long. Returns the number of these jobs.
 ///
 /// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has
 /// not renewed its lease since then may have been stopped because of the outage, so its loss is not counted.
@@ -344,11 +429,11 @@ pub(super) fn recover(
             let values =
                 [(&id).into(), retention.into(), attempt.into(), count.into(), (&losses).into(), (&error).into()];
             tx.execute(&text, &values)?;
-            drop_request(tx, &id)?;
+            release_source(tx, &id)?;
         }
         tx.changed(&id);
     }
-    Ok(lost.len())
+    Ok(lost.len() + fail_unread(tx, options)?)
 }
 
 /// Returns the error, as JSON text, of a job whose workers keep dying.

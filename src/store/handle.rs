@@ -1,7 +1,8 @@
 //! The handle of a store: opening, closing, health, and the two ways to run a transaction.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use tokio::sync::watch as signal;
 
@@ -9,11 +10,14 @@ use super::ballast::Ballast;
 use super::changes::Changes;
 use super::engine::Engine;
 use super::files::ResultStorage;
-use super::jobs::Outcome;
+use super::jobs::{self, Outcome};
 use super::outage::OutageTracker;
 use super::results::{self, Prepared};
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions, leaders, postgres, sqlite};
+
+/// Time for which a successful write shows that the database takes writes.
+const PROVEN: Duration = Duration::from_secs(2);
 
 const URL_FORMS: &str = "expected sqlite://PATH or postgres://USER@HOST/DATABASE";
 
@@ -37,6 +41,12 @@ pub(super) struct Inner {
     pub(super) full: AtomicBool,
     /// True if the last result file could not be written.
     pub(super) results_refused: AtomicBool,
+    /// True if the last submission failed because of the database.
+    pub(super) submissions_refused: AtomicBool,
+    /// Time of the last successful write.
+    written_at: Mutex<Instant>,
+    /// Held while a write is tried for [`Store::check`], so that many checks at once try one.
+    probing: tokio::sync::Mutex<()>,
 }
 
 /// Opening, closing and health.
@@ -78,6 +88,9 @@ impl Store {
                 instance: ulid::Ulid::generate().to_string(),
                 full: AtomicBool::new(false),
                 results_refused: AtomicBool::new(false),
+                submissions_refused: AtomicBool::new(false),
+                written_at: Mutex::new(Instant::now()),
+                probing: tokio::sync::Mutex::default(),
             }),
         };
         store.probe_results().await;
@@ -114,13 +127,44 @@ impl Store {
         }
     }
 
-    /// Returns `Ok` if the database answers and takes new jobs and results.
+    /// Returns `Ok` if the database answers and takes new jobs and results. If nothing was written lately, tries a write.
+    /// After a submission that the database did not take, tries to store a job and takes it back.
     pub async fn check(&self) -> Result<()> {
         self.read(|tx| tx.exists("SELECT 1", &[])).await?;
         if let Engine::Sqlite(database) = &self.inner.engine {
             database.check_writer()?;
         }
-        self.check_room_for_results()
+        self.check_room_for_results()?;
+        let _alone = self.inner.probing.lock().await;
+        if self.inner.submissions_refused.load(Ordering::Relaxed) {
+            let probed = self.write_with(jobs::probe).await;
+            self.note_submission(&probed);
+            probed
+        } else if self.inner.contact.is_broken() || self.written_ago() > PROVEN {
+            self.write_row().await
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Writes a row of its own, to test whether the database takes writes. A transaction without a change would not reach
+    /// the disk.
+    pub(super) async fn write_row(&self) -> Result<()> {
+        let instance = self.inner.instance.clone();
+        self.write(move |tx| leaders::take(tx, "probe", &instance, Duration::ZERO).map(drop)).await
+    }
+
+    fn written_ago(&self) -> Duration {
+        self.inner.written_at.lock().unwrap_or_else(PoisonError::into_inner).elapsed()
+    }
+
+    /// Notes whether the database took a submission.
+    pub(super) fn note_submission<T>(&self, submitted: &Result<T>) {
+        match submitted {
+            Ok(_) => self.inner.submissions_refused.store(false, Ordering::Relaxed),
+            Err(StoreError::QueueFull { .. } | StoreError::Contended(_)) => {}
+            Err(_) => self.inner.submissions_refused.store(true, Ordering::Relaxed),
+        }
     }
 
     /// Returns an error if the last write of a job or a result failed because of missing space or missing result
@@ -175,7 +219,10 @@ impl Store {
         let written = self.inner.engine.write(work).await;
         self.inner.contact.note(&written, true);
         match &written {
-            Ok(_) => self.inner.full.store(false, Ordering::Relaxed),
+            Ok(_) => {
+                self.inner.full.store(false, Ordering::Relaxed);
+                *self.inner.written_at.lock().unwrap_or_else(PoisonError::into_inner) = Instant::now();
+            }
             Err(StoreError::NoSpace(_)) => {
                 self.inner.full.store(true, Ordering::Relaxed);
                 self.inner.ballast.give_up();

@@ -9,7 +9,7 @@ use super::results::{self, Prepared};
 use super::tx::{Row, Tx};
 use super::value::Value;
 use super::{Result, StoreError, StoreOptions, limit, milliseconds};
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 
 /// A job that has not been stored yet.
 #[derive(Debug, Clone)]
@@ -18,7 +18,7 @@ pub struct NewJob {
     pub id: String,
     pub kind: String,
     pub owner: Option<String>,
-    /// Body that a worker reads. It may be empty if the job was solved before it was stored.
+    /// Body that a worker reads. It is kept as long as the job.
     pub request: Vec<u8>,
     /// Name of the result from which the request begins. The result is kept until the job has ended.
     pub source: Option<Vec<u8>>,
@@ -152,13 +152,21 @@ pub struct JobRow {
     pub error: Option<String>,
     /// Hash of the stored result, which is equal only for equal bytes.
     pub artefact: Option<Vec<u8>>,
+    /// Batch that the job belongs to.
+    pub batch: Option<String>,
+    pub cancelled_because: Option<CancelReason>,
+    /// Job that took the place of this one in its series.
+    pub successor: Option<String>,
+    /// True if the job's request is kept. It is not if the job ended under a version that dropped requests.
+    pub has_request: bool,
     /// Every change of status so far, oldest first.
     pub history: Vec<StatusEvent>,
 }
 
 /// Columns that [`JobRow::read`] reads.
 pub(super) const COLUMNS: &str = "id, kind, owner, status, attempt, sequence, created_at, started_at, finished_at, \
-     expires_at, progress, progress_sequence, statistics, summary, warnings, error, artefact, history, label, metadata";
+     expires_at, progress, progress_sequence, statistics, summary, warnings, error, artefact, history, label, metadata, \
+     batch, cancelled_because, successor, request_bytes";
 
 impl JobRow {
     pub(super) fn read(row: &Row) -> Result<Self> {
@@ -182,12 +190,18 @@ impl JobRow {
             warnings: row.get("warnings")?,
             error: row.get("error")?,
             artefact: row.get("artefact")?,
+            batch: row.get("batch")?,
+            cancelled_because: row
+                .get::<Option<String>>("cancelled_because")?
+                .and_then(|name| CancelReason::from_name(&name)),
+            successor: row.get("successor")?,
+            has_request: row.get::<i64>("request_bytes")? > 0,
             history: read_history(&row.get::<String>("history")?)?,
         })
     }
 
-    /// Returns the row of a job that enters the queue at `now_ms`.
-    fn queued(job: &NewJob, now_ms: i64) -> Self {
+    /// Returns the row of a job that enters the queue at `now_ms`, as part of the batch `batch` if one is given.
+    fn queued(job: &NewJob, batch: Option<&str>, now_ms: i64) -> Self {
         Self {
             id: job.id.clone(),
             kind: job.kind.clone(),
@@ -208,6 +222,10 @@ impl JobRow {
             warnings: "[]".into(),
             error: None,
             artefact: None,
+            batch: batch.map(str::to_owned),
+            cancelled_because: None,
+            successor: None,
+            has_request: !job.request.is_empty(),
             history: vec![StatusEvent::new(0, 1, Status::Queued, now_ms)],
         }
     }
@@ -247,8 +265,13 @@ pub enum Lookup {
 pub struct Filter {
     pub owner: Option<String>,
     pub kind: Option<String>,
-    pub status: Option<Status>,
+    /// States of the jobs. An empty list selects jobs in every state.
+    pub statuses: Vec<Status>,
     pub idempotency_key: Option<String>,
+    pub label: Option<String>,
+    pub batch: Option<String>,
+    /// Time after which the jobs were submitted.
+    pub created_after_ms: Option<i64>,
     /// True if the rows come with their statistics.
     pub statistics: bool,
 }
@@ -271,22 +294,23 @@ pub(super) fn add(
         return Ok(earlier);
     }
     let superseded = match &job.supersede {
-        Some(series) => supersede(tx, job.owner.as_deref().unwrap_or_default(), series, options)?,
+        Some(series) => supersede(tx, job, series, options)?,
         None => Vec::new(),
     };
     let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
     let now_ms = tx.now_ms()?;
     let expires_at_ms = now_ms.saturating_add(milliseconds(options.retention));
+    let queued = JobRow::queued(job, place.map(|place| place.batch), now_ms);
     let mut turn = 0;
     let (row, sharing) = if job.reuse
         && let Some(shared) = shared_result(tx, job, &content)?
     {
-        (ended_with(shared, job, now_ms, expires_at_ms), Sharing::Allowed)
+        (ended_with(shared, queued, now_ms, expires_at_ms), Sharing::Allowed)
     } else if let Some((solved, result)) = solved {
-        (ended_as(solved, result, job, now_ms, expires_at_ms), solved.sharing(job))
+        (ended_as(solved, result, queued, now_ms, expires_at_ms), solved.sharing(job))
     } else {
         turn = queue::next_turn(tx, job.owner.as_deref(), options)?;
-        (JobRow::queued(job, now_ms), if job.reuse { Sharing::Undecided } else { Sharing::Refused })
+        (queued, if job.reuse { Sharing::Undecided } else { Sharing::Refused })
     };
     match solved {
         Some((EarlyEnd { outcome: Outcome::Succeeded { artefact, .. }, .. }, Some(result))) if row.attempt == 1 => {
@@ -296,8 +320,8 @@ pub(super) fn add(
         _ => tx.drop_file(prepared.and_then(|result| result.file.clone())),
     }
     insert(tx, job, &row, turn, sharing, place, &content)?;
+    keep_request(tx, job, row.status)?;
     if row.status == Status::Queued {
-        keep_request(tx, job)?;
         tx.work_available();
     }
     Ok(Addition::Created(Box::new(row), superseded))
@@ -357,7 +381,7 @@ fn shared_result(tx: &mut Tx<'_>, job: &NewJob, content: &[u8; 32]) -> Result<Op
 }
 
 /// Returns the row of a job that reuses the result of another job and ends at once.
-fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
+fn ended_with(other: JobRow, queued: JobRow, now_ms: i64, expires_at_ms: i64) -> JobRow {
     JobRow {
         status: Status::Succeeded,
         sequence: 3,
@@ -374,12 +398,12 @@ fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> J
             StatusEvent::new(0, 1, Status::Queued, now_ms),
             StatusEvent::new(0, 3, Status::Succeeded, now_ms),
         ],
-        ..JobRow::queued(job, now_ms)
+        ..queued
     }
 }
 
 /// Returns the row of a job that was solved before it was stored.
-fn ended_as(solved: &EarlyEnd, result: Option<&Prepared>, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
+fn ended_as(solved: &EarlyEnd, result: Option<&Prepared>, queued: JobRow, now_ms: i64, expires_at_ms: i64) -> JobRow {
     let (created_at_ms, started_at_ms) = (now_ms - solved.submitted_ms, now_ms - solved.started_ms);
     let row = JobRow {
         attempt: 1,
@@ -389,7 +413,7 @@ fn ended_as(solved: &EarlyEnd, result: Option<&Prepared>, job: &NewJob, now_ms: 
         finished_at_ms: Some(now_ms),
         expires_at_ms: Some(expires_at_ms),
         artefact: result.map(|result| result.hash.to_vec()),
-        ..JobRow::queued(job, now_ms)
+        ..queued
     };
     let row = match &solved.outcome {
         Outcome::Succeeded { statistics, summary, warnings, .. } => JobRow {
@@ -451,7 +475,8 @@ fn insert(
             ("metadata", job.metadata.as_deref().into()),
             ("supersede", job.supersede.as_deref().into()),
             ("memory_bytes", limit(job.memory_bytes).into()),
-            ("batch", place.map(|place| place.batch).into()),
+            ("request_bytes", limit(job.request.len() as u64).into()),
+            ("batch", row.batch.as_deref().into()),
             ("batch_index", place.map_or(0, |place| place.index).into()),
         ],
     )
@@ -467,6 +492,14 @@ pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Look
     Ok(if tx.exists(gone, &key)? { Lookup::Expired } else { Lookup::Missing })
 }
 
+/// Returns an identifier that is smaller than those of all jobs that were submitted after a time. Lists then need not
+/// read the rows of older jobs. Identifiers have the time of the process that made them, which may differ from the
+/// database's clock. A day is more than clocks differ.
+fn earliest_id(after_ms: i64) -> String {
+    const MARGIN_MS: u64 = 24 * 3600 * 1000;
+    ulid::Ulid::from_parts(u64::try_from(after_ms).unwrap_or(0).saturating_sub(MARGIN_MS), 0).to_string()
+}
+
 /// Returns at most `page` jobs, newest first, and the cursor of the next page if there is one. A row that cannot be
 /// read is left out and logged.
 pub(super) fn list(
@@ -476,20 +509,36 @@ pub(super) fn list(
     cursor: Option<&str>,
 ) -> Result<(Vec<JobRow>, Option<String>)> {
     let mut values: Vec<Value<'_>> = vec![(i64::from(page) + 1).into()];
-    let mut conditions = String::new();
+    let mut conditions: Vec<String> = Vec::new();
+    let earliest = filter.created_after_ms.map(earliest_id);
     for (condition, value) in [
         ("owner =", filter.owner.as_deref()),
         ("kind =", filter.kind.as_deref()),
-        ("status =", filter.status.map(Status::name)),
         ("idempotency_key =", filter.idempotency_key.as_deref()),
+        ("label =", filter.label.as_deref()),
+        ("batch =", filter.batch.as_deref()),
+        ("id >=", earliest.as_deref()),
         ("id <", cursor),
     ] {
         if let Some(value) = value {
             values.push(value.into());
-            conditions.push_str(if conditions.is_empty() { "WHERE " } else { " AND " });
-            conditions.push_str(&format!("{condition} ${}", values.len()));
+            conditions.push(format!("{condition} ${}", values.len()));
         }
     }
+    if let Some(after_ms) = filter.created_after_ms {
+        values.push(after_ms.into());
+        conditions.push(format!("created_at > ${}", values.len()));
+    }
+    if !filter.statuses.is_empty() {
+        let first = values.len() + 1;
+        values.extend(filter.statuses.iter().map(|status| Value::from(status.name())));
+        let places: Vec<String> = (first..=values.len()).map(|number| format!("${number}")).collect();
+        conditions.push(match &places[..] {
+            [only] => format!("status = {only}"),
+            several => format!("status IN ({})", several.join(", ")),
+        });
+    }
+    let conditions = if conditions.is_empty() { String::new() } else { format!("WHERE {}", conditions.join(" AND ")) };
     let columns = if filter.statistics {
         COLUMNS.to_owned()
     } else {
@@ -511,37 +560,52 @@ pub(super) fn list(
 }
 
 /// Cancels a queued or running job. Returns a finished job unchanged.
-pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &StoreOptions) -> Result<Lookup> {
+pub(super) fn cancel(
+    tx: &mut Tx<'_>,
+    id: &str,
+    owner: Option<&str>,
+    because: CancelReason,
+    options: &StoreOptions,
+) -> Result<Lookup> {
     let text = format!(
-        "UPDATE jobs SET {} WHERE id = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
+        "UPDATE jobs SET {}, cancelled_because = $4 WHERE id = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
          RETURNING {COLUMNS}",
         ending(Status::Cancelled)
     );
-    let values = [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into()];
+    let values =
+        [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into(), because.name().into()];
     let Some(row) = tx.row(&text, &values)? else { return get(tx, id, owner) };
-    drop_request(tx, id)?;
+    release_source(tx, id)?;
     tx.changed(id);
     Ok(Lookup::Found(Box::new(JobRow::read(&row)?)))
 }
 
-/// Cancels the owner's jobs of a series that have not ended, and returns them. The newer job is stored in the same
-/// transaction, so the order of the commits decides which job is the newest, not the clocks of the machines that made
-/// the identifiers.
-fn supersede(tx: &mut Tx<'_>, owner: &str, series: &str, options: &StoreOptions) -> Result<Vec<JobRow>> {
+/// Cancels the owner's jobs of a series that have not ended, and returns them. The newer job `successor` is stored in
+/// the same transaction, so the order of the commits decides which job is the newest, not the clocks of the machines
+/// that made the identifiers.
+fn supersede(tx: &mut Tx<'_>, successor: &NewJob, series: &str, options: &StoreOptions) -> Result<Vec<JobRow>> {
+    let owner = successor.owner.as_deref().unwrap_or_default();
     if tx.is_postgres() {
         // Without this lock, two simultaneous submissions of a series would not see each other's job.
         let lock = "SELECT pg_advisory_xact_lock(hashtextextended($1, $2))";
         tx.rows(lock, &[format!("{owner}\n{series}").as_str().into(), SERIES_LOCKS.into()])?;
     }
     let text = format!(
-        "UPDATE jobs SET {} WHERE owner = $1 AND supersede = $3 AND finished_at IS NULL RETURNING {COLUMNS}",
+        "UPDATE jobs SET {}, cancelled_because = $4, successor = $5 \
+         WHERE owner = $1 AND supersede = $3 AND finished_at IS NULL RETURNING {COLUMNS}",
         ending(Status::Cancelled)
     );
-    let values = [owner.into(), milliseconds(options.retention).into(), series.into()];
+    let values = [
+        owner.into(),
+        milliseconds(options.retention).into(),
+        series.into(),
+        CancelReason::Superseded.name().into(),
+        successor.id.as_str().into(),
+    ];
     let rows = tx.rows(&text, &values)?;
     let cancelled: Vec<JobRow> = rows.iter().map(JobRow::read).collect::<Result<_>>()?;
     for job in &cancelled {
-        drop_request(tx, &job.id)?;
+        release_source(tx, &job.id)?;
         tx.changed(&job.id);
     }
     Ok(cancelled)
@@ -558,22 +622,60 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<b
     Ok(true)
 }
 
-fn keep_request(tx: &mut Tx<'_>, job: &NewJob) -> Result<()> {
+/// Stores the request of a job with this status. A job that has ended does not need its source any more.
+fn keep_request(tx: &mut Tx<'_>, job: &NewJob, status: Status) -> Result<()> {
+    let source = job.source.as_deref().filter(|_| !status.is_final());
     // The sweep leaves recently touched results alone, so the result stays until this transaction is visible.
-    if let Some(source) = &job.source
+    if let Some(source) = source
         && !results::touch(tx, source)?
     {
         return Err(StoreError::Contended("the result from which the request begins has just been removed".into()));
     }
-    let columns = [
-        ("job_id", job.id.as_str().into()),
-        ("body", job.request.as_slice().into()),
-        ("source", job.source.as_deref().into()),
-    ];
+    let columns =
+        [("job_id", job.id.as_str().into()), ("body", job.request.as_slice().into()), ("source", source.into())];
     tx.insert("requests", &columns)
 }
 
-/// Deletes the job's request, which is needed only until the job ends.
+/// Returns the kind and the request of a job, or `None` if there is no such job or its request is not kept.
+pub(super) fn request(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<(String, Vec<u8>)>> {
+    let text = "SELECT kind, body FROM jobs JOIN requests ON job_id = id WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    let row = tx.row(text, &[id.into(), owner.unwrap_or_default().into()])?;
+    row.map(|row| Ok((row.get("kind")?, row.get("body")?))).transpose()
+}
+
+/// Stores a job with a request and takes it back, to test whether the database takes jobs.
+pub(super) fn probe(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<()> {
+    let job = NewJob {
+        id: ulid::Ulid::generate().to_string(),
+        kind: "probe".into(),
+        owner: None,
+        request: b"{}".to_vec(),
+        source: None,
+        request_hash: [0; 32],
+        idempotency_key: None,
+        body_hash: [0; 32],
+        callback_url: None,
+        label: None,
+        metadata: None,
+        supersede: None,
+        memory_bytes: 0,
+        reuse: false,
+    };
+    match add(tx, &job, None, None, options) {
+        Ok(_) => delete(tx, &job.id, None).map(drop),
+        // A full queue is an answer of the database, but nothing was written.
+        Err(StoreError::QueueFull { .. }) => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
+/// Lets the result go from which the request of a job began that has ended.
+pub(super) fn release_source(tx: &mut Tx<'_>, id: &str) -> Result<()> {
+    let text = "UPDATE requests SET source = NULL WHERE job_id = $1 AND source IS NOT NULL";
+    tx.execute(text, &[id.into()]).map(|_| ())
+}
+
+/// Deletes the request of a job that is removed.
 pub(super) fn drop_request(tx: &mut Tx<'_>, id: &str) -> Result<()> {
     tx.execute("DELETE FROM requests WHERE job_id = $1", &[id.into()]).map(|_| ())
 }

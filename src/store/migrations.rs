@@ -8,7 +8,10 @@ use sha2::{Digest, Sha256};
 use super::tx::Tx;
 use super::{Result, StoreError};
 
-const MIGRATIONS: [(i64, &str, &str); 1] = [(1, "tables", include_str!("../../migrations/0001_tables.sql"))];
+const MIGRATIONS: [(i64, &str, &str); 2] = [
+    (1, "tables", include_str!("../../migrations/0001_tables.sql")),
+    (2, "kept requests", include_str!("../../migrations/0002_kept_requests.sql")),
+];
 
 /// SQL that takes the advisory lock, so that only one process at a time migrates a PostgreSQL database.
 const LOCK: &str = "SELECT pg_advisory_xact_lock(7019839175)";

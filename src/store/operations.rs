@@ -10,6 +10,7 @@ use super::claims::{Claimed, Renewed, Room};
 use super::engine::Engine;
 use super::handle::Store;
 use super::jobs::{Addition, EarlyEnd, Filter, JobRow, Lookup, NewJob, Outcome};
+use super::queue::{Preference, WaitingOwner};
 use super::results::{Artefact, ResultRow};
 use super::retention::Swept;
 use super::tx::Tx;
@@ -17,6 +18,7 @@ use super::{
     Result, StoreError, StoreOptions, batches, callbacks, claims, jobs, leaders, milliseconds, owned, queue, results,
     retention,
 };
+use crate::status::CancelReason;
 
 /// Jobs.
 impl Store {
@@ -30,7 +32,7 @@ impl Store {
     /// queue or the owner's share of it is full. A job that reuses a kept result is exempt.
     pub async fn add_job(&self, job: NewJob) -> Result<Addition> {
         self.check_ballast()?;
-        self.write_with(move |tx, options| jobs::add(tx, &job, None, None, options)).await
+        self.submit(move |tx, options| jobs::add(tx, &job, None, None, options)).await
     }
 
     /// Stores a job that this process has already solved. Submission and end are one write, so they become visible
@@ -41,7 +43,17 @@ impl Store {
         let submit = move |tx: &mut Tx<'_>, options: &StoreOptions| {
             jobs::add(tx, &job, None, Some((&solved, result.as_ref())), options)
         };
-        self.write_with(submit).await
+        self.submit(submit).await
+    }
+
+    /// Runs a write that stores jobs, and notes whether the database took them.
+    async fn submit<T: Send + 'static>(
+        &self,
+        work: impl Fn(&mut Tx<'_>, &StoreOptions) -> Result<T> + Send + 'static,
+    ) -> Result<T> {
+        let submitted = self.write_with(work).await;
+        self.note_submission(&submitted);
+        submitted
     }
 
     /// Returns what [`Store::add_job`] would return for a repeated idempotency key, or `None` for a new one.
@@ -61,6 +73,12 @@ impl Store {
         self.read(move |tx| jobs::get(tx, &id, owner.as_deref())).await
     }
 
+    /// Returns the kind and the request of a job, or `None` if there is no such job or its request is not kept.
+    pub async fn request(&self, id: &str, owner: Option<&str>) -> Result<Option<(String, Vec<u8>)>> {
+        let (id, owner) = owned(id, owner);
+        self.read(move |tx| jobs::request(tx, &id, owner.as_deref())).await
+    }
+
     /// Returns at most `page` jobs, newest first, and the cursor of the next page if there is one. A cursor is the last
     /// identifier of the previous page, so jobs that come or go between pages neither repeat nor hide others.
     pub async fn list(&self, filter: Filter, page: u32, cursor: Option<&str>) -> Result<(Vec<JobRow>, Option<String>)> {
@@ -70,9 +88,9 @@ impl Store {
 
     /// Cancels a queued or running job at once. Returns a finished job unchanged. The worker learns of the cancel by
     /// its next renewal or by watching the job.
-    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
+    pub async fn cancel(&self, id: &str, owner: Option<&str>, because: CancelReason) -> Result<Lookup> {
         let (id, owner) = owned(id, owner);
-        self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), options)).await
+        self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), because, options)).await
     }
 
     /// Removes a job, whatever its status. The next sweep removes its result unless another job shares it. Returns
@@ -143,19 +161,26 @@ impl Store {
     /// Claims, for the time `lease`, the job whose turn it is. Returns `None` if no job waits. Jobs whose lease ran out
     /// go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
-        self.claim_within(worker, lease, Room::ANY).await
+        self.claim_within(worker, lease, Room::ANY, Preference::default()).await
     }
 
-    /// Same as [`Store::claim`], for a worker whose memory is limited to `room`. If the first job in the queue does not
-    /// fit into the free memory, a limited number of jobs may overtake it. Then nothing is claimed until that job fits.
-    pub async fn claim_within(&self, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
+    /// Same as [`Store::claim`], for a worker whose memory is limited to `room` and that has a preference. If the first
+    /// job in the queue does not fit into the free memory, a limited number of jobs may overtake it. Then nothing is
+    /// claimed until that job fits.
+    pub async fn claim_within(
+        &self,
+        worker: &str,
+        lease: Duration,
+        room: Room,
+        preference: Preference,
+    ) -> Result<Option<Claimed>> {
         // Idle workers only read, because SQLite has one writer.
-        let (recovered, waiting) = self.recover_for(room).await?;
+        let (recovered, waiting) = self.recover_for(room, preference.clone()).await?;
         if recovered == 0 && !waiting {
             return Ok(None);
         }
         let worker = worker.to_owned();
-        self.write(move |tx| claims::claim(tx, &worker, lease, room)).await
+        self.write(move |tx| claims::claim(tx, &worker, lease, room, &preference)).await
     }
 
     /// Returns the running job that was claimed under the name `worker`, with a new lease, or `None`. A worker calls
@@ -201,12 +226,27 @@ impl Store {
     }
 }
 
+/// Sharing of the workers.
+impl Store {
+    /// Same as [`Store::hand_back`], for a job whose request the worker's version cannot read. If no other worker can
+    /// read it within [`StoreOptions::unread_patience`], the job fails with `error` (JSON text).
+    pub async fn hand_back_unread(&self, id: &str, attempt: i64, error: &str) -> Result<bool> {
+        let (id, error) = (id.to_owned(), error.to_owned());
+        self.write(move |tx| claims::hand_back_unread(tx, &id, attempt, &error)).await
+    }
+
+    /// Returns the owners with jobs that were submitted at least `age` ago and wait.
+    pub async fn waiting_owners(&self, age: Duration) -> Result<Vec<WaitingOwner>> {
+        self.read(move |tx| queue::waiting_owners(tx, age)).await
+    }
+}
+
 /// Batches.
 impl Store {
     /// Stores a batch as a whole. Fails with `QueueFull` if the queue has no room for all of its jobs.
     pub async fn add_batch(&self, batch: NewBatch) -> Result<BatchAddition> {
         self.check_ballast()?;
-        self.write_with(move |tx, options| batches::add(tx, &batch, options)).await
+        self.submit(move |tx, options| batches::add(tx, &batch, options)).await
     }
 
     pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<BatchLookup> {
@@ -316,21 +356,25 @@ impl Store {
         retention::sweep(self, recovered).await
     }
 
-    /// Puts jobs whose lease has run out back into the queue, or fails them. A lease that may have run out because of
+    /// Puts jobs whose lease has run out back into the queue, or fails them. Fails jobs that no worker could read for too
+    /// long. A lease that may have run out because of
     /// an outage of the database is left alone until its worker has had time to renew it. Returns the number of jobs
     /// that were recovered, and whether a job waits. Every process calls this more often than half of a lease, because
     /// a long pause looks like an outage.
     pub async fn recover(&self) -> Result<(usize, bool)> {
-        self.recover_for(Room::ANY).await
+        self.recover_for(Room::ANY, Preference::default()).await
     }
 
-    /// Same as [`Store::recover`], but the second value says whether a waiting job fits into `room`.
-    async fn recover_for(&self, room: Room) -> Result<(usize, bool)> {
+    /// Same as [`Store::recover`], but the second value says whether a job waits that fits into `room` and is not left
+    /// out by the preference.
+    async fn recover_for(&self, room: Room, preference: Preference) -> Result<(usize, bool)> {
         if self.inner.contact.is_broken() {
-            self.write(|_| Ok(())).await?;
+            self.write_row().await?;
         }
         let lease_max_ms = milliseconds(self.inner.contact.unbroken());
-        let (lost, waiting) = self.read(move |tx| claims::pending_work(tx, lease_max_ms, room)).await?;
+        let options = Arc::clone(&self.inner.options);
+        let pending = move |tx: &mut Tx<'_>| claims::pending_work(tx, lease_max_ms, room, &preference, &options);
+        let (lost, waiting) = self.read(pending).await?;
         if !lost {
             return Ok((0, waiting));
         }

@@ -160,20 +160,25 @@ pub(super) fn orphans(tx: &mut Tx<'_>, last: &[u8], max_count: i64) -> Result<Ve
     tx.rows(&text, &[last.into(), max_count.into()])?.iter().map(|row| row.get("hash")).collect()
 }
 
-/// Returns the total size in bytes of the results that belong to jobs.
+/// Returns the total size in bytes of the results that belong to jobs and of the requests of finished jobs. Requests of
+/// other jobs are not counted, because no job that expires makes room for them.
 pub(super) fn bytes_in_use(tx: &mut Tx<'_>) -> Result<i64> {
-    let text = "SELECT CAST(coalesce(sum(size), 0) AS BIGINT) AS total FROM artefacts \
-                WHERE EXISTS (SELECT 1 FROM jobs WHERE artefact = hash)";
+    let text = "SELECT CAST((SELECT coalesce(sum(size), 0) FROM artefacts \
+                WHERE EXISTS (SELECT 1 FROM jobs WHERE artefact = hash)) \
+                + (SELECT coalesce(sum(request_bytes), 0) FROM jobs WHERE expires_at IS NOT NULL) AS BIGINT) AS total";
     tx.one(text, &[])?.get("total")
 }
 
-/// Returns the owner whose finished jobs have the largest results, and by how many bytes they exceed those of the next
-/// owner. Returns `None` if no finished job has a result.
+/// Returns the owner whose finished jobs have the largest results and requests, and by how many bytes they exceed those
+/// of the next owner. Returns `None` if no job has finished.
 pub(super) fn largest_owner(tx: &mut Tx<'_>) -> Result<Option<(String, i64)>> {
-    let text = "SELECT owner, CAST(sum(size) AS BIGINT) AS total \
+    let text = "SELECT owner, CAST(sum(bytes) AS BIGINT) AS total FROM (\
+                SELECT owner, sum(request_bytes) AS bytes FROM jobs WHERE expires_at IS NOT NULL GROUP BY owner \
+                UNION ALL SELECT owner, sum(size) AS bytes \
                 FROM (SELECT DISTINCT owner, artefact FROM jobs \
                 WHERE artefact IS NOT NULL AND expires_at IS NOT NULL) AS own \
-                JOIN artefacts ON hash = artefact GROUP BY owner ORDER BY total DESC LIMIT 2";
+                JOIN artefacts ON hash = artefact GROUP BY owner) AS parts \
+                GROUP BY owner ORDER BY total DESC LIMIT 2";
     let rows = tx.rows(text, &[])?;
     let Some(largest) = rows.first() else { return Ok(None) };
     let next: i64 = rows.get(1).map_or(Ok(0), |row| row.get("total"))?;

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 
 use super::handle::Store;
+use super::jobs::drop_request;
 use super::tx::{Row, Tx};
 use super::value::Value;
 use super::{Result, batches, limit, milliseconds, results};
@@ -51,7 +52,7 @@ enum Choice {
     /// newest of these jobs.
     Surplus { owner: String, expires_at: i64, id: String },
     /// Finished jobs of an owner, or of all owners, oldest first.
-    Oldest { owner: Option<String>, with_result: bool },
+    Oldest { owner: Option<String> },
 }
 
 impl Choice {
@@ -62,19 +63,13 @@ impl Choice {
                 "owner = $4 AND expires_at <= $2 AND (expires_at < $2 OR id <= $3)",
                 vec![step.into(), (*expires_at).into(), id.into(), owner.into()],
             ),
-            Self::Oldest { owner, with_result } => {
-                let condition = match with_result {
-                    true => "artefact IS NOT NULL AND expires_at IS NOT NULL AND ($2 = 1 OR owner = $3)",
-                    false => "expires_at IS NOT NULL AND ($2 = 1 OR owner = $3)",
-                };
-                (
-                    condition,
-                    vec![step.into(), i64::from(owner.is_none()).into(), owner.as_deref().unwrap_or_default().into()],
-                )
-            }
+            Self::Oldest { owner } => (
+                "expires_at IS NOT NULL AND ($2 = 1 OR owner = $3)",
+                vec![step.into(), i64::from(owner.is_none()).into(), owner.as_deref().unwrap_or_default().into()],
+            ),
         };
         let text = format!(
-            "SELECT id, artefact, CAST(coalesce(length(statistics), 0) + coalesce(length(metadata), 0) \
+            "SELECT id, artefact, request_bytes, CAST(coalesce(length(statistics), 0) + coalesce(length(metadata), 0) \
              + coalesce(length(error), 0) + length(warnings) + length(history) AS BIGINT) AS text_bytes FROM jobs \
              WHERE {condition} ORDER BY expires_at, id LIMIT $1 /* skip locked */"
         );
@@ -86,7 +81,7 @@ impl Choice {
 #[derive(Debug)]
 struct Expired {
     jobs: usize,
-    /// Bytes of the results that no job has after this step.
+    /// Bytes of the requests, and of the results that no job has after this step.
     bytes: i64,
     /// Estimate of the bytes that this step, and the removal of these results, free in an SQLite database.
     space: i64,
@@ -103,6 +98,7 @@ pub(super) async fn sweep(store: &Store, recovered: usize) -> Result<Swept> {
         expire_all(store, &surplus, &mut swept).await?;
     }
     store.write(batches::forget_empty).await?;
+    remove_lone_requests(store).await?;
     forget(store).await?;
     if let Some(max_bytes) = store.options().max_bytes {
         evict(store, limit(max_bytes / 10 * 8), &mut swept).await?;
@@ -175,7 +171,11 @@ fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> 
             "INSERT INTO expired_jobs (id, owner, expired_at) VALUES ($1, $2, now_ms()) ON CONFLICT DO NOTHING";
         tx.execute(remember, &[(&id).into(), (&owner).into()])?;
         tx.changed(&id);
+        drop_request(tx, &id)?;
+        let request_bytes: i64 = row.get("request_bytes")?;
         expired.jobs += 1;
+        expired.bytes += request_bytes;
+        expired.space += request_bytes;
         expired.space += ROW_BYTES - EXPIRED_BYTES + row.get::<i64>("text_bytes")?;
         orphans.extend(row.get::<Option<Vec<u8>>>("artefact")?);
     }
@@ -224,8 +224,8 @@ async fn forget(store: &Store) -> Result<()> {
     }
 }
 
-/// Expires the oldest jobs of the owners with the largest results until the results of the remaining jobs, and on
-/// SQLite the database itself, take at most `max_bytes`.
+/// Expires the oldest jobs of the owners with the largest results and requests until those of the remaining jobs, and
+/// on SQLite the database itself, take at most `max_bytes`.
 async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     loop {
         // These queries scan all results, so they do not run after every step.
@@ -235,14 +235,14 @@ async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
             return Ok(());
         }
         forget_beyond(store, max_bytes / 10 / EXPIRED_BYTES).await?;
-        // The owner with the largest results gives up jobs until another owner has as much.
+        // The owner with the largest results and requests gives up jobs until another owner has as much.
         let (owner, mut ahead) = match store.read(results::largest_owner).await? {
             Some((owner, ahead)) => (Some(owner), ahead.max(1)),
             None => (None, i64::MAX),
         };
         while ahead > 0 && (surplus > 0 || space > 0) {
             let begun = Instant::now();
-            let choice = Choice::Oldest { owner: owner.clone(), with_result: space <= 0 };
+            let choice = Choice::Oldest { owner: owner.clone() };
             let expired = expire_some(store, &choice, EVICTION_STEP, swept).await?;
             ahead = ahead.saturating_sub(expired.bytes.max(1));
             if expired.jobs == 0 {
@@ -303,6 +303,24 @@ async fn remove_orphans(store: &Store, swept: &mut Swept) -> Result<()> {
             Some(hash) if orphans.len() == ORPHANS_STEP => last.clone_from(hash),
             _ => return Ok(()),
         }
+    }
+}
+
+/// Removes requests without a job. An older version on the same database expires jobs without their requests.
+async fn remove_lone_requests(store: &Store) -> Result<()> {
+    let lone = "SELECT job_id FROM requests WHERE NOT EXISTS (SELECT 1 FROM jobs WHERE id = job_id) LIMIT $1";
+    loop {
+        let rows = move |tx: &mut Tx<'_>| {
+            let rows = tx.rows(lone, &[SWEEP_STEP.into()])?;
+            rows.iter().map(|row| row.get("job_id")).collect::<Result<Vec<String>>>()
+        };
+        let ids = store.read(rows).await?;
+        if ids.is_empty() {
+            return Ok(());
+        }
+        let begun = Instant::now();
+        store.write(move |tx| ids.iter().try_for_each(|id| drop_request(tx, id))).await?;
+        pause_as_long_as(begun).await;
     }
 }
 

@@ -331,11 +331,25 @@ fn copy_log(connection: &Sqlite) {
 
 impl From<rusqlite::Error> for StoreError {
     fn from(error: rusqlite::Error) -> Self {
-        use rusqlite::ErrorCode::{DatabaseBusy, DatabaseLocked, DiskFull, SystemIoFailure};
+        use rusqlite::ErrorCode::{
+            CannotOpen, DatabaseBusy, DatabaseCorrupt, DatabaseLocked, DiskFull, FileLockingProtocolFailed,
+            NotADatabase, PermissionDenied, ReadOnly, SystemIoFailure,
+        };
         let text = error.to_string();
         match error.sqlite_error_code() {
             Some(DiskFull) => Self::NoSpace(text),
-            Some(DatabaseBusy | DatabaseLocked | SystemIoFailure) => Self::Unavailable(text),
+            // The disk or the database is at fault, not the statement. A repair or a restored backup may help.
+            Some(
+                DatabaseBusy
+                | DatabaseLocked
+                | SystemIoFailure
+                | DatabaseCorrupt
+                | NotADatabase
+                | ReadOnly
+                | CannotOpen
+                | PermissionDenied
+                | FileLockingProtocolFailed,
+            ) => Self::Unavailable(text),
             _ => Self::Internal(text),
         }
     }

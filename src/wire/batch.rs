@@ -2,19 +2,24 @@
 
 use super::envelope::URL_BYTES;
 use super::incoming::{CheckedJob, Incoming};
-use super::job::Links;
+use super::job::{JobKind, Links};
 use crate::config::LimitsConfig;
 use crate::status::Status;
+use plateau_engine::bounds::Text;
 use plateau_engine::components::{REQUEST_WITH_KIND, reference};
 use plateau_engine::explain::Schemas;
 use plateau_engine::json;
 use plateau_engine::kind::Kind;
-use plateau_engine::limits::{check_count, refuse_too_many_values};
+use plateau_engine::limits::{check_count, may_be_values, refuse_too_many_values, refuse_too_much_as_values};
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::source::Find;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::de::{Deserializer, IgnoredAny, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
 use serde_json::{Map, Value, json};
+use sha2::{Digest, Sha256};
+use std::fmt;
 use std::sync::LazyLock;
 
 /// Component name of a batch's body.
@@ -25,8 +30,70 @@ pub const BATCH: &str = "BatchRequest";
 pub struct BatchRequest {
     pub requests: Vec<CheckedJob>,
     pub callback_url: Option<String>,
-    /// The whole body.
-    pub value: Value,
+    /// Hash of the body. Bodies that mean the same have the same hash.
+    pub hash: [u8; 32],
+}
+
+/// Number of requests that are looked at in any batch.
+const MAX_LISTED: usize = 100_000;
+
+/// A batch's body whose requests have not been read.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Shell<'b> {
+    #[serde(borrow)]
+    requests: Listed<'b>,
+    #[serde(default)]
+    callback_url: Option<Text<0, URL_BYTES>>,
+}
+
+/// The first [`MAX_LISTED`] requests, and the number of all of them.
+struct Listed<'b> {
+    items: Vec<&'b RawValue>,
+    count: usize,
+}
+
+impl<'de: 'b, 'b> Deserialize<'de> for Listed<'b> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Items;
+        impl<'de> Visitor<'de> for Items {
+            type Value = Listed<'de>;
+            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str("a list of requests")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Listed<'de>, A::Error> {
+                let mut items = Vec::new();
+                while items.len() < MAX_LISTED
+                    && let Some(item) = list.next_element()?
+                {
+                    items.push(item);
+                }
+                let mut count = items.len();
+                while list.next_element::<IgnoredAny>()?.is_some() {
+                    count += 1;
+                }
+                Ok(Listed { items, count })
+            }
+        }
+        deserializer.deserialize_seq(Items)
+    }
+}
+
+/// Reads a batch's body without its requests, so that no more than one request is in memory as JSON values.
+fn read_shell(body: &[u8]) -> Result<Shell<'_>, Rejection> {
+    // serde would read a list as the fields of the struct.
+    let is_object = body.trim_ascii_start().first() == Some(&b'{');
+    let error = match serde_json::from_slice(body) {
+        Ok(shell) if is_object => return Ok(shell),
+        Ok(_) => None,
+        Err(error) => Some(error),
+    };
+    if let Some(error) = error.filter(|error| !error.is_data() && !may_be_values(body)) {
+        return Err(Rejection::Malformed(error.to_string()));
+    }
+    refuse_too_much_as_values(body)?;
+    refuse_shell(&json::parse(body)?)?;
+    Err(FieldError::new("", "must have the form that the schema requires").into())
 }
 
 /// Returns the published schema of the body.
@@ -58,15 +125,24 @@ impl BatchRequest {
     /// Returns the errors of [`Incoming::from_value`] for all requests, with pointers from the body's root.
     pub fn read(body: &[u8], find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
         refuse_too_many_values(body, &limits.requests())?;
-        let value = json::parse(body)?;
-        let count = value["requests"].as_array().map_or(0, Vec::len);
-        check_count("/requests", count, limits.batch_requests, "requests")?;
-        refuse_shell(&value)?;
-        let items = value["requests"].as_array().map(Vec::as_slice).unwrap_or_default();
+        let Shell { requests: Listed { items, count }, callback_url } = read_shell(body)?;
+        check_count("/requests", count, limits.batch_requests.min(MAX_LISTED), "requests")?;
+        if items.is_empty() {
+            refuse_shell(&json!({ "requests": [] }))?;
+        }
+        let mut hash = Sha256::new();
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
         for (index, item) in items.iter().enumerate() {
-            match Incoming::from_value(item.clone(), find, limits) {
-                Ok(Incoming { request, envelope, text }) => requests.push(CheckedJob::of(&request, envelope, text)),
+            match Incoming::read_naming_kind(item.get().as_bytes(), find, limits) {
+                Ok(Incoming { request, envelope, text }) => {
+                    // Lengths keep the texts apart.
+                    let members = Value::Object(envelope.members.clone()).to_string();
+                    for part in [text.as_slice(), members.as_bytes()] {
+                        hash.update((part.len() as u64).to_le_bytes());
+                        hash.update(part);
+                    }
+                    requests.push(CheckedJob::of(&request, envelope, text));
+                }
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }
@@ -87,8 +163,9 @@ impl BatchRequest {
             too_large.truncate(MAX_ERRORS + 1);
             return Err(Rejection::TooLarge(too_large));
         }
-        let callback_url = value["callback_url"].as_str().map(str::to_owned);
-        Ok(Self { requests, callback_url, value })
+        let callback_url = callback_url.as_deref().map(str::to_owned);
+        hash.update(callback_url.as_deref().unwrap_or_default());
+        Ok(Self { requests, callback_url, hash: hash.finalize().into() })
     }
 }
 
@@ -115,7 +192,8 @@ pub struct BatchJob {
     /// Index of the job's request in the batch, counted from 0.
     pub index: u64,
     pub id: String,
-    pub kind: Kind,
+    #[schemars(with = "Kind")]
+    pub kind: JobKind,
     pub status: Status,
     pub links: Links,
 }
@@ -135,10 +213,12 @@ pub struct BatchCounts {
 pub struct BatchLinks {
     #[serde(rename = "self")]
     pub this: String,
-    /// Address of all meshes in one file. Absent if the batch has ended without a mesh.
+    /// Address of all meshes in one file. Present once every job has ended and one has succeeded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub meshes: Option<String>,
-    pub cancel: String,
+    /// Address that cancels the jobs of the batch. Present until every job has ended.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cancel: Option<String>,
 }
 
 impl BatchLinks {
@@ -146,8 +226,12 @@ impl BatchLinks {
     #[must_use]
     pub fn of(base: &str, id: &str, counts: &BatchCounts) -> Self {
         let this = format!("{base}/v1/batches/{id}");
-        let may_have_mesh = counts.succeeded > 0 || !counts.status().is_final();
-        Self { meshes: may_have_mesh.then(|| format!("{this}/meshes")), cancel: format!("{this}/cancel"), this }
+        let ended = counts.status().is_final();
+        Self {
+            meshes: (ended && counts.succeeded > 0).then(|| format!("{this}/meshes")),
+            cancel: (!ended).then(|| format!("{this}/cancel")),
+            this,
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;
 use serde_json::{Map, Value};
+use std::io::{self, Write};
 use std::sync::LazyLock;
 
 /// Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
@@ -100,25 +101,34 @@ impl Envelope {
     ///
     /// # Errors
     /// Returns every offending value.
-    pub fn of(members: Map<String, Value>) -> Result<Self, Rejection> {
+    pub fn of(mut members: Map<String, Value>) -> Result<Self, Rejection> {
         static SOURCES: LazyLock<Map<String, Value>> = LazyLock::new(schemas);
         static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(&SOURCES));
         if members.is_empty() {
             return Ok(Self::default());
         }
+        let mut errors = Vec::new();
+        // Long metadata are not copied, only counted.
+        if let Some(metadata @ Value::Object(_)) = members.get_mut("metadata") {
+            let bytes = text_length(metadata);
+            if bytes > METADATA_BYTES {
+                let detail = format!("has {bytes} bytes as JSON text, more than {METADATA_BYTES}");
+                errors.push(FieldError::new("/metadata", detail));
+                *metadata = Value::Null;
+            }
+        }
         // A member that is null counts as left out.
-        let value: Value = members
-            .iter()
-            .filter(|(_, member)| !member.is_null())
-            .map(|(name, member)| (name.clone(), member.clone()))
-            .collect();
-        let fields: JobFields = strict::deserialize(&value).map_err(|rejection| {
-            let errors = SCHEMAS.errors(COMPONENT, &value);
-            if errors.is_empty() { rejection } else { Rejection::Invalid(errors) }
-        })?;
+        let given = |(name, member): (&String, &Value)| (!member.is_null()).then(|| (name.clone(), member.clone()));
+        let value = Value::Object(members.iter().filter_map(given).collect());
+        let fields: JobFields = match strict::deserialize(&value) {
+            Ok(fields) => fields,
+            Err(rejection) => {
+                errors.extend(SCHEMAS.errors(COMPONENT, &value));
+                return Err(if errors.is_empty() { rejection } else { Rejection::Invalid(errors) });
+            }
+        };
         let label = fields.label.as_deref().map(str::to_owned);
         let supersede = fields.supersede.as_deref().map(str::to_owned);
-        let mut errors = Vec::new();
         for (pointer, text) in [("/label", &label), ("/supersede", &supersede)] {
             // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
             if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {
@@ -126,10 +136,6 @@ impl Envelope {
             }
         }
         let metadata = fields.metadata.map(|fields| Value::Object(fields).to_string());
-        if let Some(text) = metadata.as_ref().filter(|text| text.len() > METADATA_BYTES) {
-            let detail = format!("has {} bytes as JSON text, more than {METADATA_BYTES}", text.len());
-            errors.push(FieldError::new("/metadata", detail));
-        }
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
         }
@@ -143,4 +149,22 @@ impl Envelope {
             members,
         })
     }
+}
+
+/// Returns the length of a value as JSON text in bytes.
+fn text_length(value: &Value) -> usize {
+    struct Counter(usize);
+    impl Write for Counter {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.0 += bytes.len();
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    let mut counter = Counter(0);
+    // Writing cannot fail, because the names of an object are strings and the counter takes all bytes.
+    let _ = serde_json::to_writer(&mut counter, value);
+    counter.0
 }

@@ -4,11 +4,13 @@ use super::envelope::{Envelope, MEMBERS};
 use crate::config::LimitsConfig;
 use plateau_engine::json;
 use plateau_engine::kind::Kind;
-use plateau_engine::limits::refuse_too_many_values;
+use plateau_engine::limits::{may_be_values, refuse_too_many_values, refuse_too_much_as_values};
 use plateau_engine::rejection::{MAX_ERRORS, Rejection};
 use plateau_engine::request::{CheckedRequest, Request};
 use plateau_engine::source::{Find, no_jobs};
+use serde::Deserialize;
 use serde_json::Value;
+use std::borrow::Cow;
 
 /// A parsed request with its envelope, the fields that concern the job and not the geometry.
 #[derive(Debug)]
@@ -53,7 +55,33 @@ impl Incoming {
         {
             return Ok(Self { request, envelope, text });
         }
+        if !may_be_values(body) {
+            let (CheckedRequest { request, text }, members) =
+                Request::read_tracked(kind, body, &MEMBERS, find, &limits)?;
+            return Ok(Self { request, envelope: Envelope::of(members)?, text });
+        }
         Self::of(json::parse(body)?, |value| Request::from_value(kind, value, find, &limits))
+    }
+
+    /// Reads a body that names its own kind, as [`Incoming::read`] does.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Incoming::read`]. A missing or unknown `kind` is an error at `/kind`.
+    pub fn read_naming_kind(body: &[u8], find: Find<'_>, limits: &LimitsConfig) -> Result<Self, Rejection> {
+        #[derive(Deserialize)]
+        struct Named<'b> {
+            #[serde(borrow)]
+            kind: Cow<'b, str>,
+        }
+        let named: Option<Named<'_>> = serde_json::from_slice(body).ok();
+        match named.and_then(|named| Kind::from_name(&named.kind)) {
+            Some(kind) => Self::read(kind, body, find, limits),
+            None => {
+                refuse_too_many_values(body, &limits.requests())?;
+                refuse_too_much_as_values(body)?;
+                Self::from_value(json::parse(body)?, find, limits)
+            }
+        }
     }
 
     /// Reads a body that names its own kind, as `plateau solve` accepts it. The request cannot begin with the result of

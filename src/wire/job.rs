@@ -1,12 +1,12 @@
 //! Jobs in the form that clients see.
 
-use crate::status::Status;
+use crate::status::{CancelReason, Status};
 use plateau_engine::failure_kinds;
 use plateau_engine::kind::Kind;
 use plateau_engine::rejection::FieldError;
 use plateau_engine::report::{self, Progress, SolveError, Warning};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::value::RawValue;
 use serde_json::{Map, Value};
 
@@ -16,7 +16,6 @@ failure_kinds! {
         Refused = "refused": "The request exceeds this worker's limits or is unknown to its version",
         SolverPanicked = "solver-panicked": "The solver failed",
         Unresponsive = "unresponsive": "The solver did not answer",
-        UnknownKind = "unknown-kind": "This version does not know this kind of job",
         WorkerLost = "worker-lost": "The workers of this job died",
     }
 }
@@ -30,12 +29,43 @@ pub fn failures() -> Vec<(String, &'static str)> {
     failures
 }
 
-/// Addresses that belong to a job.
+/// Kind of a stored job. A process of a newer version may have accepted a job of a kind that this version does not know.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum JobKind {
+    Known(Kind),
+    Newer(String),
+}
+
+impl JobKind {
+    #[must_use]
+    pub fn from_name(name: &str) -> Self {
+        Kind::from_name(name).map_or_else(|| Self::Newer(name.to_owned()), Self::Known)
+    }
+
+    #[must_use]
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Known(kind) => kind.name(),
+            Self::Newer(name) => name,
+        }
+    }
+}
+
+impl Serialize for JobKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// Addresses that belong to a job. Each can be followed now: an address without a resource is absent.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Links {
     #[serde(rename = "self")]
     pub this: String,
-    /// Address of the mesh. Absent from failed and cancelled jobs.
+    /// Address of the request as it was accepted. Absent from jobs that ended under a version that dropped requests.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub request: Option<String>,
+    /// Address of the mesh. Present once the job has succeeded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
     /// Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do.
@@ -46,7 +76,15 @@ pub struct Links {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<String>,
     pub events: String,
-    pub cancel: String,
+    /// Address that cancels the job. Present until the job has ended.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cancel: Option<String>,
+    /// Address of the batch that the job belongs to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub batch: Option<String>,
+    /// Address of the job that superseded this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub successor: Option<String>,
 }
 
 /// Files that a job has beside its mesh.
@@ -56,19 +94,33 @@ pub struct ExtraFiles {
     pub certificate: bool,
 }
 
+/// Resources that a job's links lead to, besides those that follow from its status.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Related<'a> {
+    pub files: ExtraFiles,
+    /// Whether the job's request is kept.
+    pub request: bool,
+    /// Identifier of the job's batch.
+    pub batch: Option<&'a str>,
+    /// Identifier of the job that superseded this one.
+    pub successor: Option<&'a str>,
+}
+
 impl Links {
     /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`.
-    /// The mesh is linked before it exists, because every job that succeeds has one.
     #[must_use]
-    pub fn of(base: &str, id: &str, status: Status, files: ExtraFiles) -> Self {
+    pub fn of(base: &str, id: &str, status: Status, related: Related<'_>) -> Self {
+        let Related { files, request, batch, successor } = related;
         let this = format!("{base}/v1/jobs/{id}");
-        let may_have_mesh = !matches!(status, Status::Failed | Status::Cancelled);
         Self {
-            mesh: may_have_mesh.then(|| format!("{this}/mesh")),
+            request: request.then(|| format!("{this}/request")),
+            mesh: (status == Status::Succeeded).then(|| format!("{this}/mesh")),
             pattern: files.pattern.then(|| format!("{this}/pattern")),
             certificate: files.certificate.then(|| format!("{this}/certificate")),
             events: format!("{this}/events"),
-            cancel: format!("{this}/cancel"),
+            cancel: (!status.is_final()).then(|| format!("{this}/cancel")),
+            batch: batch.map(|batch| format!("{base}/v1/batches/{batch}")),
+            successor: successor.map(|successor| format!("{base}/v1/jobs/{successor}")),
             this,
         }
     }
@@ -79,8 +131,11 @@ impl Links {
 pub struct Job {
     /// ULID, which sorts by time of submission.
     pub id: String,
-    pub kind: Kind,
+    #[schemars(with = "Kind")]
+    pub kind: JobKind,
     pub status: Status,
+    /// Why the job was cancelled. Null unless it was.
+    pub cancelled_because: Option<CancelReason>,
     /// Name of the job for people, if the request gave one.
     pub label: Option<String>,
     /// Fields of the client, if the request gave some.
@@ -106,8 +161,11 @@ pub struct Job {
 pub struct JobSummary {
     /// ULID, which sorts by time of submission.
     pub id: String,
-    pub kind: Kind,
+    #[schemars(with = "Kind")]
+    pub kind: JobKind,
     pub status: Status,
+    /// Why the job was cancelled. Null unless it was.
+    pub cancelled_because: Option<CancelReason>,
     /// Name of the job for people, if the request gave one.
     pub label: Option<String>,
     /// Fields of the client, if the request gave some.
@@ -136,6 +194,7 @@ impl From<Job> for JobSummary {
             id: job.id,
             kind: job.kind,
             status: job.status,
+            cancelled_because: job.cancelled_because,
             label: job.label,
             metadata: job.metadata,
             created_at: job.created_at,

@@ -57,12 +57,12 @@ async fn files_and_rows_are_equal(url: &str, results: &Path, files: impl AsyncFn
 fn operation(boundary: &Boundary) -> &'static str {
     let text = format!("{} {}", boundary.previous, boundary.statement);
     let marks = [
-        ("DELETE FROM requests", "finish"),
+        ("UPDATE requests SET source", "finish"),
         ("INSERT INTO artefacts", "finish"),
         ("FROM artefacts", "finish"),
         ("statistics = $4", "finish"),
         ("INSERT INTO", "submit"),
-        ("AS served_next", "submit"),
+        ("AS first_waiting", "submit"),
         ("SET lease_until", "renew"),
         ("SET progress", "progress"),
         ("worker = $1", "claim"),

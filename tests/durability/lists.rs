@@ -53,7 +53,7 @@ async fn a_list_by_kind_and_status_reads_only_the_rows_that_it_returns() {
         let filter = Filter {
             owner: owner.map(str::to_owned),
             kind: Some("ruled_surface".into()),
-            status: Some(Status::Failed),
+            statuses: vec![Status::Failed],
             ..Filter::default()
         };
         proxy.forget();

@@ -226,7 +226,17 @@ async fn pages_of_named_origins_may_use_the_server() {
     let request = guarded.request(&guarded.alice, Method::GET, "/v1/jobs").header("origin", "https://a.example");
     let response = request.send().await.unwrap();
     let exposed = response.headers()["access-control-expose-headers"].to_str().unwrap().to_lowercase();
-    for name in ["location", "link", "retry-after", "preference-applied", "etag", "x-request-id", "ratelimit"] {
+    for name in [
+        "content-disposition",
+        "content-range",
+        "location",
+        "link",
+        "retry-after",
+        "preference-applied",
+        "etag",
+        "x-request-id",
+        "ratelimit",
+    ] {
         assert!(exposed.contains(name), "{exposed}");
     }
     let plain = TestApp::start().await;
@@ -320,4 +330,52 @@ async fn a_request_with_two_hosts_is_refused() {
         stream.read_to_string(&mut answer).await.unwrap();
         assert!(answer.starts_with(&format!("HTTP/1.1 {status} ")), "{hosts}: {answer}");
     }
+}
+
+/// A batch of one key holds every solver. The film of another key is solved although none of the batch's jobs ends.
+#[tokio::test]
+async fn a_key_with_many_jobs_makes_room_for_a_job_of_another_key() {
+    let guarded = Guarded::start(&[("PLATEAU_WORKERS", "2"), ("PLATEAU_JOBS__ATTEMPTS_MAX", "1")]).await;
+    let (app, alice, bob) = (&guarded.app, &guarded.alice, &guarded.bob);
+    app.hold.at("claimed.uniform_mesh");
+    let lattices: Vec<Value> = (0..20)
+        .map(|number| {
+            let mut lattice = app::example("floor-fewest-nodes");
+            lattice["kind"] = "uniform_mesh".into();
+            lattice["label"] = format!("{number}").into();
+            lattice["cache"] = "bypass".into();
+            lattice
+        })
+        .collect();
+    let posted = guarded.request(alice, Method::POST, "/v1/batches").json(&serde_json::json!({ "requests": lattices }));
+    let batch: Value = posted.send().await.unwrap().json().await.unwrap();
+    app.hold.reached_by("claimed", 2).await;
+    let film = guarded.solve(bob, MINIMAL, &small_film(0.3)).await;
+    assert_eq!(film["status"], "succeeded");
+    // The batch gets both solvers back, and the job that made room has lost no attempt.
+    app.hold.reached_by("claimed", 2).await;
+    app.hold.release("claimed.uniform_mesh");
+    let this = batch["links"]["self"].as_str().unwrap();
+    let ended = guarded.request(alice, Method::GET, this).header("prefer", "wait=60").send().await.unwrap();
+    let ended: Value = ended.json().await.unwrap();
+    assert_eq!(ended["counts"]["succeeded"], 20, "{:#}", ended["counts"]);
+}
+
+#[tokio::test]
+async fn a_key_is_replaced_without_a_gap() {
+    let secrets = tempfile::tempdir().unwrap();
+    let file = secrets.path().join("keys");
+    let ((old, old_line), (new, new_line)) = (new_key("alice").await, new_key("alice").await);
+    std::fs::write(&file, format!("{old_line}\n{new_line}\n")).unwrap();
+    let app =
+        TestApp::start_with(&[("PLATEAU_AUTH__KEYS_FILE", file.to_str().unwrap()), ("PLATEAU_WORKERS", "0")]).await;
+    let ask = async |key: &str, path: &str| app.request(Method::GET, path).bearer_auth(key).send().await.unwrap();
+    let posted = app.request(Method::POST, MINIMAL).bearer_auth(&old).json(&small_film(0.1)).send().await.unwrap();
+    let job: Value = posted.json().await.unwrap();
+    // Both keys have the same jobs.
+    let this = job["links"]["self"].as_str().unwrap();
+    assert_eq!((ask(&old, this).await.status(), ask(&new, this).await.status()), (StatusCode::OK, StatusCode::OK));
+    std::fs::write(&file, format!("{old_line} 2020-01-01T00:00:00Z\n{new_line}\n")).unwrap();
+    until("the old key has ended", async || ask(&old, this).await.status() == StatusCode::UNAUTHORIZED).await;
+    assert_eq!(ask(&new, this).await.status(), StatusCode::OK);
 }

@@ -117,9 +117,24 @@ impl TestApp {
 
     /// Returns the resident memory of the server in bytes.
     pub fn memory(&self) -> u64 {
+        self.memory_as("VmRSS:")
+    }
+
+    /// Returns the largest resident memory of the server since [`TestApp::forget_peak`] in bytes.
+    pub fn peak_memory(&self) -> u64 {
+        self.memory_as("VmHWM:")
+    }
+
+    /// Makes the present memory of the server the largest one so far.
+    pub fn forget_peak(&self) {
+        let id = self.child.id().expect("the server runs");
+        std::fs::write(format!("/proc/{id}/clear_refs"), "5").expect("procfs");
+    }
+
+    fn memory_as(&self, name: &str) -> u64 {
         let id = self.child.id().expect("the server runs");
         let status = std::fs::read_to_string(format!("/proc/{id}/status")).expect("procfs");
-        let line = status.lines().find(|line| line.starts_with("VmRSS:")).expect("VmRSS");
+        let line = status.lines().find(|line| line.starts_with(name)).expect("a line of this name");
         line.split_whitespace().nth(1).expect("a number").parse::<u64>().expect("a number") * 1024
     }
 

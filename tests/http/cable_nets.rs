@@ -107,7 +107,7 @@ async fn a_net_is_lines_with_forces_in_every_format_that_has_lines() {
     assert_eq!(node["extras"]["_FORCE"]["unit"], "N");
     let text = async |query: &str| app.get(&format!("{mesh}?{query}")).await.text().await.unwrap();
     let obj = text("format=obj").await;
-    assert!(!obj.contains("o surface") && obj.contains("o cables_0\nl 1 5\nl 2 5\n"), "{obj}");
+    assert!(!obj.contains("o surface") && obj.contains("o cables 0\nl 1 5\nl 2 5\n"), "{obj}");
     let ply = text("format=ply&encoding=ascii").await;
     let header = "element face 0\nproperty list uchar uint vertex_indices\nelement edge 4\nproperty int vertex1\n\
                   property int vertex2\nproperty double force\nend_header\n";

@@ -32,7 +32,11 @@ async fn limits_are_the_configured_ones() {
     assert_eq!((limits["triangles"].as_u64(), limits["queue_length"].as_u64()), (Some(4321), Some(7)));
     let names = ["queue_length_per_key", "open_requests_per_key", "jobs_kept", "bytes_kept"];
     let shares = names.map(|name| limits[name].as_u64());
-    assert_eq!(shares, [Some(7), Some(1024), Some(100_000), Some(0)], "without keys one client may fill the queue");
+    assert_eq!(
+        shares,
+        [Some(7), Some(1024), Some(100_000), Some(20 << 30)],
+        "without keys one client may fill the queue"
+    );
 }
 
 #[tokio::test]

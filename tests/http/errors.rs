@@ -257,3 +257,69 @@ async fn geometry_without_a_surface_is_422_or_a_failed_job_with_a_pointer() {
         problem(mesh, 409).await;
     }
 }
+
+/// Every operation of the API document refuses a query parameter that it does not have.
+#[tokio::test]
+async fn an_unknown_query_parameter_is_400_on_every_path() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let document = app.get_json("/openapi.json").await;
+    let mut tried = 0;
+    for (path, item) in document["paths"].as_object().unwrap() {
+        for method in item.as_object().unwrap().keys() {
+            let method = Method::from_bytes(method.to_uppercase().as_bytes()).unwrap();
+            let path = path.replace("{id}", "01J00000000000000000000000").replace("{name}", "tent");
+            let answer = app.request(method.clone(), &format!("{path}?colour=blue")).send().await.unwrap();
+            assert_eq!(answer.status(), 400, "{method} {path}");
+            assert_eq!(problem(answer, 400).await["type"], "/problems/bad-query");
+            tried += 1;
+        }
+    }
+    assert!(tried > 25, "{tried}");
+    for path in ["/openapi.json", "/problems/not-found"] {
+        problem(app.get(&format!("{path}?a=1")).await, 400).await;
+    }
+    // A page's own query is not the server's.
+    assert_eq!(app.get("/?example=tent").await.status(), 200);
+}
+
+#[tokio::test]
+async fn a_client_that_accepts_none_of_the_media_types_gets_406_and_submits_nothing() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.3)).await.json().await.unwrap();
+    let (this, events) = (job["links"]["self"].as_str().unwrap(), job["links"]["events"].as_str().unwrap());
+    let ask = async |method: Method, path: &str, accept: &str| {
+        let request = app.request(method.clone(), path).header("accept", accept);
+        let request = if method == Method::POST { request.json(&small_film(0.4)) } else { request };
+        request.send().await.unwrap()
+    };
+    for path in [this, "/v1/jobs", "/v1/limits", "/v1/objectives", events] {
+        problem(ask(Method::GET, path, "text/html").await, 406).await;
+        problem(ask(Method::GET, path, "application/json;q=0, text/event-stream;q=0").await, 406).await;
+    }
+    for accept in ["text/html, */*;q=0.1", "application/*", "application/json"] {
+        assert_eq!(ask(Method::GET, this, accept).await.status(), 200, "{accept}");
+    }
+    problem(ask(Method::POST, MINIMAL, "text/html").await, 406).await;
+    assert_eq!(app.get_json("/v1/jobs").await["jobs"].as_array().unwrap().len(), 1);
+    assert_eq!(ask(Method::POST, MINIMAL, "model/gltf-binary").await.status(), 202);
+    assert_eq!(ask(Method::GET, "/health/ready", "text/html").await.status(), 200);
+}
+
+#[tokio::test]
+async fn a_failed_post_for_a_mesh_leads_to_its_job_and_has_the_type_of_its_error() {
+    let settings = [("PLATEAU_JOBS__DEADLINE_MS", "1"), ("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/plateau")];
+    let app = TestApp::start_with(&settings).await;
+    app.hold.at("claimed");
+    let post = app.request(Method::POST, MINIMAL).header("prefer", "wait=60").header("accept", "model/gltf-binary");
+    let answer = post.json(&small_film(0.1)).send().await.unwrap();
+    assert_eq!(answer.status(), 409);
+    let location = answer.headers()["location"].to_str().unwrap().to_owned();
+    assert_eq!(answer.headers()["link"], format!("<{location}>; rel=\"describedby\"").as_str());
+    let problem: Value = answer.json().await.unwrap();
+    let job = app.get_json(&location).await;
+    assert_eq!(job["status"], "failed");
+    for field in ["type", "title", "detail"] {
+        assert_eq!(problem[field], job["error"][field], "{field}");
+    }
+    assert_eq!((&problem["type"], &problem["status"]), (&json!("/plateau/problems/deadline"), &json!(409)));
+}

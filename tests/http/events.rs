@@ -102,6 +102,40 @@ async fn a_cancelled_job_ends_its_streams() {
 }
 
 #[tokio::test]
+async fn the_last_event_of_a_deleted_job_says_so() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let mut stream = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
+    let mut text = String::new();
+    while parse(&text).is_empty() {
+        text.push_str(std::str::from_utf8(&stream.next().await.unwrap().unwrap()).unwrap());
+    }
+    let deleted = app.request(Method::DELETE, job["links"]["self"].as_str().unwrap()).send().await.unwrap();
+    assert_eq!(deleted.status(), 204);
+    while let Some(chunk) = stream.next().await {
+        text.push_str(std::str::from_utf8(&chunk.unwrap()).unwrap());
+    }
+    let list = parse(&text);
+    assert_eq!(list.len(), 2, "{list:?}");
+    assert_eq!((&list[1].data["status"], &list[1].data["cancelled_because"]), (&"cancelled".into(), &"deleted".into()));
+    assert!(number(&list[0].id) < number(&list[1].id));
+}
+
+#[tokio::test]
+async fn a_last_event_id_of_another_form_is_refused() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let path = job["links"]["events"].as_str().unwrap();
+    for id in ["abc", "1", "1.2.3", "-1.2", "1.x"] {
+        let answer = app.request(Method::GET, path).header("last-event-id", id).send().await.unwrap();
+        assert_eq!(problem(answer, 400).await["type"], "/problems/bad-header", "{id}");
+    }
+    // A browser without a last event sends none, and an empty one means the same.
+    let answer = app.request(Method::GET, path).header("last-event-id", "").send().await.unwrap();
+    assert_eq!(answer.status(), 200);
+}
+
+#[tokio::test]
 async fn a_silent_stream_is_kept_open_by_comments() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_HTTP__EVENT_KEEP_ALIVE_MS", "50")]).await;
     let job: Value = app.post(MINIMAL, &small_film(0.8)).await.json().await.unwrap();

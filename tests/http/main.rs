@@ -32,6 +32,8 @@ mod idempotency;
 mod initial_meshes;
 mod jobs;
 mod limits;
+#[cfg(feature = "test-hooks")]
+mod limits_of_the_system;
 mod load;
 #[cfg(feature = "mcp")]
 mod mcp;
@@ -43,6 +45,7 @@ mod pairs;
 #[path = "../postgres/mod.rs"]
 mod postgres;
 mod prefer;
+mod requests;
 mod restart;
 mod ruled_surfaces;
 mod series;

@@ -95,6 +95,8 @@ async fn a_wait_that_accepts_a_mesh_gets_the_mesh_itself() {
     let mut tangled = small_film(0.33);
     tangled["boundaries"] = json!([[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]]);
     tangled["initial_mesh"] = "planar".into();
-    let refused = problem(post(&tangled, Some("wait=60"), "model/gltf-binary").await, 409).await;
-    assert!(refused["detail"].as_str().unwrap().contains("failed"), "{refused}");
+    let answer = post(&tangled, Some("wait=60"), "model/gltf-binary").await;
+    let job = app.get_json(answer.headers()["location"].to_str().unwrap()).await;
+    let refused = problem(answer, 409).await;
+    assert_eq!((&refused["type"], &job["status"]), (&job["error"]["type"], &json!("failed")));
 }

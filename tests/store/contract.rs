@@ -7,10 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use plateau::status::Status;
+use plateau::status::{CancelReason, Status};
 use plateau::store::{
     Addition, BatchAddition, BatchLookup, BatchRow, Busy, Delivery, EarlyEnd, EventId, Filter, JobRow, Lookup,
-    NewBatch, NewJob, Outcome, Renewed, Room, Store, StoreError, StoreOptions, Subject,
+    NewBatch, NewJob, Outcome, Preference, Renewed, Room, Store, StoreError, StoreOptions, Subject,
 };
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -100,6 +100,14 @@ cases! {
     a_worker_that_lost_its_lease_changes_nothing,
     a_job_whose_workers_keep_dying_fails_with_a_history,
     a_worker_that_returns_after_its_lease_costs_no_attempt,
+    a_job_whose_request_no_worker_can_read_is_handed_back_and_fails_after_a_while,
+    a_batch_is_never_first_in_line_twice,
+    owners_who_come_later_are_served_after_all_others,
+    a_request_is_kept_as_long_as_its_job,
+    requests_of_finished_jobs_count_in_max_bytes,
+    a_cancelled_job_says_why,
+    a_list_selects_by_label_batch_time_and_several_states,
+    a_database_without_a_table_refuses_submissions_until_it_is_back,
     a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease,
     an_owner_with_many_jobs_does_not_delay_other_owners,
     a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_of_times,
@@ -341,6 +349,189 @@ async fn a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease(database:
     assert_eq!((job.status, job.started_at_ms), (Status::Queued, None));
 }
 
+async fn a_job_whose_request_no_worker_can_read_is_handed_back_and_fails_after_a_while(database: Database) {
+    let patience = Duration::from_millis(500);
+    let store = database.open(StoreOptions { unread_patience: patience, ..StoreOptions::default() }).await;
+    let (id, other) = (create(&store, job(1)).await.id, create(&store, job(2)).await.id);
+    let claimed = store.claim("old", LEASE).await.unwrap().unwrap();
+    assert_eq!(claimed.id, id);
+    assert!(store.hand_back_unread(&id, claimed.attempt, r#"{"type":"/problems/refused"}"#).await.unwrap());
+    assert!(!store.hand_back_unread(&id, claimed.attempt, "{}").await.unwrap(), "the worker has lost the job");
+    // The same worker passes the job over, and another worker gets it.
+    let except = Preference { except: vec![id.clone()], ..Preference::default() };
+    let claimed = store.claim_within("old", LEASE, Room::ANY, except.clone()).await.unwrap().unwrap();
+    assert_eq!(claimed.id, other);
+    assert_eq!(store.claim_within("old", LEASE, Room::ANY, except.clone()).await.unwrap(), None);
+    let claimed = store.claim("new", LEASE).await.unwrap().unwrap();
+    assert_eq!(claimed.id, id);
+    assert!(store.hand_back_unread(&id, claimed.attempt, r#"{"type":"/problems/refused"}"#).await.unwrap());
+    assert_eq!(find(&store, &id).await.error, None);
+    tokio::time::sleep(patience).await;
+    assert_eq!(store.claim_within("old", LEASE, Room::ANY, except).await.unwrap(), None);
+    let failed = find(&store, &id).await;
+    assert_eq!((failed.status, failed.error.as_deref()), (Status::Failed, Some(r#"{"type":"/problems/refused"}"#)));
+    assert!(failed.expires_at_ms.is_some());
+}
+
+async fn a_batch_is_never_first_in_line_twice(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..20 {
+        create(&store, job_of("batch", number)).await;
+    }
+    let claim = async || store.claim("worker", LEASE).await.unwrap().unwrap();
+    let first = claim().await;
+    assert_eq!(first.owner.as_deref(), Some("batch"));
+    // While the first job runs, the single job of another owner is next.
+    let single = create(&store, job_of("single", 100)).await.id;
+    let pair = [create(&store, job_of("pair", 101)).await.id, create(&store, job_of("pair", 102)).await.id];
+    let order = [claim().await.id, claim().await.id, claim().await.id, claim().await.id];
+    assert_eq!(order, [single, pair[0].clone(), job(1).id, pair[1].clone()]);
+}
+
+async fn owners_who_come_later_are_served_after_all_others(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for (number, owner) in ["much", "much", "some", "none", "none"].into_iter().enumerate() {
+        create(&store, NewJob { memory_bytes: 10 * (number as u64 + 1), ..job_of(owner, number) }).await;
+    }
+    let later = Preference { later_owners: vec!["some".into(), "much".into()], ..Preference::default() };
+    let claim = async |free_bytes: u64| {
+        let room = Room { free_bytes, most_bytes: u64::MAX };
+        store.claim_within("worker", LEASE, room, later.clone()).await.unwrap().map(|claimed| claimed.id)
+    };
+    assert_eq!(claim(u64::MAX).await, Some(job(3).id));
+    // The next job does not fit, and is overtaken by the next one in this order that does.
+    assert_eq!(claim(40).await, Some(job(2).id));
+    assert_eq!(claim(40).await, Some(job(0).id));
+    assert_eq!(claim(40).await, Some(job(1).id));
+    assert_eq!(claim(40).await, None);
+    assert_eq!(claim(50).await, Some(job(4).id));
+}
+
+async fn a_request_is_kept_as_long_as_its_job(database: Database) {
+    let options = StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(options.clone()).await;
+    let kept = async |number: usize| {
+        let request = store.request(&job(number).id, None).await.unwrap();
+        request.map(|(kind, body)| (kind, String::from_utf8(body).unwrap()))
+    };
+    let expected = |number: usize| Some(("ruled_surface".to_owned(), format!("{{\"number\":{number}}}")));
+    for number in [1, 2, 3] {
+        create(&store, job_of("me", number)).await;
+        assert_eq!(kept(number).await, expected(number));
+    }
+    work_one(&store, b"mesh").await;
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    let failed = Outcome::Failed { error: "{}".into() };
+    assert!(store.finish(&claimed.id, claimed.attempt, Arc::new(failed)).await.unwrap());
+    store.cancel(&job(3).id, None, CancelReason::Client).await.unwrap();
+    // Jobs that were solved before they were stored, and jobs with the result of another job, keep theirs too.
+    let solved = EarlyEnd { outcome: solved_as(b"early"), submitted_ms: 2, started_ms: 1 };
+    store.add_ended_job(job_of("me", 4), solved).await.unwrap();
+    let shared = NewJob { id: job(5).id, request: job(5).request, ..job_of("me", 1) };
+    assert_eq!(create(&store, shared).await.status, Status::Succeeded);
+    for number in 1..=5 {
+        assert_eq!(kept(number).await, expected(number), "{number}");
+        assert!(find(&store, &job(number).id).await.has_request);
+    }
+    assert_eq!(store.request(&job(1).id, Some("other")).await.unwrap(), None);
+    assert!(store.request(&job(1).id, Some("me")).await.unwrap().is_some());
+    store.delete(&job(1).id, None).await.unwrap();
+    assert_eq!(kept(1).await, None);
+    // An older version on the same database removes jobs without their requests.
+    database.execute("DELETE FROM jobs WHERE id LIKE '%2'").await;
+    assert!(store.sweep().await.is_ok());
+    store.close().await;
+    let store = database.open(StoreOptions { retention: Duration::ZERO, ..options }).await;
+    database.execute("UPDATE jobs SET expires_at = 1").await;
+    assert_eq!(store.sweep().await.unwrap().expired, 3);
+    // The number of requests that are left is the time in this row.
+    database
+        .execute("INSERT INTO expired_jobs (id, owner, expired_at) SELECT 'left', '', count(*) FROM requests")
+        .await;
+    database.execute("DELETE FROM expired_jobs WHERE id = 'left' AND expired_at = 0").await;
+    assert_eq!(store.get("left", None).await.unwrap(), Lookup::Missing);
+}
+
+async fn requests_of_finished_jobs_count_in_max_bytes(database: Database) {
+    let options = StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(options.clone()).await;
+    let failed = Arc::new(Outcome::Failed { error: "{}".into() });
+    for number in 0..30 {
+        let request = vec![b' '; 100_000];
+        create(&store, NewJob { request, ..job_of("large", number) }).await;
+        let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+        assert!(store.finish(&claimed.id, claimed.attempt, failed.clone()).await.unwrap());
+    }
+    create(&store, job_of("small", 100)).await;
+    work_one(&store, b"mesh").await;
+    store.close().await;
+    let store = database.open(StoreOptions { max_bytes: Some(2_500_000), ..options }).await;
+    // Ten jobs expire at a time.
+    assert!([10, 20].contains(&store.sweep().await.unwrap().expired));
+    assert_eq!(store.get(&job(0).id, None).await.unwrap(), Lookup::Expired);
+    assert_eq!(find(&store, &job(29).id).await.status, Status::Failed);
+    assert_eq!(find(&store, &job(100).id).await.status, Status::Succeeded);
+}
+
+async fn a_cancelled_job_says_why(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let reasons = [CancelReason::Client, CancelReason::Disconnected];
+    for (number, because) in reasons.into_iter().enumerate() {
+        let id = create(&store, job(number)).await.id;
+        assert_eq!(find(&store, &id).await.cancelled_because, None);
+        store.cancel(&id, None, because).await.unwrap();
+        assert_eq!(find(&store, &id).await.cancelled_because, Some(because));
+        // A job that has ended keeps its reason.
+        store.cancel(&id, None, CancelReason::Superseded).await.unwrap();
+        assert_eq!(find(&store, &id).await.cancelled_because, Some(because));
+    }
+    let in_series = |number| NewJob { supersede: Some("drag".into()), ..job(number) };
+    create(&store, in_series(10)).await;
+    create(&store, in_series(11)).await;
+    let old = find(&store, &job(10).id).await;
+    assert_eq!((old.cancelled_because, old.successor), (Some(CancelReason::Superseded), Some(job(11).id)));
+    let batch = create_batch(&store, batch_of(None, 1, 20..22)).await;
+    store.cancel_batch(&batch.id, None).await.unwrap();
+    let row = find(&store, &job(20).id).await;
+    assert_eq!((row.cancelled_because, row.batch), (Some(CancelReason::Client), Some(batch.id)));
+}
+
+async fn a_list_selects_by_label_batch_time_and_several_states(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let labelled = |label: &str, number: usize| NewJob { label: Some(label.into()), ..job(number) };
+    let id_at = |ms: u64| ulid::Ulid::from_parts(ms, 1).to_string();
+    let created = create(&store, NewJob { id: id_at(1_700_000_000_000), ..labelled("roof", 1) }).await;
+    create(&store, labelled("tent", 2)).await;
+    create(&store, job(3)).await;
+    create_batch(&store, batch_of(None, 1, 20..22)).await;
+    store.cancel(&job(2).id, None, CancelReason::Client).await.unwrap();
+    work_one(&store, b"mesh").await;
+    let count = async |filter: Filter| store.list(filter, 100, None).await.unwrap().0.len();
+    let all = Filter::default;
+    assert_eq!(count(Filter { label: Some("roof".into()), ..all() }).await, 1);
+    assert_eq!(count(Filter { label: Some("roo".into()), ..all() }).await, 0);
+    assert_eq!(count(Filter { batch: Some(batch_of(None, 1, 20..22).id), ..all() }).await, 2);
+    assert_eq!(count(Filter { statuses: vec![Status::Cancelled, Status::Succeeded], ..all() }).await, 2);
+    assert_eq!(count(Filter { statuses: Status::ALL.to_vec(), ..all() }).await, 5);
+    assert_eq!(count(Filter { created_after_ms: Some(created.created_at_ms + 60_000), ..all() }).await, 0);
+    assert_eq!(count(Filter { created_after_ms: Some(1_699_999_000_000), ..all() }).await, 1);
+}
+
+async fn a_database_without_a_table_refuses_submissions_until_it_is_back(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    store.check().await.unwrap();
+    database.execute("ALTER TABLE requests RENAME TO away").await;
+    assert!(store.add_job(job(1)).await.is_err());
+    // A write to another table does not show that jobs can be stored.
+    assert!(store.leads_the_sweep(Duration::ZERO).await.is_ok());
+    assert!(store.check().await.is_err());
+    database.execute("ALTER TABLE away RENAME TO requests").await;
+    store.check().await.unwrap();
+    assert_eq!(store.get(&job(1).id, None).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.queue_length().await.unwrap(), 0);
+    create(&store, job(1)).await;
+}
+
 async fn an_owner_with_many_jobs_does_not_delay_other_owners(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..50 {
@@ -374,17 +565,20 @@ async fn a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_o
         create(&store, NewJob { memory_bytes: FREE, ..job(number) }).await;
     }
     for number in 100..116 {
-        let claimed = store.claim_within("worker", LEASE, within(FREE)).await.unwrap().unwrap();
+        let claimed = store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap().unwrap();
         assert_eq!((claimed.id, claimed.memory_bytes), (job(number).id, FREE));
     }
-    assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap(), None);
-    let claimed = store.claim_within("worker", LEASE, within(FREE + 1)).await.unwrap().unwrap();
+    assert_eq!(store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap(), None);
+    let claimed = store.claim_within("worker", LEASE, within(FREE + 1), Preference::default()).await.unwrap().unwrap();
     assert_eq!((claimed.id, claimed.memory_bytes), (large, FREE + 1));
     // The next job that does not fit is overtaken as often as the first one.
     for number in 116..132 {
-        assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap().unwrap().id, job(number).id);
+        assert_eq!(
+            store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap().unwrap().id,
+            job(number).id
+        );
     }
-    assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap(), None);
+    assert_eq!(store.claim_within("worker", LEASE, within(FREE), Preference::default()).await.unwrap(), None);
     assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, larger);
 }
 
@@ -397,12 +591,15 @@ async fn a_worker_for_small_jobs_takes_them_in_order_and_overtakes_no_job_for_la
     }
     let later = create(&store, NewJob { memory_bytes: 2000, ..job(20) }).await.id;
     for number in 2..20 {
-        assert_eq!(store.claim_within("small", LEASE, room).await.unwrap().unwrap().id, job(number).id);
+        assert_eq!(
+            store.claim_within("small", LEASE, room, Preference::default()).await.unwrap().unwrap().id,
+            job(number).id
+        );
     }
-    assert_eq!(store.claim_within("small", LEASE, room).await.unwrap(), None);
+    assert_eq!(store.claim_within("small", LEASE, room, Preference::default()).await.unwrap(), None);
     // Neither of the larger jobs has waited for memory so far, so small jobs still pass the last one.
     create(&store, NewJob { memory_bytes: 10, ..job(21) }).await;
-    assert_eq!(store.claim_within("small", LEASE, room).await.unwrap().unwrap().id, job(21).id);
+    assert_eq!(store.claim_within("small", LEASE, room, Preference::default()).await.unwrap().unwrap().id, job(21).id);
     assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, job(1).id);
     assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, later);
 }
@@ -449,7 +646,7 @@ async fn an_idempotency_key_makes_one_job(database: Database) {
         other => panic!("{other:?}"),
     }
     // The key is kept for as long as the job.
-    store.cancel(&job(6).id, None).await.unwrap();
+    store.cancel(&job(6).id, None, CancelReason::Client).await.unwrap();
     assert!(store.delete(&first.id, Some("me")).await.unwrap());
     create(&store, NewJob { reuse: false, ..keyed(8) }).await;
 }
@@ -489,7 +686,7 @@ async fn a_cancel_takes_effect_at_once_and_is_final(database: Database) {
     create(&store, job(1)).await;
     for (id, expected) in [(&queued, Status::Cancelled), (&running, Status::Cancelled), (&done, Status::Succeeded)] {
         for _ in 0..2 {
-            match store.cancel(id, None).await.unwrap() {
+            match store.cancel(id, None, CancelReason::Client).await.unwrap() {
                 Lookup::Found(row) => assert_eq!((row.status, row.expires_at_ms.is_some()), (expected, true)),
                 other => panic!("{other:?}"),
             }
@@ -500,7 +697,7 @@ async fn a_cancel_takes_effect_at_once_and_is_final(database: Database) {
     assert_eq!(store.progress(&running, claimed.attempt, "{}").await.unwrap(), Renewed::Cancelled);
     assert!(!store.finish(&running, claimed.attempt, success(b"late")).await.unwrap());
     assert_eq!(find(&store, &running).await.status, Status::Cancelled);
-    assert_eq!(store.cancel("nothing", None).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.cancel("nothing", None, CancelReason::Client).await.unwrap(), Lookup::Missing);
 }
 
 async fn a_newer_job_of_a_series_cancels_the_older_ones(database: Database) {
@@ -585,7 +782,7 @@ async fn an_owner_sees_no_job_of_another(database: Database) {
     let id = work_one(&store, b"mesh").await;
     let other = Some("other");
     assert_eq!(store.get(&id, other).await.unwrap(), Lookup::Missing);
-    assert_eq!(store.cancel(&id, other).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.cancel(&id, other, CancelReason::Client).await.unwrap(), Lookup::Missing);
     assert_eq!(store.artefact(&id, other).await.unwrap(), None);
     assert!(!store.delete(&id, other).await.unwrap());
     assert!(matches!(store.watch(&id, other).await.unwrap(), Err(Lookup::Missing)));
@@ -622,15 +819,15 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     // A page that ends with the last job has no next page.
     assert_eq!(store.list(Filter::default(), 26, None).await.unwrap().1, None);
 
-    store.cancel(&job(4).id, None).await.unwrap();
+    store.cancel(&job(4).id, None, CancelReason::Client).await.unwrap();
     let count = async |filter: Filter| store.list(filter, 100, None).await.unwrap().0.len();
     assert_eq!(count(Filter { kind: Some("minimal_surface".into()), ..Filter::default() }).await, 12);
     assert_eq!(count(Filter { owner: Some("b".into()), ..Filter::default() }).await, 10);
-    assert_eq!(count(Filter { status: Some(Status::Cancelled), ..Filter::default() }).await, 1);
+    assert_eq!(count(Filter { statuses: vec![Status::Cancelled], ..Filter::default() }).await, 1);
     let all = Filter {
         owner: Some("b".into()),
         kind: Some("ruled_surface".into()),
-        status: Some(Status::Cancelled),
+        statuses: vec![Status::Cancelled],
         ..Filter::default()
     };
     assert_eq!(store.list(all.clone(), 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
@@ -752,7 +949,7 @@ async fn expired_jobs_are_remembered_as_expired_and_then_forgotten(database: Dat
     assert_eq!(store.get(&ended, None).await.unwrap(), Lookup::Expired);
     assert_eq!(store.get(&ended, Some("me")).await.unwrap(), Lookup::Expired);
     assert_eq!(store.get(&ended, Some("you")).await.unwrap(), Lookup::Missing);
-    assert_eq!(store.cancel(&ended, None).await.unwrap(), Lookup::Expired);
+    assert_eq!(store.cancel(&ended, None, CancelReason::Client).await.unwrap(), Lookup::Expired);
     assert_eq!(store.artefact(&ended, None).await.unwrap(), None);
     // Waiting jobs do not expire.
     assert_eq!(find(&store, &job(2).id).await.status, Status::Queued);
@@ -1296,7 +1493,7 @@ async fn another_instance_sees_changes_and_work(database: Database) {
     }
     let claimed = there.claim("worker", LEASE).await.unwrap().unwrap();
     until(&mut watch, |job| job.status == Status::Running).await;
-    here.cancel(&id, None).await.unwrap();
+    here.cancel(&id, None, CancelReason::Client).await.unwrap();
     until(&mut watch, |job| job.status == Status::Cancelled).await;
     assert!(!there.finish(&id, claimed.attempt, success(b"late")).await.unwrap());
 }
@@ -1524,7 +1721,7 @@ async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) 
     )
     .await;
     create(&store, NewJob { callback_url: Some("https://b.example".into()), ..job_of("me", 3) }).await;
-    store.cancel(&job(3).id, None).await.unwrap();
+    store.cancel(&job(3).id, None, CancelReason::Client).await.unwrap();
     let mut urls = Vec::new();
     while let Some(callback) = store.claim_callback(LEASE, &Busy::default()).await.unwrap() {
         urls.push(callback.url);
@@ -1555,7 +1752,7 @@ async fn concurrent_claimers_get_every_callback_once(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..40 {
         create(&store, NewJob { callback_url: Some(format!("https://{number}.example")), ..job(number) }).await;
-        store.cancel(&job(number).id, None).await.unwrap();
+        store.cancel(&job(number).id, None, CancelReason::Client).await.unwrap();
     }
     let mut claimers = tokio::task::JoinSet::new();
     for _ in 0..4 {
@@ -1586,7 +1783,7 @@ async fn callbacks_of_busy_owners_and_hosts_are_passed_over(database: Database) 
         to("few", 4, "https://c.example"),
     ] {
         let id = create(&store, job).await.id;
-        store.cancel(&id, None).await.unwrap();
+        store.cancel(&id, None, CancelReason::Client).await.unwrap();
     }
     let busy = Busy { owners: vec![Some("many".into())], hosts: vec!["dead.example:8443".into()] };
     let only = store.claim_callback(LEASE, &busy).await.unwrap().expect("one is left");
@@ -1600,7 +1797,7 @@ async fn callbacks_of_busy_owners_and_hosts_are_passed_over(database: Database) 
     // The owner of a server without keys has no name.
     let unnamed = NewJob { callback_url: Some("https://a.example".into()), ..job(5) };
     let id = create(&store, unnamed).await.id;
-    store.cancel(&id, None).await.unwrap();
+    store.cancel(&id, None, CancelReason::Client).await.unwrap();
     let busy = Busy { owners: vec![None], hosts: Vec::new() };
     assert_eq!(store.claim_callback(LEASE, &busy).await.unwrap(), None);
 }
@@ -1615,7 +1812,7 @@ async fn a_settled_callback_has_a_log_and_can_be_sent_again(database: Database) 
         (row.next_ms.is_some(), row.attempted.iter().map(|one| (one.number, one.delivery)).collect::<Vec<_>>())
     };
     assert_eq!(log().await, (true, Vec::new()));
-    store.cancel(&id, None).await.unwrap();
+    store.cancel(&id, None, CancelReason::Client).await.unwrap();
     let first = store.claim_callback(LEASE, &none).await.unwrap().unwrap();
     store.put_off_callback(&first, Duration::ZERO).await.unwrap();
     let second = store.claim_callback(LEASE, &none).await.unwrap().unwrap();

@@ -84,7 +84,7 @@ async fn an_outcome_whose_commit_was_not_acknowledged_is_stored_once_and_its_fil
     let store = &faulty.store;
     assert!(matches!(store.add_job(job(1)).await, Ok(Addition::Created(..))));
     let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
-    let lost = faulty.proxy.disturb_commit("DELETE FROM requests", Fault::CutAfter);
+    let lost = faulty.proxy.disturb_commit("UPDATE requests SET source", Fault::CutAfter);
     let renewal = faulty.proxy.disturb("SET lease_until", Fault::CutBefore);
     assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.is_err());
     assert!(lost.yet());

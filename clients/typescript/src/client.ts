@@ -101,7 +101,7 @@ export class Job<Statistics = unknown> {
   constructor(
     client: Plateau,
     public info: JobInfo,
-    /** The request as this client sent it. Undefined for a job that another client submitted. */
+    /** The request as this client sent it. Undefined for a job that another client submitted: see `fetchRequest`. */
     readonly request?: Request,
   ) {
     this.#client = client;
@@ -117,6 +117,11 @@ export class Job<Statistics = unknown> {
 
   async refresh(): Promise<JobInfo> {
     return (this.info = await this.#client.getJson<JobInfo>(`v1/jobs/${this.id}`));
+  }
+
+  /** The request as the server accepted it, with its kind. The server keeps it as long as the job. */
+  fetchRequest(): Promise<Request> {
+    return this.#client.getJson<Request>(`v1/jobs/${this.id}/request`);
   }
 
   /** Waits for the end and gets the mesh. Aborting the signal stops the wait; the job goes on. */

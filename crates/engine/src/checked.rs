@@ -80,7 +80,11 @@ pub(crate) struct Types {
     /// body is refused.
     #[cfg(feature = "stored")]
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
-    /// Reads a request from a JSON value without the members that count as left out. The error is `None` if the type refuses the value.
+    /// Same as `read`, but returns the first reason for which a body is refused. It takes longer.
+    #[cfg(feature = "stored")]
+    pub read_tracked: fn(&[u8], &[&str], Find<'_>, &Limits) -> Result<ReadApart, Rejection>,
+    /// Reads a request from a JSON value without the members that count as left out. The error is `None` if the type
+    /// refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the first place at which the type refuses a value. It explains values that the type refuses although the
     /// schema accepts them.
@@ -102,6 +106,8 @@ impl Types {
             empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, _, limits| read::<R>(body, aside, |request| checked(request, limits)),
+            #[cfg(feature = "stored")]
+            read_tracked: |body, aside, _, limits| read_tracked::<R>(body, aside, |request| checked(request, limits)),
             read_value: |value, _, limits| read_value::<R>(value, |request| checked(request, limits)),
             refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
@@ -122,6 +128,10 @@ impl Types {
             empty_lists: R::EMPTY_LISTS,
             #[cfg(feature = "stored")]
             read: |body, aside, find, limits| read::<R>(body, aside, |request| checked_from(request, find, limits)),
+            #[cfg(feature = "stored")]
+            read_tracked: |body, aside, find, limits| {
+                read_tracked::<R>(body, aside, |request| checked_from(request, find, limits))
+            },
             read_value: |value, find, limits| read_value::<R>(value, |request| checked_from(request, find, limits)),
             refusal: strict::refusal::<R>,
             #[cfg(feature = "stored")]
@@ -165,6 +175,20 @@ fn read<R: DeserializeOwned + Serialize + Optioned>(
     let idle = idle_members(&read, &Given::Names(&names));
     idle.is_empty().then_some(())?;
     Some((written(&read, &checks).ok()?, aside))
+}
+
+#[cfg(feature = "stored")]
+fn read_tracked<R: DeserializeOwned + Serialize + Optioned>(
+    body: &[u8],
+    aside: &[&str],
+    checks: impl Fn(&R) -> Result<Passed, Rejection>,
+) -> Result<ReadApart, Rejection> {
+    let Parted { read, names, aside } = strict::read_tracked::<R>(body, aside)?;
+    let idle = idle_members(&read, &Given::Names(&names));
+    if !idle.is_empty() {
+        return Err(Rejection::Invalid(idle));
+    }
+    Ok((written(&read, &checks)?, aside))
 }
 
 fn read_value<R: DeserializeOwned + Serialize + Optioned>(

@@ -8,6 +8,7 @@ use crate::rejection::{FieldError, Rejection};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use serde_path_to_error::{Path, Segment, Track};
+use std::cell::Cell;
 use std::fmt;
 
 /// Parses a body.
@@ -16,29 +17,40 @@ use std::fmt;
 /// Returns [`Rejection::Malformed`] if the body is not JSON or repeats a key, and [`Rejection::Invalid`] if a number
 /// overflows f64.
 pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
+    refuse_what_is_no_text(body)?;
+    let mut deserializer = serde_json::Deserializer::from_slice(body);
+    let outcome =
+        AnyValue::default().deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
+    outcome.map_err(|error| unparsed(body, &error, || stopped_at(body)))
+}
+
+/// Returns the rejection of a body that cannot be parsed. `stopped_at` returns the JSON Pointer of the value at which the
+/// parser stopped.
+pub(super) fn unparsed(body: &[u8], error: &serde_json::Error, stopped_at: impl Fn() -> String) -> Rejection {
+    let text = error.to_string();
+    let invalid = |detail: String| Rejection::Invalid(vec![FieldError::new(stopped_at(), detail)]);
+    if text.starts_with("number out of range") {
+        return invalid("is not a finite number in 64-bit floating point".into());
+    }
+    let end = offset_of(body, error.line(), error.column());
+    match not_a_number(body, end) {
+        Some(name) => invalid(format!("is {name}, which JSON cannot hold: only finite numbers are allowed")),
+        None if end > 0 && body[end - 1] == b'\'' => {
+            Rejection::Malformed(format!("{text}: JSON writes names and strings in double quotes"))
+        }
+        None => Rejection::Malformed(text),
+    }
+}
+
+/// Refuses an empty body, and a body that is not plain UTF-8 by its first bytes.
+pub(super) fn refuse_what_is_no_text(body: &[u8]) -> Result<(), Rejection> {
     if let Some(encoding) = foreign_encoding(body) {
         return Err(Rejection::Malformed(format!("the body {encoding}: send JSON as UTF-8 without a byte order mark")));
     }
     if body.iter().all(u8::is_ascii_whitespace) {
         return Err(Rejection::Malformed("the body is empty: send a JSON object".into()));
     }
-    let mut deserializer = serde_json::Deserializer::from_slice(body);
-    let outcome = AnyValue.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
-    outcome.map_err(|error| {
-        let text = error.to_string();
-        let invalid = |detail: String| Rejection::Invalid(vec![FieldError::new(stopped_at(body), detail)]);
-        if text.starts_with("number out of range") {
-            return invalid("is not a finite number in 64-bit floating point".into());
-        }
-        let end = offset_of(body, error.line(), error.column());
-        match not_a_number(body, end) {
-            Some(name) => invalid(format!("is {name}, which JSON cannot hold: only finite numbers are allowed")),
-            None if end > 0 && body[end - 1] == b'\'' => {
-                Rejection::Malformed(format!("{text}: JSON writes names and strings in double quotes"))
-            }
-            None => Rejection::Malformed(text),
-        }
-    })
+    Ok(())
 }
 
 /// Recognises by its first bytes a body that is not plain UTF-8, and returns a description of its encoding.
@@ -84,7 +96,7 @@ fn stopped_at(body: &[u8]) -> String {
     let mut track = Track::new();
     let mut deserializer = serde_json::Deserializer::from_slice(body);
     // The error itself is known: the parser fails at the same place as before.
-    let _ = AnyValue.deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
+    let _ = AnyValue::default().deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
     pointer(&track.path())
 }
 
@@ -98,59 +110,94 @@ pub(crate) fn pointer(path: &Path) -> String {
     segments.collect()
 }
 
-/// Reads any value by the rules of [`parse`].
-pub(super) struct AnyValue;
+/// Beginning of the error for a value beyond the length that [`AnyValue`] may have.
+pub(super) const TOO_LONG: &str = "has more text than is allowed";
 
-impl<'de> DeserializeSeed<'de> for AnyValue {
+/// Reads any value by the rules of [`parse`].
+#[derive(Clone, Copy, Default)]
+pub(super) struct AnyValue<'a> {
+    /// Number of bytes of JSON text without white space that this value and others may still have, at least. `None`
+    /// means any number.
+    left: Option<&'a Cell<usize>>,
+}
+
+impl<'a> AnyValue<'a> {
+    pub(super) fn within(left: &'a Cell<usize>) -> Self {
+        Self { left: Some(left) }
+    }
+
+    /// Counts bytes of text.
+    fn spend<E: serde::de::Error>(self, bytes: usize) -> Result<(), E> {
+        let Some(left) = self.left else { return Ok(()) };
+        left.set(left.get().checked_sub(bytes).ok_or_else(|| E::custom(TOO_LONG))?);
+        Ok(())
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for AnyValue<'_> {
     type Value = Value;
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
         deserializer.deserialize_any(self)
     }
 }
 
-impl<'de> Visitor<'de> for AnyValue {
+impl<'de> Visitor<'de> for AnyValue<'_> {
     type Value = Value;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a JSON value")
     }
-    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
+    fn visit_bool<E: serde::de::Error>(self, value: bool) -> Result<Value, E> {
+        self.spend(1)?;
         Ok(Value::Bool(value))
     }
-    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
+    fn visit_i64<E: serde::de::Error>(self, value: i64) -> Result<Value, E> {
+        self.spend(1)?;
         Ok(Value::Number(value.into()))
     }
-    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
+    fn visit_u64<E: serde::de::Error>(self, value: u64) -> Result<Value, E> {
+        self.spend(1)?;
         Ok(Value::Number(value.into()))
     }
-    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
+    fn visit_f64<E: serde::de::Error>(self, value: f64) -> Result<Value, E> {
+        self.spend(1)?;
         let number = integral(value).map(Number::from).or_else(|| Number::from_f64(value));
         Ok(number.map_or(Value::Null, Value::Number))
     }
-    fn visit_str<E>(self, value: &str) -> Result<Value, E> {
+    fn visit_str<E: serde::de::Error>(self, value: &str) -> Result<Value, E> {
+        self.spend(value.len() + 2)?;
         Ok(Value::String(value.to_owned()))
     }
-    fn visit_string<E>(self, value: String) -> Result<Value, E> {
+    fn visit_string<E: serde::de::Error>(self, value: String) -> Result<Value, E> {
+        self.spend(value.len() + 2)?;
         Ok(Value::String(value))
     }
-    fn visit_unit<E>(self) -> Result<Value, E> {
+    fn visit_unit<E: serde::de::Error>(self) -> Result<Value, E> {
+        self.spend(1)?;
         Ok(Value::Null)
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
+        self.spend(2)?;
         // Most arrays are points with three coordinates.
         let mut list = Vec::with_capacity(3);
-        while let Some(value) = seq.next_element_seed(AnyValue)? {
+        while let Some(value) = seq.next_element_seed(self)? {
+            if list.len() == list.capacity() {
+                // Doubling a long list would take three times its memory for a moment.
+                list.reserve_exact(list.len().max(3) / if list.len() < 1024 { 1 } else { 4 });
+            }
             list.push(value);
         }
         list.shrink_to_fit();
         Ok(Value::Array(list))
     }
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Value, A::Error> {
+        self.spend(2)?;
         let mut map = Map::new();
         while let Some(key) = entries.next_key::<String>()? {
+            self.spend(key.len() + 3)?;
             if map.contains_key(&key) {
                 return Err(serde::de::Error::custom("an object repeats a key"));
             }
-            map.insert(key, entries.next_value_seed(AnyValue)?);
+            map.insert(key, entries.next_value_seed(self)?);
         }
         Ok(Value::Object(map))
     }

@@ -83,6 +83,23 @@ impl Request {
         Some((Self::accepted(kind, read, limits).ok()?, aside))
     }
 
+    /// Same as [`Request::read`], for a body that [`may_be_values`](crate::limits::may_be_values) refuses. It takes
+    /// longer, but makes no JSON values.
+    ///
+    /// # Errors
+    /// Returns the first value that the type refuses, or all errors of the first check that fails.
+    #[cfg(feature = "stored")]
+    pub fn read_tracked(
+        kind: Kind,
+        body: &[u8],
+        aside: &[&str],
+        find: Find<'_>,
+        limits: &Limits,
+    ) -> Result<(CheckedRequest, serde_json::Map<String, Value>), Rejection> {
+        let (read, aside) = (kind.types().read_tracked)(body, aside, find, limits)?;
+        Ok((Self::accepted(kind, read, limits)?, aside))
+    }
+
     /// Reads a request of a known kind from a JSON value that [`json::parse`](crate::json::parse) made.
     ///
     /// # Errors

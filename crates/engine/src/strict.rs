@@ -13,6 +13,9 @@ use serde::de::{
     Visitor,
 };
 use serde_json::{Map, Value};
+#[cfg(feature = "stored")]
+use serde_path_to_error::Track;
+use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -33,12 +36,51 @@ pub struct Parted<T> {
 /// Fails if the text is not JSON, if an object repeats a key, or if `T` refuses the other members.
 pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_json::Result<Parted<T>> {
     let mut deserializer = serde_json::Deserializer::from_slice(text);
-    let (mut names, mut taken) = (Vec::new(), Map::new());
-    let visitor = Parts { aside, names: &mut names, taken: &mut taken, rest: PhantomData };
+    let (mut names, mut taken, left) = (Vec::new(), Map::new(), Cell::new(ASIDE_BYTES));
+    let visitor = Parts { aside, names: &mut names, taken: &mut taken, left: &left, rest: PhantomData };
     let read = deserializer.deserialize_map(visitor)?;
     deserializer.end()?;
     Ok(Parted { read, names, aside: taken })
 }
+
+/// Same as [`read`], for a body whose JSON values would take too much memory. Takes longer than [`read`].
+///
+/// # Errors
+/// Returns the first place at which `T` refuses the text.
+#[cfg(feature = "stored")]
+pub(crate) fn read_tracked<T: DeserializeOwned>(
+    text: &[u8],
+    aside: &[&str],
+) -> Result<Parted<T>, Rejection> {
+    json::refuse_what_is_no_text(text)?;
+    let mut track = Track::new();
+    let mut deserializer = serde_json::Deserializer::from_slice(text);
+    let (mut names, mut taken, left) = (Vec::new(), Map::new(), Cell::new(ASIDE_BYTES));
+    let visitor = Parts { aside, names: &mut names, taken: &mut taken, left: &left, rest: PhantomData };
+    let read = serde_path_to_error::Deserializer::new(&mut deserializer, &mut track).deserialize_map(visitor);
+    let error = match read.and_then(|rest| deserializer.end().map(|()| rest)) {
+        Ok(read) => return Ok(Parted { read, names, aside: taken }),
+        Err(error) => error,
+    };
+    let pointer = json::pointer(&track.path());
+    let message = error.to_string();
+    if !error.is_data() || message.starts_with(REPEATED) {
+        return Err(json::unparsed(text, &error, || pointer.clone()));
+    }
+    let detail = if message.starts_with(json::TOO_LONG) {
+        format!("has more than {ASIDE_BYTES} bytes as JSON text")
+    } else {
+        FORM.to_owned()
+    };
+    Err(FieldError::new(pointer, detail).into())
+}
+
+/// Number of bytes of JSON text without white space that the members that are set aside may have together.
+const ASIDE_BYTES: usize = 64 << 10;
+/// Beginning of the error for an object that repeats a key.
+const REPEATED: &str = "an object repeats a key";
+/// Detail of the error for a value that a type refuses.
+const FORM: &str = "must have the form that the schema requires";
 
 /// Reads a value that [`json::parse`] made.
 ///
@@ -63,7 +105,7 @@ pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
 pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     // The path is tracked only here, because tracking takes as long as reading.
     let Err(error) = serde_path_to_error::deserialize::<_, T>(Strict(value)) else { return Rejection::Invalid(vec![]) };
-    FieldError::new(json::pointer(error.path()), "must have the form that the schema requires").into()
+    FieldError::new(json::pointer(error.path()), FORM).into()
 }
 
 /// Visitor of an object that puts the members named in `aside` into `taken`, makes a `T` from the others, and puts their
@@ -72,6 +114,8 @@ struct Parts<'a, T> {
     aside: &'a [&'a str],
     names: &'a mut Vec<String>,
     taken: &'a mut Map<String, Value>,
+    /// Number of bytes that the members may still have.
+    left: &'a Cell<usize>,
     rest: PhantomData<T>,
 }
 
@@ -81,7 +125,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<'_, T> {
         f.write_str("a request")
     }
     fn visit_map<A: MapAccess<'de>>(self, entries: A) -> Result<T, A::Error> {
-        let rest = Rest { entries, aside: self.aside, names: self.names, taken: self.taken };
+        let rest = Rest { entries, aside: self.aside, names: self.names, taken: self.taken, left: self.left };
         T::deserialize(Strict(MapAccessDeserializer::new(rest)))
     }
 }
@@ -92,6 +136,7 @@ struct Rest<'a, A> {
     aside: &'a [&'a str],
     names: &'a mut Vec<String>,
     taken: &'a mut Map<String, Value>,
+    left: &'a Cell<usize>,
 }
 
 impl<'de, A: MapAccess<'de>> MapAccess<'de> for Rest<'_, A> {
@@ -104,9 +149,9 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Rest<'_, A> {
                 return Ok(Some(key));
             }
             if self.taken.contains_key(&name) {
-                return Err(Error::custom("an object repeats a key"));
+                return Err(Error::custom(REPEATED));
             }
-            let value = self.entries.next_value_seed(AnyValue)?;
+            let value = self.entries.next_value_seed(AnyValue::within(self.left))?;
             self.taken.insert(name, value);
         }
         Ok(None)

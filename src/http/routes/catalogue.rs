@@ -1,13 +1,14 @@
 //! The server's catalogue: objectives, limits, examples, the API document and the kinds of problems.
 
 use crate::http::entry::{json_response, name_parameter, plain_get, reference, with_problems};
+use crate::http::parameters::parameters;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::wire::job::failures;
 use crate::wire::objectives::{self, Example, ExampleList, Limits, ObjectiveList};
 use crate::wire::problems::{ProblemKind, ProblemList};
 use axum::Json;
-use axum::extract::{Path, State};
+use axum::extract::{Path, RawQuery, State};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
@@ -67,8 +68,10 @@ pub fn example_entry() -> Value {
         "responses": with_problems(json!({ "200": json_response("The request", "Example") }), &[("404", "NotFound")]) })
 }
 
-pub async fn openapi(State(app): State<App>) -> Response {
-    ([(header::CONTENT_TYPE, "application/json")], (app.document)(&app.config.http.public_base_path)).into_response()
+pub async fn openapi(State(app): State<App>, RawQuery(query): RawQuery) -> Result<Response, Failure> {
+    parameters::<0>(query.as_deref(), [])?;
+    let document = (app.document)(&app.config.http.public_base_path);
+    Ok(([(header::CONTENT_TYPE, "application/json")], document).into_response())
 }
 
 /// Lists the kinds of problem documents and of failed jobs.
@@ -95,7 +98,8 @@ pub fn problems_entry() -> Value {
 }
 
 /// Describes the `type` of a problem document or of a failed job's error.
-pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
+pub async fn problem_kind(Path(name): Path<String>, RawQuery(query): RawQuery) -> Result<String, Failure> {
+    parameters::<0>(query.as_deref(), [])?;
     let mut text = String::new();
     for (status, _, title) in Failure::KINDS.iter().filter(|(_, kind, _)| *kind == name) {
         // Writing to a string cannot fail.

@@ -2,11 +2,11 @@
 
 use crate::http::access::Caller;
 use crate::http::entry::{id_parameter, with_problems};
-use crate::http::parameters::{checked, parameters};
+use crate::http::parameters::checked;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::events::Events;
-use axum::extract::{Path, RawQuery, State};
+use axum::extract::{Path, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
@@ -24,11 +24,15 @@ pub async fn events(
     State(app): State<App>,
     caller: Caller,
     Path(id): Path<String>,
-    RawQuery(query): RawQuery,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    parameters::<0>(query.as_deref(), [])?;
-    let last = headers.get("last-event-id").and_then(|value| value.to_str().ok());
+    let last = headers.get("last-event-id").filter(|value| !value.is_empty());
+    let read = |value: &HeaderValue| value.to_str().ok().and_then(|text| text.parse().ok());
+    let last = last.map(|value| {
+        let bad = || Failure::bad_header("Last-Event-ID must be the id of an event of this stream, like 1.7");
+        read(value).ok_or_else(bad)
+    });
+    let last = last.transpose()?;
     let Some(events) = app.jobs.events(&checked(&id)?, caller.owner(), last).await? else {
         return Ok(StatusCode::NO_CONTENT.into_response());
     };

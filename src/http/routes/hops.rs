@@ -15,13 +15,14 @@ use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
 use crate::status::Status;
-use crate::wire::job::Job;
+use crate::wire::job::{Job, JobKind};
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use plateau_engine::kind::Kind;
+use plateau_engine::limits::refuse_too_many_values;
 use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::report::SolveError;
 use serde_json::Value;
@@ -50,6 +51,7 @@ fn check_enabled(app: &App) -> Result<(), Failure> {
 pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
     check_enabled(&app)?;
     let received = body::read_json(&app, request).await?;
+    refuse_too_many_values(&received.bytes, &app.config.limits.requests())?;
     let max_points = app.config.limits.points;
     let body = received.bytes.clone();
     let read = move || {
@@ -114,7 +116,7 @@ impl Run<'_> {
         if !job.status.is_final() {
             drop(abandoned);
             let start = format!("{}-start", self.component.name);
-            let poll = poll_name(job.kind);
+            let poll = self.draft.map_or_else(String::new, |draft| poll_name(draft.kind));
             return Err(Failure::unavailable(format!(
                 "the job takes longer than the {wait_s} s for which this component waits, and was cancelled; use the \
                  components /hops/{start} and /hops/{poll}, or ask for a coarser mesh"
@@ -131,10 +133,12 @@ impl Run<'_> {
 
     async fn poll(&self, kind: Kind, id: &str) -> Result<Response, Failure> {
         let job = self.app.jobs.get(&checked(id.trim())?, self.caller.owner()).await?;
-        if job.kind != kind {
-            let other = poll_name(job.kind);
-            let error = FieldError::new("Job", format!("is of another kind; use the component /hops/{other}"));
-            return Err(Rejection::Invalid(vec![error]).into());
+        if job.kind != JobKind::Known(kind) {
+            let detail = match &job.kind {
+                JobKind::Known(other) => format!("is of another kind; use the component /hops/{}", poll_name(*other)),
+                JobKind::Newer(_) => "is of a kind that this version of the server does not know".into(),
+            };
+            return Err(Rejection::Invalid(vec![FieldError::new("Job", detail)]).into());
         }
         if job.status.is_final() {
             return self.answer(job).await;
@@ -177,10 +181,10 @@ impl Run<'_> {
     }
 }
 
-/// The types of failed jobs that show a defect of the server, or a server of another version, instead of a fault of the
-/// request. Hops is answered with the status 500.
-const DEFECTS: [&str; 7] =
-    ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "unknown-kind", "unresponsive", "worker-lost"];
+/// The types of failed jobs that show a defect of the server instead of a fault of the request. Hops is answered with the
+/// status 500.
+const DEFECTS: [&str; 6] =
+    ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "unresponsive", "worker-lost"];
 
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
 fn failed(error: &SolveError) -> Failure {

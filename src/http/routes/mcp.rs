@@ -14,7 +14,7 @@ use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, Method, Request, Uri, header};
 use axum::response::Response;
 use http_body_util::{BodyExt, Full};
-use plateau_engine::limits::refuse_too_many_values;
+use plateau_engine::limits::{refuse_too_many_values, refuse_too_much_as_values};
 use rmcp::transport::streamable_http_server::session::never::NeverSessionManager;
 use rmcp::transport::{StreamableHttpServerConfig, StreamableHttpService};
 use std::sync::Arc;
@@ -31,6 +31,8 @@ pub async fn post(State(app): State<App>, caller: Caller, request: Request<Body>
     headers.remove(header::AUTHORIZATION);
     let received = body::read_json(&app, request).await?;
     refuse_too_many_values(&received.bytes, &app.config.limits.requests())?;
+    // The library parses the message into JSON values.
+    refuse_too_much_as_values(&received.bytes)?;
     let mut forwarded = Request::new(Full::new(Bytes::from_owner(received)));
     *forwarded.method_mut() = Method::POST;
     *forwarded.uri_mut() = uri;

@@ -71,7 +71,10 @@ async fn post(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) ->
     let status = if finished { StatusCode::OK } else { StatusCode::ACCEPTED };
     let location = job.links.this.clone();
     let mut response = match mesh_format {
-        Some(format) if finished => mesh_of(app, caller, &job, format).await?,
+        Some(format) if finished => {
+            let answered = mesh_of(app, caller, &job, format).await;
+            led_to_job(answered.unwrap_or_else(IntoResponse::into_response), &job)
+        }
         _ => answer(status, &location, job),
     };
     if mesh_format.is_some() {
@@ -87,26 +90,30 @@ fn accepted_mesh(headers: &HeaderMap) -> Option<MeshFormat> {
     chosen.checked_sub(1).map(|index| MeshFormat::ALL[index])
 }
 
-/// Answers with the mesh of a finished job. `Location` and `Link` lead to the job.
+/// Answers with the mesh of a finished job.
 async fn mesh_of(app: &App, caller: &Caller, job: &Job, format: MeshFormat) -> Result<Response, Failure> {
-    let this = &job.links.this;
     if let Some(error) = &job.error {
-        return Err(
-            Failure::no_mesh(format!("the job {this} failed: {}", error.detail)).with_errors(error.errors.clone())
-        );
+        return Err(Failure::of_failed_job(error.clone()));
     }
     let file = mesh_file(app, caller, &job.id, format, Choices::default()).await?;
     let tag = format!("\"{}\"", file.tag);
     let whole = 0..file.length;
     let mut response = bytes_of(&file, whole);
     describe(&mut response, &tag, format.media_type(), &format!("{}.{}", job.id, format.name()));
+    Ok(response)
+}
+
+/// Adds `Location` and `Link` to the answer to a submission that asked for a mesh. Both lead to the job, whether it has
+/// a mesh or not.
+fn led_to_job(mut response: Response, job: &Job) -> Response {
+    let this = &job.links.this;
     let link = format!("<{this}>; rel=\"describedby\"");
     for (name, value) in [(header::LOCATION, this.as_str()), (header::LINK, link.as_str())] {
         if let Ok(value) = HeaderValue::from_str(value) {
             response.headers_mut().insert(name, value);
         }
     }
-    Ok(response)
+    response
 }
 
 /// Length in bytes of the longest example in the API document. Longer examples have hundreds of lines of coordinates
@@ -124,7 +131,8 @@ fn entry(kind: Kind) -> Value {
     post["summary"] = kind.summary().into();
     post["description"] = "With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as \
         `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead \
-        to its job. A job without a mesh is then answered with 409."
+        to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's \
+        `error`."
         .into();
     // The description of this operation says when the answer is a file. `getMesh` has the file's own media types too.
     let files = file_content(MeshFormat::ALL.map(MeshFormat::media_type));
@@ -132,6 +140,14 @@ fn entry(kind: Kind) -> Value {
         content.extend(files);
     }
     post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
+    post["responses"]["406"] = json!({ "$ref": "#/components/responses/NotAcceptable" });
+    let meshes = file_content(MeshFormat::ALL.map(MeshFormat::media_type));
+    if let (Some(content), Value::Object(meshes)) = (post["responses"]["200"]["content"].as_object_mut(), meshes) {
+        for (media_type, schema) in meshes {
+            content.entry(media_type).or_insert(schema);
+        }
+    }
+    post["responses"]["200"]["content"][MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
     if kind.has_source() {
         post["responses"]["404"] = json!({ "$ref": "#/components/responses/NotFound" });
         post["responses"]["410"] = json!({ "$ref": "#/components/responses/Gone" });

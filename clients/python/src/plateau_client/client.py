@@ -59,7 +59,7 @@ class Job:
         self._client = client
         self.info = info
         self.request = request
-        """The request as this client sent it. None for a job that another client submitted."""
+        """The request as this client sent it. None for a job that another client submitted: see `fetch_request`."""
 
     @property
     def id(self) -> str:
@@ -73,6 +73,10 @@ class Job:
         """Asks the server for the job's present state."""
         self.info = self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client._patience))
         return self.info
+
+    def fetch_request(self) -> Dict[str, Any]:
+        """The request as the server accepted it, with its kind. The server keeps it as long as the job."""
+        return self._client._run(flows.get_json(f"v1/jobs/{self.id}/request", self._client._patience))
 
     def wait(
         self, *, on_progress: Optional[ProgressCallback] = None, bar: bool = False, timeout: Optional[float] = None

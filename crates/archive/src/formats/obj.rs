@@ -41,7 +41,7 @@ pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
                 put!("v {x:?} {y:?} {z:?}");
             }
         }
-        put!("o {}", one_line(&set.full_name()).replace(' ', "_"));
+        put!("o {}", one_line(&set.full_name()));
         match &set.lines {
             Lines::Polylines(polylines) => {
                 for line in polylines {
