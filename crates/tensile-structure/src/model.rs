@@ -243,6 +243,19 @@ impl Model {
         fixed
     }
 
+    /// For each vertex whether it is held: no cable runs through it, and it neither is free, slides, nor moves with a
+    /// ring.
+    pub fn held(&self) -> Vec<bool> {
+        let mut held = self.fixed();
+        let inner = self.cables.iter().flat_map(|own| own.chain.get(1..own.chain.len() - 1).unwrap_or_default());
+        let sliding = self.sliding.iter().map(|(v, _)| v);
+        let guided = self.rings.iter().flat_map(|ring| &ring.vertices);
+        for &v in inner.chain(&self.free).chain(sliding).chain(guided) {
+            held[v as usize] = false;
+        }
+        held
+    }
+
     /// The vertices of the boundaries, each as a loop.
     pub fn boundaries(&self) -> &[Vec<u32>] {
         &self.layers[0].film.boundaries
