@@ -310,6 +310,15 @@ impl Model {
                     let ratio = wanted / (force * term.level_part(&at).max(LEAST_ACROSS));
                     force * ratio.clamp(0.25, 4.0)
                 }
+                CableMode::Length(length) if matches!(cable.course, Course::Across(_)) => {
+                    let [first, last] = own.ends().map(|v| at[v as usize]);
+                    let chord = first.distance(last);
+                    // A shallow cable under a given load is longer than its chord by a length that is inversely
+                    // proportional to the square of its force. The load of a cable across the film is the small
+                    // difference between the pulls on its two sides, so that it does not follow from the tension.
+                    let ratio = libm::sqrt((term.length(&at) - chord).max(0.0) / (length - chord));
+                    force * if ratio.is_finite() { ratio.clamp(0.25, 4.0) } else { 4.0 }
+                }
                 CableMode::Length(_) => {
                     start_force(cable, structure, &term.segments, &at).clamp(0.5 * force, 2.0 * force)
                 }
