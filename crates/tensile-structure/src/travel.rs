@@ -151,8 +151,8 @@ enum Arrival {
     Lost(Ending),
 }
 
-/// Returns the ending of an attempt, or [`Ending::NotFound`] in its place if an earlier attempt has `known` another part
-/// to close or another vertex to run away. Endings that depend on the start are no evidence.
+/// Returns the ending of an attempt, or [`Ending::NotFound`] in its place if the earlier ending `known` names another
+/// part that closes or another vertex that runs away. Endings that depend on the start are no evidence.
 fn agreed(known: Option<&Ending>, ending: Ending) -> Ending {
     let place = |ending: &Ending| match ending {
         Ending::RunsAway(_, own) | Ending::Collapses(_, own) => own.as_ref().map(|own| own.place.clone()),
