@@ -805,3 +805,161 @@ def fault_a_single_triangle(random):
     corners = [[random.uniform(-1, 1) for _ in range(3)] for _ in range(3)]
     request = film([corners], 1, initial_mesh=random.choice(["auto", "planar", "rings"]))
     return Case(request, (), [states("/triangles", 1), states("/vertices", 3)])
+# Tensile structures whose right results were withheld or denied.
+
+def converges(outcome):
+    if not outcome.succeeded:
+        return f"failed with {outcome.error}: {outcome.detail[:160]}"
+    if outcome.stated("/converged") is not True:
+        return f"not converged: residual {outcome.stated('/residual')}, {outcome.stated('/stop_reason')}"
+
+
+def never_denied(outcome):
+    if outcome.error == "no-equilibrium":
+        return f"denied: {outcome.detail[:160]}"
+
+
+def tensile(boundaries, tension=1.0, triangles=None, **options):
+    request = {"kind": "tensile_structure", "boundaries": boundaries, "film": {"tension": tension}, **options}
+    return {**request, "resolution": {"triangles": triangles}} if triangles else request
+
+
+def along(k, count, mode, value, **options):
+    return {"name": f"e{k}", "along": {"from": k, "to": (k + 1) % count}, "mode": mode, "value": value, **options}
+
+
+def corners(random, count):
+    """Corners of a sail, and for each side the force with which its cable forms an arc under a tension of 1."""
+    points = []
+    for k in range(count):
+        angle, r = TURN * (k + random.uniform(-0.2, 0.2)) / count, random.uniform(3.5, 6.5)
+        points.append([r * math.cos(angle), r * math.sin(angle), random.uniform(0, 3.5) * ((k + 1) % 2)])
+    def angle(k):
+        a, b = ([p - q for p, q in zip(points[(k + d) % count], points[k])] for d in (-1, 1))
+        return math.acos(sum(p * q for p, q in zip(a, b)) / math.dist(a, [0] * 3) / math.dist(b, [0] * 3))
+    forces = []
+    for k in range(count):
+        half = 0.5 * min(angle(k), angle((k + 1) % count), 2.4) * random.uniform(0.3, 0.85)
+        forces.append(0.5 * math.dist(points[k], points[(k + 1) % count]) / math.sin(half))
+    return points, forces
+
+
+def towards(a, b):
+    length = math.dist(a, b)
+    return [(q - p) / length for p, q in zip(a, b)]
+
+
+@family
+def fault_noisy_frame(random):
+    """A film in a closed frame whose points are measured with noise. A film of least area exists for every loop."""
+    count, noise = random.randint(20, 150), random.uniform(0, 0.3)
+    waves = [(random.randint(2, 4), random.uniform(0, 1.2), random.uniform(0, TURN)) for _ in range(2)]
+    loop = []
+    for k in range(count):
+        a = TURN * k / count
+        r = 5 * (1 + 0.1 * waves[0][1] * math.sin(waves[0][0] * a + waves[0][2])) + random.uniform(-noise, noise)
+        z = sum(h * math.sin(n * a + p) for n, h, p in waves) + random.uniform(-noise, noise)
+        loop.append([r * math.cos(a), r * math.sin(a), z])
+    return Case(tensile([loop], random.uniform(0.5, 3), random.choice([None, 500, 1500])), (), [converges])
+
+
+@family
+def fault_conic_tent_in_rigid_frame(random):
+    count = random.randint(4, 7)
+    outline = [[5 * math.cos(TURN * k / count), 5 * math.sin(TURN * k / count), random.uniform(-1, 1)] for k in range(count)]
+    loops = [outline]
+    for k in range(random.choice([1, 2])):
+        x = 0 if k == 0 and random.random() < 0.5 else (-1) ** k * random.uniform(1.5, 2.2)
+        if k == 1 and loops[1][0][0] * x > 0:
+            continue
+        tilt, turn, r = random.uniform(0, 0.3), random.uniform(0, TURN), random.uniform(0.5, 1.0)
+        loops.append([[x + r * math.cos(a), random.uniform(-0.1, 0.1) + r * math.sin(a), 1.2 + tilt * r * math.cos(a + turn)]
+                      for a in (TURN * j / 14 for j in range(14))])
+    return Case(tensile(loops, random.uniform(0.5, 3), random.choice([None, 800])), (), [never_denied])
+
+
+@family
+def fault_sail_with_crossing_ridges(random):
+    points, forces = corners(random, 4)
+    sides = [along(k, 4, "force", force) for k, force in enumerate(forces)]
+    middle = [0.25 * sum(p[axis] for p in points) for axis in range(3)]
+    ridges = [{"name": f"r{k}", "across": [points[k], middle, points[k + 2]], "mode": "force", "value": random.uniform(1, 12)} for k in (0, 1)]
+    return Case(tensile([points], 1.0, random.choice([300, 800]), cables=sides + ridges), (), [never_denied])
+
+
+@family
+def fault_sail_on_a_flying_mast(random):
+    count = random.randint(4, 7)
+    points, forces = corners(random, count)
+    top = max(p[2] for p in points) * 0.5
+    height, r = top + random.uniform(0.8, 1.8), random.uniform(0.6, 1.2)
+    loop = [[x, y, height] for x, y, _ in ring(random.choice([16, 22]), r)][::-1]
+    hub = [0.0, 0.0, height]
+    cables = [along(k, count, "force", force) for k, force in enumerate(forces)]
+    foot = [random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), top - 2.0]
+    options = {"rings": [{"boundary": 1, "axis": [0, 0, 1], "hub": hub}]}
+    if random.random() < 0.5:
+        options["joints"] = [foot]
+        cables += [{"name": f"s{k}", "points": [foot, p], "mode": "force", "value": random.uniform(9, 16)} for k, p in enumerate(points)]
+    options["masts"] = [{"points": [foot, hub], "mode": "length", "value": math.dist(foot, hub)}]
+    return Case(tensile([points, loop], 1.0, random.choice([60, 200, 400, 1000]), cables=cables, **options), (), [never_denied])
+
+
+@family
+def fault_sail_with_sliding_corners(random):
+    count = random.randint(3, 7)
+    points, forces = corners(random, count)
+    cables = [along(k, count, "force", force) for k, force in enumerate(forces)]
+    supports = []
+    for k in random.sample(range(count), random.randint(1, 2)):
+        here, before, after = points[k], points[k - 1], points[(k + 1) % count]
+        pull = [f * a + g * b for a, b in zip(towards(here, before), towards(here, after)) for f, g in [(forces[k - 1], forces[k])]]
+        out = [-x / math.dist(pull, [0] * 3) for x in pull]
+        radius = random.uniform(3, 8)
+        level = towards([0, 0, 0], [out[0], out[1], 0])
+        on = random.choice([
+            {"line": {"point": here, "direction": [-level[1], level[0], 0.0]}},
+            {"sphere": {"centre": [h + radius * o for h, o in zip(here, out)], "radius": radius}},
+            {"plane": {"point": here, "normal": out}}])
+        # The pull of the two sides is perpendicular to the support, so that the corner is near its equilibrium.
+        supports.append({"point": {"boundary": 0, "point": k}, "on": on})
+    return Case(tensile([points], 1.0, random.choice([200, 400, 800]), cables=cables, supports=supports))
+
+
+@family
+def fault_arch_of_many_points(random):
+    """A frame with more points than the first coarse mesh has triangles, and one edge on a cable."""
+    count, height, depth = random.randint(350, 500), random.uniform(2, 5), random.uniform(5, 9)
+    loop = [[5 * math.cos(math.pi * k / count), 0.0, height * math.sin(math.pi * k / count)] for k in range(count + 1)]
+    loop += [[-5.0, depth, 0.0], [5.0, depth, 0.0]]
+    side = {"along": {"from": count + 1, "to": count + 2}, "mode": "force", "value": random.uniform(8, 15)}
+    return Case(tensile([loop], 1.0, 2000, cables=[side]), (), [converges])
+
+
+@family
+def fault_ridge_of_given_length(random):
+    """A saddle with a ridge or a valley, whose length is a little more than its chord."""
+    height = random.uniform(0.5, 2)
+    points = [[0, 0, 0], [10, 0, height], [10, 10, 0], [0, 10, height]]
+    cables = [along(k, 4, "force", random.uniform(7.5, 14)) for k in range(4)]
+    first = random.choice([0, 1])
+    chord = math.dist(points[first], points[first + 2])
+    length = chord * (1 + 10 ** random.uniform(-4, -2.5))
+    cables.append({"name": "ridge", "across": [points[first], points[first + 2]], "mode": "length", "value": length})
+    def check(outcome):
+        # The film alone may draw the line to less than this length.
+        return None if outcome.error == "slack-cable" else converges(outcome)
+    return Case(tensile([points], 1.0, random.choice([None, 400, 1000]), cables=cables), (), [check])
+
+
+@family
+def fault_tube(random):
+    """A cylinder is in equilibrium under the pressure σ / R, stable up to the length π R, and with its volume up to 2 π R."""
+    r, count, tension = random.uniform(0.5, 3), random.choice([24, 32, 40]), random.uniform(0.5, 2)
+    by_pressure = random.random() < 0.5
+    length = r * (random.uniform(1.0, 2.7) if by_pressure else random.uniform(1.0, 5.2))
+    loops = [ring(count, r), ring(count, r, length)]
+    # The polygon's own radius of balance.
+    side, face = 2 * r * math.sin(math.pi / count), shoelace(loops[0])
+    options = {"pressure": tension * count * side / 2 / face} if by_pressure else {"volume": face * length}
+    return Case(tensile(loops, tension, random.choice([800, 1500]), **options), (), [states("/area", count * side * length, 0.02)])

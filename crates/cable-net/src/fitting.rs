@@ -21,7 +21,8 @@
 //! densities miss a target by far, a better start is therefore sought: each density is multiplied by F* / F and by ℓ /
 //! L*, as far as there are targets, and this is repeated with the forces F and lengths ℓ of the new shape. Fitting
 //! begins with the densities whose loss was the lowest. If the result still misses a target by far or leaves a cable
-//! slack, fitting begins once more with the given densities, and the better result counts.
+//! slack, fitting begins once more with the given densities, and the better result counts. If the caller limits the
+//! number of steps, the first fit is judged after half of them, so that the second has the other half.
 //!
 //! # A step
 //!
@@ -87,6 +88,9 @@ const PROBE: f64 = 0.1;
 const LARGEST_ACCELERATION: f64 = 0.75;
 /// Maximum number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
+/// The default of [`Options::tolerance`]. Where the targets leave a cable little force, a descent with a smaller
+/// tolerance goes on until the cable is slack, although its loss hardly falls. The net at this tolerance is then better.
+const USUAL_TOLERANCE: f64 = 1e-4;
 /// Maximum number of rounds in which the densities of the start are multiplied by the targets. With 13 every target of
 /// the nets of `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More rounds improve
 /// the finest of these nets, but raise the final loss of those of 50 cells a side by 8 %.
@@ -145,6 +149,24 @@ fn approach(given: &Fit, loss: &Loss, shape: &Shape, exec: &Execution) -> Result
         }
     }
     Ok(best)
+}
+
+/// The state of a descent between two steps, besides the net itself.
+struct Pace {
+    damping: f64,
+    /// Number of consecutive steps that lowered the loss by less than the tolerance.
+    quiet: u32,
+    /// The same number for [`USUAL_TOLERANCE`].
+    usually_quiet: u32,
+    /// The net with which the descent would have ended at [`USUAL_TOLERANCE`], once it has passed it.
+    settled: Option<Fit>,
+}
+
+impl Pace {
+    /// The state with which a descent from a loss of this value begins.
+    fn from(value: f64) -> Self {
+        Self { damping: (DAMPING * value).max(LEAST_DAMPING), quiet: 0, usually_quiet: 0, settled: None }
+    }
 }
 
 /// A step of a descent and its second-order correction.
@@ -237,11 +259,13 @@ fn acceleration(
 }
 
 /// Lowers the loss by Levenberg and Marquardt's method, until `iterations` reaches `limit` or the loss no longer falls.
+/// A descent that has reached its limit continues with the same `pace` as if it had not stopped.
 ///
 /// # Errors
 /// A cancel, or if the equations of the net are singular to working precision.
 fn descend(
     fit: &mut Fit,
+    Pace { damping, quiet, usually_quiet, settled }: &mut Pace,
     iterations: &mut u32,
     (limit, total, tolerance): (u32, u32, f64),
     loss: &mut Loss,
@@ -249,8 +273,6 @@ fn descend(
     exec: &Execution,
 ) -> Result<StopReason, Error> {
     let net = loss.net;
-    let mut damping = (DAMPING * fit.value).max(LEAST_DAMPING);
-    let mut quiet = 0;
     while *iterations < limit {
         loss.hold(&fit.densities, &fit.at, shape).map_err(refused)?;
         let members = members(loss, &fit.densities, &fit.at);
@@ -260,7 +282,7 @@ fn descend(
                 Err(Interruption::DeadlinePassed) => return Ok(StopReason::Deadline),
                 other => other?,
             }
-            let lower = direction(fit, &members, damping, loss, shape, step).and_then(|direction| {
+            let lower = direction(fit, &members, *damping, loss, shape, step).and_then(|direction| {
                 let parts = (0..=HALVINGS).map(|k| 0.5f64.powi(k as i32));
                 let mut tried = parts.map(|part| (part, direction.moved(part, fit, loss, shape)));
                 tried.find_map(|(part, moved)| {
@@ -270,27 +292,32 @@ fn descend(
                 })
             });
             let Some((ratio, moved)) = lower else {
-                damping *= TIGHTENED;
-                if damping > LARGEST_DAMPING {
+                *damping *= TIGHTENED;
+                if *damping > LARGEST_DAMPING {
                     return Ok(StopReason::Stalled);
                 }
                 continue;
             };
-            quiet = if fit.value - moved.value <= tolerance * fit.value { quiet + 1 } else { 0 };
+            let fall = fit.value - moved.value;
+            *quiet = if fall <= tolerance * fit.value { *quiet + 1 } else { 0 };
+            *usually_quiet = if fall <= USUAL_TOLERANCE * fit.value { *usually_quiet + 1 } else { 0 };
             *fit = moved;
-            damping *= if ratio > GOOD {
+            if *usually_quiet == QUIET_STEPS && settled.is_none() {
+                *settled = Some(fit.clone());
+            }
+            *damping *= if ratio > GOOD {
                 RELAXED
             } else if ratio > POOR {
                 1.0
             } else {
                 TIGHTENED
             };
-            damping = damping.clamp(LEAST_DAMPING, LARGEST_DAMPING);
+            *damping = damping.clamp(LEAST_DAMPING, LARGEST_DAMPING);
             break;
         }
         *iterations += 1;
         report(exec, *iterations, total, fit.value);
-        if quiet >= QUIET_STEPS || fit.value == 0.0 {
+        if *quiet >= QUIET_STEPS || fit.value == 0.0 {
             return Ok(StopReason::Change);
         }
     }
@@ -321,22 +348,48 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
         fit = approach(&given, &loss, &shape, exec)?;
         let approached = fit.value < given.value;
         let total = options.max_iterations.unwrap_or(if approached { 2 * DEFAULT_STEPS } else { DEFAULT_STEPS });
-        let limits = (limit, total, options.tolerance);
-        let mut reason = descend(&mut fit, &mut iterations, limits, &mut loss, (&shape, &mut step), exec)?;
+        let first = match options.max_iterations {
+            Some(most) if approached => most.div_ceil(2),
+            _ => limit,
+        };
+        let mut pace = Pace::from(fit.value);
+        let limits = |limit: u32| (limit, total, options.tolerance);
+        let (begun, solver) = (&mut iterations, (&shape, &mut step));
+        let mut reason = descend(&mut fit, &mut pace, begun, limits(first), &mut loss, solver, exec)?;
         let is_slack = |fit: &Fit| {
             let forces: Vec<f64> =
                 net.edges.iter().zip(&fit.densities).map(|(edge, q)| q * length(edge.ends, &fit.at)).collect();
             options.least_density <= 0.0 && slack_edges(net, options, &forces, &fit.densities).contains(&true)
         };
         let slack = is_slack(&fit);
-        if approached && reason != StopReason::Deadline && (slack || loss.is_far(&fit.densities, &fit.at)) {
-            let limits = (options.max_iterations.unwrap_or(iterations + DEFAULT_STEPS), total, options.tolerance);
-            let mut second = given;
-            let other = descend(&mut second, &mut iterations, limits, &mut loss, (&shape, &mut step), exec)?;
+        let mut settled = pace.settled.take();
+        let again = options.max_iterations.unwrap_or(iterations + DEFAULT_STEPS);
+        let may_begin_again = approached && reason != StopReason::Deadline && iterations < again;
+        if may_begin_again && (slack || loss.is_far(&fit.densities, &fit.at)) {
+            let (mut second, mut pace) = (given, Pace::from(value));
+            let (begun, solver) = (&mut iterations, (&shape, &mut step));
+            let other = descend(&mut second, &mut pace, begun, limits(again), &mut loss, solver, exec)?;
             // A net without slack cables is better than a net with them; otherwise the lower loss is better.
             if (is_slack(&second), second.value) < (slack, fit.value) {
                 (fit, reason) = (second, other);
             }
+            let lower = |net: &Fit| {
+                !is_slack(net) && settled.as_ref().is_none_or(|known| is_slack(known) || net.value < known.value)
+            };
+            if pace.settled.as_ref().is_some_and(lower) {
+                settled = pace.settled.take();
+            }
+        } else if reason == StopReason::MaxIterations && first < limit {
+            let (begun, solver) = (&mut iterations, (&shape, &mut step));
+            reason = descend(&mut fit, &mut pace, begun, limits(limit), &mut loss, solver, exec)?;
+            settled = settled.or(pace.settled.take());
+        }
+        if is_slack(&fit)
+            && let Some(settled) = settled.filter(|settled| !is_slack(settled))
+        {
+            // The tolerance is not met.
+            reason = if reason == StopReason::Change { StopReason::Stalled } else { reason };
+            fit = settled;
         }
         reason
     };

@@ -165,6 +165,11 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
             SolvedFilm { film, kind, arrangement: None, initial_area, run }
         }
     };
+    if joined.is_none()
+        && let Some(other) = other_start(boundaries, options, &solved, exec)?
+    {
+        solved = other;
+    }
     if let Some(joined) = &joined {
         joined.restore(&mut solved, &input);
     }
@@ -173,6 +178,29 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
         refuse_lost_film(&surface.statistics)?;
     }
     Ok(surface)
+}
+
+/// Returns the connected film that the search of [`TopologyRule::Best`] finds from other initial meshes, if the default
+/// solver has failed on a film over several boundaries under another rule. `None` if the solver has not failed, if the
+/// caller chose the start or limited the iterations, or if the search finds no film. The three rules would otherwise
+/// contradict each other about whether a connected film exists.
+fn other_start(
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    solved: &SolvedFilm,
+    exec: &Execution,
+) -> Result<Option<SolvedFilm>, Error> {
+    let Method::Newton(Newton { topology: TopologyRule::Fixed | TopologyRule::Free(_), .. }) = options.method else {
+        return Ok(None);
+    };
+    let reason = solved.run.stop_reason;
+    let has_failed = matches!(reason, StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations)
+        || reason == StopReason::Residual && solved.film.flipped_triangles() > 0;
+    let has_choice = options.initial_mesh == InitialMesh::Auto
+        && options.constraints.is_empty()
+        && options.max_iterations.is_none()
+        && (2..=best_topology::MOST_BOUNDARIES).contains(&boundaries.len());
+    if has_failed && has_choice { best_topology::connected_film(boundaries, options, exec) } else { Ok(None) }
 }
 
 /// Residual above which a film that has not converged is not near a minimal surface. At this residual the radius of

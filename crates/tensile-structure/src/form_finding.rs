@@ -53,8 +53,12 @@ const STRESSES_SETTLED: f64 = 3e-5;
 const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
 const BALANCED: f64 = 1e-12;
-/// Largest number of times that the weights are renewed on the balanced mesh. Two renewals are enough for the examples.
-const RENEWED_LOADS: u32 = 4;
+/// Largest number of times that the weights and the force densities of cables are renewed on the balanced mesh. Two
+/// renewals are enough for the examples.
+const RENEWALS: u32 = 6;
+/// Largest difference between the given force of a cable and the mean force of its segments in the balanced mesh,
+/// relative to the given force. It is half of the difference that the audit allows.
+pub(super) const SAME_FORCE: f64 = 1e-3;
 /// The weights are not renewed again if the largest change of a vertex's load, relative to the largest load, is at most
 /// this.
 const SAME_LOADS: f64 = 1e-11;

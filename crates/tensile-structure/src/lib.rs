@@ -108,6 +108,10 @@ const TOO_COARSE: f64 = 1.15;
 /// Upper bound of the number of triangles of the finer mesh, as a multiple of the number of the coarse mesh.
 const MOST_FINER: f64 = 4.0;
 
+/// Smallest number of triangles of the coarse mesh for each boundary point. The coarse mesh has all points, and a mesh
+/// with fewer triangles has hardly any vertex inside.
+const COARSE_TRIANGLES_PER_POINT: f64 = 3.0;
+
 /// Finds the shape on the initial mesh. The film may become much larger than its boundaries suggest, and the edges of
 /// its mesh then become longer than the required length. In this case the shape is found once more on a finer mesh.
 fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
@@ -134,9 +138,11 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
 fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let count =
         plateau_minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options)).triangles;
-    let (start, share) = if count > travel::COARSE {
-        let coarse = Resolution::Triangles(travel::COARSE as usize);
-        (Options { resolution: coarse, ..*options }, (travel::COARSE / count).sqrt())
+    let points: usize = structure.boundaries.iter().map(Vec::len).sum();
+    let coarse = travel::COARSE.max(COARSE_TRIANGLES_PER_POINT * points as f64);
+    let (start, share) = if count > coarse {
+        let resolution = Resolution::Triangles(coarse as usize);
+        (Options { resolution, ..*options }, (coarse / count).sqrt())
     } else {
         (*options, 1.0)
     };

@@ -243,6 +243,19 @@ impl Model {
         fixed
     }
 
+    /// For each vertex whether it is held: no cable runs through it, and it neither is free, slides, nor moves with a
+    /// ring.
+    pub fn held(&self) -> Vec<bool> {
+        let mut held = self.fixed();
+        let inner = self.cables.iter().flat_map(|own| own.chain.get(1..own.chain.len() - 1).unwrap_or_default());
+        let sliding = self.sliding.iter().map(|(v, _)| v);
+        let guided = self.rings.iter().flat_map(|ring| &ring.vertices);
+        for &v in inner.chain(&self.free).chain(sliding).chain(guided) {
+            held[v as usize] = false;
+        }
+        held
+    }
+
     /// The vertices of the boundaries, each as a loop.
     pub fn boundaries(&self) -> &[Vec<u32>] {
         &self.layers[0].film.boundaries
@@ -296,6 +309,15 @@ impl Model {
                 CableMode::HorizontalComponent(wanted) => {
                     let ratio = wanted / (force * term.level_part(&at).max(LEAST_ACROSS));
                     force * ratio.clamp(0.25, 4.0)
+                }
+                CableMode::Length(length) if matches!(cable.course, Course::Across(_)) => {
+                    let [first, last] = own.ends().map(|v| at[v as usize]);
+                    let chord = first.distance(last);
+                    // A shallow cable under a given load is longer than its chord by a length that is inversely
+                    // proportional to the square of its force. The load of a cable across the film is the small
+                    // difference between the pulls on its two sides, so that it does not follow from the tension.
+                    let ratio = libm::sqrt((term.length(&at) - chord).max(0.0) / (length - chord));
+                    force * if ratio.is_finite() { ratio.clamp(0.25, 4.0) } else { 4.0 }
                 }
                 CableMode::Length(_) => {
                     start_force(cable, structure, &term.segments, &at).clamp(0.5 * force, 2.0 * force)

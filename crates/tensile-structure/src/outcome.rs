@@ -2,7 +2,7 @@
 //! boundaries.
 
 use super::corners;
-use super::form_finding::{Ending, Found};
+use super::form_finding::{Ending, Found, SAME_FORCE};
 use super::model::{Model, ModelCable, MovingRing, forces};
 use super::options::{
     CableMode, Chamber, Course, FilmPrestress, FilmStress, Pressure, Ring, Structure, cable_place, chord, layer_place,
@@ -12,6 +12,7 @@ use super::reactions::{Hold, contact_angles, edge_forces, holds, reactions, sums
 use super::shape::{CableResult, ChamberResult, LayerResult, Statistics, TensileStructure};
 use super::stress::{of_all, of_triangles, stress};
 use super::warnings::{piercing, warn};
+use plateau_equilibrium::energy::cable::Law;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::codes::Reason;
 use plateau_mesh::error::InputError;
@@ -272,12 +273,14 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
             None => (0..term.segments.len()).map(|s| term.force(s, at) + found.length_forces[k]).collect(),
         };
         let length = term.length(at);
-        let mut force = forces(term, found.length_forces[k], at).0;
-        if model.stress_field.is_some() {
-            let moment =
-                |(s, force): (usize, &f64)| force * plateau_equilibrium::energy::length::length(term.segments[s], at);
-            force = segment_forces.iter().enumerate().map(moment).sum::<f64>() / length;
-        }
+        let moment =
+            |(s, force): (usize, &f64)| force * plateau_equilibrium::energy::length::length(term.segments[s], at);
+        let mean = segment_forces.iter().enumerate().map(moment).sum::<f64>() / length;
+        // The segments have the mean that is stated. A given force is stated as it was given.
+        let force = match term.law {
+            Law::Force(given) if (mean - given).abs() <= SAME_FORCE * given.abs() => given,
+            _ => mean,
+        };
         let largest = segment_forces.iter().copied().fold(0.0, f64::max);
         let range = term.segments.iter().zip(&segment_forces).map(|(&[a, b], force)| {
             let half = 0.5 * cable.weight * (at[b as usize] - at[a as usize]).dot(structure.up).abs();

@@ -20,14 +20,8 @@ pub(super) enum Hold<'a> {
 }
 
 pub(super) fn holds(model: &Model) -> Vec<Hold<'_>> {
-    let fixed = model.fixed().into_iter();
-    let mut holds: Vec<Hold> = fixed.map(|fixed| if fixed { Hold::Fixed } else { Hold::Nothing }).collect();
-    for ModelCable { chain, .. } in &model.cables {
-        for &v in chain.get(1..chain.len() - 1).unwrap_or_default() {
-            holds[v as usize] = Hold::Nothing;
-        }
-    }
-    model.free.iter().for_each(|&v| holds[v as usize] = Hold::Nothing);
+    let held = model.held().into_iter();
+    let mut holds: Vec<Hold> = held.map(|held| if held { Hold::Fixed } else { Hold::Nothing }).collect();
     for &(v, freedom) in &model.sliding {
         if let Some(support) = freedom.support() {
             holds[v as usize] = Hold::Slides(&*model.supports[support as usize]);

@@ -11,8 +11,8 @@
 //! 5. bold steps while the film's tension grows,
 //! 6. bold steps from a start in which the film also pulls free corners, and these corners begin drawn in.
 //!
-//! If all attempts end because a part closes or a vertex runs away, this counts as evidence that there is no
-//! equilibrium. Otherwise the question stays open.
+//! If all attempts end because the same part closes or the same vertex runs away, this counts as evidence that there is
+//! no equilibrium. Otherwise the question stays open.
 
 mod ending;
 
@@ -151,6 +151,22 @@ enum Arrival {
     Lost(Ending),
 }
 
+/// Returns the ending of an attempt, or [`Ending::NotFound`] in its place if the earlier ending `known` names another
+/// part that closes or another vertex that runs away. Endings that depend on the start are no evidence.
+fn agreed(known: Option<&Ending>, ending: Ending) -> Ending {
+    let place = |ending: &Ending| match ending {
+        Ending::RunsAway(_, own) | Ending::Collapses(_, own) => own.as_ref().map(|own| own.place.clone()),
+        Ending::NotFound(_) => None,
+    };
+    match (known, ending) {
+        (
+            Some(Ending::RunsAway(..) | Ending::Collapses(..)),
+            Ending::RunsAway(detail, own) | Ending::Collapses(detail, own),
+        ) if known.and_then(place) != own.as_ref().map(|own| own.place.clone()) => Ending::NotFound(detail),
+        (_, ending) => ending,
+    }
+}
+
 /// A structure on its way, on meshes that are renewed.
 struct Travelling<'r, 'a> {
     run: &'r mut Run<'a>,
@@ -240,7 +256,7 @@ impl Run<'_> {
                 return Ok(());
             };
             worn = worn.or(watch.worn);
-            let ending = self.judged(ending);
+            let ending = agreed(first.as_ref().map(|known| &known.0), self.judged(ending));
             // An attempt that ends with `NotFound` leaves open whether there is a shape.
             let leaves_open =
                 |known: &(Ending, _)| matches!(ending, Ending::NotFound(_)) && !matches!(known.0, Ending::NotFound(_));

@@ -470,3 +470,21 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
     }
     assert_eq!(kinds.len(), 5, "kinds of which a case was solved: {kinds:?}");
 }
+
+#[test]
+fn fixed_and_free_find_the_connected_film_that_best_finds() {
+    for (name, area) in [("spiky_loops_fixed", 0.4906), ("loops_of_111_points_free", 1.8227)] {
+        let (statistics, warnings) = solved(name);
+        let found = statistics["area"].as_f64().unwrap();
+        assert!((found / area - 1.0).abs() < 1e-3, "{name}: {found} for {area}, {warnings:?}");
+        assert_eq!((&statistics["converged"], &statistics["components"]), (&true.into(), &1.into()), "{name}");
+    }
+}
+
+#[test]
+fn a_net_with_a_limit_of_steps_is_fitted() {
+    // The loss of the start is 0.974. SciPy's least squares end at 0.0087.
+    let (statistics, _) = solved("net_of_given_lengths");
+    let loss = statistics["objective_value"].as_f64().unwrap();
+    assert!(loss < 0.01, "{loss}");
+}

@@ -112,10 +112,23 @@ impl Cable {
         self.crest(at).map_or(0.0, |crest| crest.height)
     }
 
-    /// Returns the length of the horizontal part of the first segment's unit vector, from 0 to 1.
+    /// Returns the length of the horizontal part of the cable's unit tangent at its first end, extrapolated from the
+    /// first two segments.
     #[must_use]
     pub fn level_part(&self, at: &[DVec3]) -> f64 {
-        self.segments.first().map_or(0.0, |&segment| across(segment, self.up, at).0)
+        let parts = self.segments.iter().map(|&segment| across(segment, self.up, at).0);
+        let weights = self.end_weights(at);
+        parts.zip(weights).map(|(part, weight)| weight * part).sum()
+    }
+
+    /// The weights with which the values at the middles of the first two segments give the value at the first end. With
+    /// the value of the first segment alone the error would be of the first order in the length of the segments. The
+    /// second weight of a cable of one segment is not used.
+    fn end_weights(&self, at: &[DVec3]) -> [f64; 2] {
+        let [Some(first), Some(second)] = [0, 1].map(|k| self.segments.get(k)) else { return [1.0, 0.0] };
+        let [first, second] = [first, second].map(|&segment| length::length(segment, at));
+        let share = first / (first + second).max(f64::MIN_POSITIVE);
+        [1.0 + share, -share]
     }
 
     /// Returns the force in segment k, without the multiplier of a constraint on the length.
@@ -301,7 +314,8 @@ pub enum Equation {
     MeanForce(f64),
     /// The force at the first end has this value.
     EndTension(f64),
-    /// The horizontal component of the force in the first segment has this magnitude.
+    /// The horizontal component of the force at the first end has this magnitude. It is extrapolated from those of the
+    /// first two segments.
     HorizontalComponent(f64),
     /// The mean force divided by the length of the cable has this value.
     ForceDensity(f64),
@@ -352,9 +366,13 @@ impl Condition for CableCondition {
                 (multiplier + cable.weight * height - force, 1.0)
             }
             Equation::HorizontalComponent(force) => {
-                let across = cable.level_part(at);
-                let own = if cable.segments.is_empty() { 0.0 } else { cable.force(0, at) };
-                ((own + multiplier) * across - force, across)
+                let (mut own, mut by_multiplier) = (0.0, 0.0);
+                for (k, (&segment, weight)) in cable.segments.iter().zip(cable.end_weights(at)).enumerate() {
+                    let across = across(segment, cable.up, at).0;
+                    own += weight * across * (cable.force(k, at) + multiplier);
+                    by_multiplier += weight * across;
+                }
+                (own - force, by_multiplier)
             }
             Equation::ForceDensity(density) => (mean() - density * cable.length(at), 1.0),
             Equation::Elastic { unstressed, stiffness } => {
@@ -373,11 +391,22 @@ impl Condition for CableCondition {
             Equation::MeanForce(_) => self.add_mean_height(at, cable.weight, gradient),
             Equation::EndTension(_) => gradient[first as usize] += cable.weight * cable.up,
             Equation::HorizontalComponent(_) => {
-                let (across, derivative) = across([first, second], cable.up, at);
-                let force = multiplier + cable.weight * cable.height(0, at);
-                let half = 0.5 * cable.weight * across * cable.up;
-                gradient[first as usize] += half - force * derivative;
-                gradient[second as usize] += half + force * derivative;
+                let mut components = [0.0; 2];
+                for (k, (&segment, weight)) in cable.segments.iter().zip(cable.end_weights(at)).enumerate() {
+                    let (across, derivative) = across(segment, cable.up, at);
+                    let force = multiplier + cable.weight * cable.height(k, at);
+                    let half = 0.5 * cable.weight * across * cable.up;
+                    gradient[segment[0] as usize] += weight * (half - force * derivative);
+                    gradient[segment[1] as usize] += weight * (half + force * derivative);
+                    components[k] = force * across;
+                }
+                let [_, Some(&next)] = [0, 1].map(|k| cable.segments.get(k)) else { return };
+                // The weights are 1 + s and -s, with s = ℓ0 / (ℓ0 + ℓ1).
+                let lengths = [[first, second], next].map(|segment| length::length(segment, at));
+                let by_share = (components[0] - components[1]) / (lengths[0] + lengths[1]).powi(2);
+                for (segment, by_length) in [([first, second], lengths[1]), (next, -lengths[0])] {
+                    add_length_gradient(&[segment], at, by_share * by_length, gradient);
+                }
             }
             Equation::ForceDensity(density) => {
                 self.add_mean_height(at, cable.weight, gradient);

@@ -159,6 +159,24 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     Ok(SolvedFilm { film, kind: chosen[0].kind, arrangement: None, initial_area, run })
 }
 
+/// Returns the connected film over all boundaries that step 1 finds, or `None` if none holds. The boundary loops of the
+/// film are in the given order.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel.
+pub(crate) fn connected_film(
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    exec: &Execution,
+) -> Result<Option<SolvedFilm>, Error> {
+    let problem = SpanningProblem::new(boundaries, options.clone());
+    match problem.part((1 << boundaries.len()) - 1, None, exec) {
+        Ok(part) => Ok(spans(&part).then_some(part)),
+        Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
 /// Solves at the full size the topologies whose areas on the coarse meshes are within [`CONTENDS`] of the least one. If
 /// none of these topologies holds at the full size, the topologies of next larger area follow, and so on. Afterwards
 /// `parts` holds the films at the full size, and the topologies made of them come first in `compared`.

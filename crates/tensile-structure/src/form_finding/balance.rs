@@ -1,8 +1,9 @@
 //! Step 3 of the form finding: the balance of the forces at every vertex and in every direction.
 
-use super::{BALANCE_STEPS, BALANCED, Balance, Found, RENEWED_LOADS, Run, SAME_LOADS, Stop};
+use super::{BALANCE_STEPS, BALANCED, Balance, Found, RENEWALS, Run, SAME_FORCE, SAME_LOADS, Stop};
 use crate::model::{ForceBy, ModelCable, Stage};
 use crate::options::Pressure;
+use plateau_equilibrium::energy::cable::Law;
 use plateau_equilibrium::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
 use plateau_equilibrium::motion::Frame;
 use plateau_equilibrium::newton::State;
@@ -25,22 +26,26 @@ impl Run<'_> {
     pub(super) fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let reference = body.vertices.clone();
-        let given = self.given(&reference, found);
+        let mut given = self.given(&reference, found);
         let mut loads = self.loads(&reference);
         let place = self.hold_forces(&mut body, &given, &loads, &reference);
         let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
         let (mut outcome, mut state) = self.solve(&mut body, &settings, "balance", 0.2)?;
-        // The balance moves vertices along the film, so the weights are renewed until they belong to the mesh that is
-        // returned.
-        for _ in 0..RENEWED_LOADS {
+        // The balance moves vertices along the film, so the weights and the densities of given forces are renewed until
+        // they belong to the mesh that is returned.
+        for _ in 0..RENEWALS {
             let renewed = self.loads(&body.vertices);
             let change = renewed.iter().zip(&loads).map(|(new, old)| new.distance(*old)).fold(0.0, f64::max);
             let largest = loads.iter().map(|load| load.length()).fold(0.0, f64::max);
-            if matches!(outcome, Outcome::Refused(_)) || change <= SAME_LOADS * largest {
+            let missed = self.scale_to_given_forces(&mut given.densities, &body.vertices);
+            if matches!(outcome, Outcome::Refused(_)) || change <= SAME_LOADS * largest && missed.is_empty() {
                 break;
             }
             loads = renewed;
             body.terms[place] = Box::new(Load { forces: loads.clone() });
+            for k in missed {
+                body.terms[place + 1 + k] = Box::new(given.densities[k].clone());
+            }
             (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
         }
         if matches!(outcome, Outcome::Refused(_)) {
@@ -61,6 +66,8 @@ impl Run<'_> {
         }
         found.pressures = pressures;
         self.model.set_vertices(&body.vertices);
+        // The energy is stated of the balanced mesh, because this mesh is returned.
+        found.energy = self.model.body(self.structure, 1.0, Stage::Exact)?.energy();
         let stresses = given.stresses;
         found.balance = Some(Balance { forces, contacts, loads, cable_forces, reference, stresses });
         Ok(())
@@ -83,6 +90,27 @@ impl Run<'_> {
         let pushes = |&k: &usize| cables[k].course.is_mast() && self.model.cables[k].by == ForceBy::Law;
         let pushing = (0..densities.len()).filter(pushes).collect();
         Given { stresses: self.reference_stresses(reference), densities, pushing }
+    }
+
+    /// Scales the force densities of each cable of given force whose segments miss this force by more than
+    /// [`SAME_FORCE`] in the mean. Returns the numbers of these cables. A corner that slides may move so far in the
+    /// balance that the lengths of its cables change.
+    fn scale_to_given_forces(&self, densities: &mut [ForceDensity], at: &[DVec3]) -> Vec<usize> {
+        let mut missed = Vec::new();
+        for (k, (own, cable)) in densities.iter_mut().zip(&self.model.cables).enumerate() {
+            let Law::Force(force) = cable.term.law else { continue };
+            if force <= 0.0 || !cable.further_forces.is_empty() {
+                continue;
+            }
+            let lengths = || own.segments.iter().map(|&segment| energy::length::length(segment, at));
+            let moment: f64 = lengths().zip(&own.densities).map(|(length, density)| density * length * length).sum();
+            let factor = force * lengths().sum::<f64>() / moment;
+            if factor.is_finite() && (factor - 1.0).abs() > SAME_FORCE {
+                own.densities.iter_mut().for_each(|density| *density *= factor);
+                missed.push(k);
+            }
+        }
+        missed
     }
 
     /// Replaces the energies of the body by those of the given forces, and lets its vertices move in all directions.

@@ -11,7 +11,7 @@ use plateau_equilibrium::{ContactEnergy, Freedom};
 use plateau_mesh::codes::Reason;
 use plateau_mesh::film::Film;
 use plateau_mesh::{DVec3, Error, Execution, Mesh, polyline};
-use plateau_minimal_surface::{Constraints, Method};
+use plateau_minimal_surface::{Constraints, InitialMesh, Method, VertexRelaxation};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Minimum number of segments of a heavy cable in the air.
@@ -40,6 +40,26 @@ pub(crate) fn start_options(structure: &Structure, options: &Options) -> plateau
     }
 }
 
+/// The options of a ruled start: rings on the straight lines between two boundaries. They are for a tube under pressure
+/// or of given volume that is longer than its ends are wide. A harmonic map narrows such a tube to a neck, which then
+/// closes although a wide film is in equilibrium. `None` for other structures.
+fn ruled_options(
+    structure: &Structure,
+    harmonic: &plateau_minimal_surface::Options,
+) -> Option<plateau_minimal_surface::Options> {
+    let [first, second] = &structure.boundaries[..] else { return None };
+    let apart = polyline::mean(first).distance(polyline::mean(second));
+    let is_long = apart > polyline::radius(first).min(polyline::radius(second));
+    let may_rule = structure.layers.len() == 1 && !structure.chambers.is_empty() && harmonic.constraints.is_empty();
+    // No iteration of the paper's solver, so that its initial mesh is returned as it is.
+    (is_long && may_rule).then(|| plateau_minimal_surface::Options {
+        method: Method::VertexRelaxation(VertexRelaxation::default()),
+        initial_mesh: InitialMesh::Rings,
+        max_iterations: Some(0),
+        ..harmonic.clone()
+    })
+}
+
 impl Model {
     /// Meshes the boundaries and finds the vertices of the cables. `share` is the edge length of the final mesh divided
     /// by that of this mesh.
@@ -52,7 +72,16 @@ impl Model {
         let Constraints { polylines, ends, .. } = &mut start.constraints;
         let ends = ends.iter_mut().map(|end| &mut end.place);
         polylines.iter_mut().flatten().chain(ends).for_each(|point| *point -= centre);
-        let surface = plateau_minimal_surface::solve(&centred, &start, exec)?;
+        let surface = match ruled_options(structure, &start) {
+            // Where no strip of rings meets the resolution, the harmonic map is the start.
+            Some(ruled) => match plateau_minimal_surface::solve(&centred, &ruled, exec) {
+                Err(Error::Input(_) | Error::NoResult { .. }) => {
+                    plateau_minimal_surface::solve(&centred, &start, exec)?
+                }
+                other => other?,
+            },
+            None => plateau_minimal_surface::solve(&centred, &start, exec)?,
+        };
         let warnings = surface.warnings.into_iter().filter(|warning| warning.code == "merged_points").collect();
         // For each boundary the vertices of its points, as vertex numbers of the whole mesh.
         let input_vertices = surface.input_vertices;
@@ -281,12 +310,16 @@ impl Model {
         }
     }
 
+    /// The signed volume between the origin and the fans from the edges of each boundary to its mean. The mean is taken
+    /// by arc length, so that it is that of the boundary curve and not of the points that the mesh has on it.
     fn caps(&self) -> f64 {
         let mut sixfold = 0.0;
         let film = &self.layers[0].film;
         for rim in film.topology.boundary_loops() {
             let points: Vec<DVec3> = rim.iter().map(|&v| film.vertices[v as usize]).collect();
-            let mean = polyline::mean(&points);
+            let sides = || (0..points.len()).map(|k| (points[k], points[(k + 1) % points.len()]));
+            let moment: DVec3 = sides().map(|(a, b)| a.distance(b) * a.midpoint(b)).sum();
+            let mean = moment / polyline::length(&points, true).max(f64::MIN_POSITIVE);
             for k in 0..points.len() {
                 sixfold += mean.dot(points[(k + 1) % points.len()].cross(points[k]));
             }

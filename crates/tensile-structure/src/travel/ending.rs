@@ -13,7 +13,17 @@ use plateau_mesh::{DVec3, Place};
 const SHORT: f64 = 0.2;
 /// A cable counts as shrinking if a round leaves it shorter than this fraction of its length before the round.
 const SHRINKS: f64 = 0.97;
-/// Number of consecutive rounds in which a corner or a narrow place must go on closing before it counts as closed.
+/// A cable that shrinks below this fraction of the start's span, round after round, counts as shrinking to nothing. A
+/// cable in the air may be shorter by the factor [`SHORTER_IN_THE_AIR`], because it needs no vertices of the film. An
+/// edge of a structure in equilibrium may be short too, so its length alone decides nothing.
+const SHORTEST: f64 = 1e-2;
+/// Factor on [`SHORTEST`] for cables in the air and masts.
+const SHORTER_IN_THE_AIR: f64 = 0.1;
+/// A cable counts as shrunk to nothing below this fraction of the length at which it counts as shrinking, whether it
+/// shrinks or not.
+const NOTHING: f64 = 1e-2;
+/// Number of consecutive rounds in which a corner, a cable or a narrow place must go on closing before it counts as
+/// closed.
 const CLOSING: u32 = 10;
 /// A corner below this angle, in degrees, may be closing. Sharp corners open again, so the angle alone decides nothing.
 const CLOSES: f64 = 3.0;
@@ -41,6 +51,8 @@ pub(super) struct Watch {
     /// A shape in equilibrium on the last level without a neck, as it was before its mesh was renewed.
     pub worn: Option<Model>,
     compressed: u32,
+    /// For each cable its length in the last round, and the number of consecutive rounds in which it shrank.
+    shrinking: Vec<(f64, u32)>,
     /// The length of the shortest cable of given force in the air.
     shortest: f64,
     /// Whether this cable is shrinking.
@@ -77,6 +89,7 @@ impl Run<'_> {
             last_neck: None,
             worn: None,
             compressed: 0,
+            shrinking: vec![(f64::INFINITY, 0); self.structure.cables.len()],
             shortest: f64::INFINITY,
             shrinks: false,
         }
@@ -121,8 +134,12 @@ impl Run<'_> {
             if matches!(cable.course, Course::Air(_)) && !self.model.holds_length(k) {
                 shortest = shortest.min(length);
             }
-            let least = if matches!(cable.course, Course::Air(_) | Course::Mast(_)) { 1e-3 } else { 1e-2 };
-            if length < least * watch.span && !self.model.holds_length(k) {
+            let in_the_air = matches!(cable.course, Course::Air(_) | Course::Mast(_));
+            let least = watch.span * SHORTEST * if in_the_air { SHORTER_IN_THE_AIR } else { 1.0 };
+            let (last, rounds) = watch.shrinking[k];
+            let rounds = if length < (SHRINKS * last).min(least) { rounds + 1 } else { 0 };
+            watch.shrinking[k] = (length, rounds);
+            if (rounds >= CLOSING || length < NOTHING * least) && !self.model.holds_length(k) {
                 let detail = format!("cable {} shrinks to nothing: its length is {length:.3e}", cable.name);
                 // The error names the end of the cable if that end moves, because its place is wrong, not the cable.
                 let end = self.model.cables[k].ends().into_iter().find_map(|v| self.place_of(v));
@@ -216,9 +233,11 @@ impl Run<'_> {
     }
 
     /// Finds the narrowest chord, which is an inner edge between two boundary vertices, relative to its distance from
-    /// the nearest corner. Follows its width in `watch`.
+    /// the nearest corner. Follows its width in `watch`. Chords between held vertices are left out: they are as narrow
+    /// as the frame, and the film does not close there.
     fn narrowest(&self, watch: &mut Watch, at: &[DVec3], edge: f64) {
         let topology = &self.model.layers[0].film.topology;
+        let held = self.model.held();
         let kept: Vec<DVec3> = self.model.corners().iter().map(|corner| at[corner.0 as usize]).collect();
         let mut narrow = None::<Strait>;
         for h in 0..topology.twin.len() as u32 {
@@ -227,6 +246,7 @@ impl Run<'_> {
                 || topology.hinge(h).is_none()
                 || !topology.is_boundary(a)
                 || !topology.is_boundary(b)
+                || held[a as usize] && held[b as usize]
             {
                 continue;
             }
