@@ -321,8 +321,25 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The flat pattern of an open ruled surface as SVG or DXF */
+        /** The flat pattern of a ruled surface as SVG, DXF, PDF or JSON */
         get: operations["getPattern"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}/schedule": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Members, nodes, bends, cables or supports as CSV, or the numbered members as DXF */
+        get: operations["getSchedule"];
         put?: never;
         post?: never;
         delete?: never;
@@ -570,6 +587,11 @@ export interface components {
         };
         /** @description A cable of the found shape. */
         CableForce: {
+            /**
+             * Format: double
+             * @description Axial stiffness of the request, a force; null without one.
+             */
+            axial_stiffness: number | null;
             /**
              * Format: double
              * @description Mean force, weighted by length.
@@ -1116,6 +1138,11 @@ export interface components {
         /** @description Quality of the strips' flat pattern. */
         FlatPatternStatistics: {
             /**
+             * @description For each strip of a closed surface the number of the bridge at which its pattern is cut: the bridge of least
+             *     fold, the first among equals. Bridges count from 0 over all strips. Null for open strips, which need no cut.
+             */
+            cut_at: number[] | null;
+            /**
              * Format: double
              * @description Largest relative difference between an edge's length in space and in the plane.
              */
@@ -1493,7 +1520,7 @@ export interface components {
             events: string;
             /** @description Address of the mesh. Absent from failed and cancelled jobs. */
             mesh?: string | null;
-            /** @description Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do. */
+            /** @description Address of the flat pattern. Present once the job has succeeded and has one: only ruled surfaces do. */
             pattern?: string | null;
             self: string;
         };
@@ -1948,6 +1975,11 @@ export interface components {
         };
         /** @description A cable of the found net: all its edges together. */
         NetCableResult: {
+            /**
+             * Format: double
+             * @description Axial stiffness of the request, a force; null without one.
+             */
+            axial_stiffness: number | null;
             edge_lengths: components["schemas"]["ValueRange"];
             /** @description Number of its edges. */
             edges: number;
@@ -2094,8 +2126,8 @@ export interface components {
         /** @description A problem document, RFC 9457. */
         Problem: {
             detail: string;
-            /** @description Offending values of the body, at most 50. */
-            errors?: components["schemas"]["FieldError"][];
+            /** @description Offending values of the body or of the query, at most 50. */
+            errors?: components["schemas"]["WrongValue"][];
             /** @description True if there were more errors than are listed. */
             errors_omitted?: boolean;
             /** @description Path of the request. */
@@ -2206,8 +2238,7 @@ export interface components {
              *     `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
              */
             direction_decided_by: (string | null)[];
-            /** @description Null for closed strips, which cannot be unrolled. */
-            flat_pattern: components["schemas"]["FlatPatternStatistics"] | null;
+            flat_pattern: components["schemas"]["FlatPatternStatistics"];
             /**
              * Format: double
              * @description Largest angle between the normals of neighbouring triangles.
@@ -3399,6 +3430,15 @@ export interface components {
              */
             minimal_twist?: number;
         };
+        /** @description An offending value of a request. Values are never echoed. */
+        WrongValue: {
+            /** @description Description of the error. */
+            detail: string;
+            /** @description Name of the offending parameter, if it is in the query. */
+            parameter?: string | null;
+            /** @description JSON Pointer (RFC 6901) to the offending value, if it is in the body. */
+            pointer?: string | null;
+        };
     };
     responses: {
         /** @description Malformed JSON, a repeated key, or an invalid query parameter */
@@ -3552,6 +3592,16 @@ export interface components {
         Unavailable: {
             headers: {
                 "Retry-After": components["headers"]["RetryAfter"];
+                "X-Request-Id": components["headers"]["RequestId"];
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description A parameter does not suit this result; `errors` names each with its `parameter` */
+        Unsuitable: {
+            headers: {
                 "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
@@ -4505,8 +4555,48 @@ export interface operations {
     getPattern: {
         parameters: {
             query?: {
-                /** @description Takes precedence over `Accept`. The default is `svg`. With `Accept: application/octet-stream` the file has that type. */
-                format?: "svg" | "dxf";
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
+                profile?: "plain" | "cut" | "sheet-metal";
+                /** @description The default is `svg`. `cut` has `svg` and `dxf`. Every file is in millimetres. Without `format`, `profile` and `split` the format follows `Accept`. */
+                format?: "svg" | "dxf" | "pdf" | "json";
+                /** @description `pieces` gives a ZIP with one file for each piece. */
+                split?: "pieces";
+                /** @description Height of capitals in mm. The default is 5. */
+                text_height?: number;
+                /** @description Whether the angles of the folds are printed. The default is true with `profile=sheet-metal` only. Lines have their angles in all digits in any case. */
+                angles?: "true" | "false";
+                /** @description Distance between notches along each seam in mm. Both pieces at a seam have them at the same places. Without it there are none. */
+                notches?: number;
+                /** @description Distance of the cut from the outline in mm, mitred. */
+                allowance?: number;
+                /** @description The allowance along the first rail of each strip. */
+                allowance_p?: number;
+                /** @description The allowance along the second rail of each strip. */
+                allowance_q?: number;
+                /** @description The allowance at the ends of each strip. */
+                allowance_ends?: number;
+                /** @description Full width of the cut in mm. The cut line lies half of it outside the outline. */
+                kerf?: number;
+                /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
+                cut_at?: string;
+                /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
+                layers?: string;
+                /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */
+                paper?: "a4" | "a3";
+                /** @description Sheet metal: thickness in mm. Required with `profile=sheet-metal`. */
+                thickness?: number;
+                /** @description Sheet metal: inner radius of the bends in mm, at least half the thickness. The default is the thickness. */
+                radius?: number;
+                /** @description Sheet metal: convention of the k-factor. The neutral line is k t from the inner skin (`ansi`, the default) or k t / 2 (`din`). */
+                convention?: "ansi" | "din";
+                /** @description Sheet metal: k-factor. The default is 0.44 with `ansi`, and DIN 6935's 0.65 + log10(radius / thickness) / 2, at most 1, with `din`. */
+                k?: number;
+                /** @description Sheet metal: skin of the sheet that the mesh is. `front` is the side of the normals. The default is `middle`. */
+                skin?: "front" | "middle" | "back";
+                /** @description Sheet metal: largest distance in mm of the facets of a bend from its cylinder. Each bend gets as many hits as that takes. Without it, each bend has one line. */
+                chord_error?: number;
+                /** @description Sheet metal: relief of bends that meet at a point of a rail. `none` (the default), `auto` (a circle of radius plus thickness where the blank would overlap, or as large as the opening there), or the radius of a circle in mm. */
+                relief?: string;
             };
             header?: never;
             path: {
@@ -4527,7 +4617,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": string;
                     "application/octet-stream": string;
+                    "application/pdf": string;
+                    "application/zip": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -4542,7 +4635,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": string;
                     "application/octet-stream": string;
+                    "application/pdf": string;
+                    "application/zip": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -4571,6 +4667,130 @@ export interface operations {
                 };
             };
             421: components["responses"]["Misdirected"];
+            422: components["responses"]["Unsuitable"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getSchedule: {
+        parameters: {
+            query?: {
+                /** @description The table. `format=dxf` needs none. */
+                part?: "members" | "nodes" | "bends" | "cables" | "cable_edges" | "reactions" | "edge_reactions";
+                /** @description `csv` (the default) is the table; `dxf` is the lattice or net in space, with the members on the layers of their kinds and all numbers. */
+                format?: "csv" | "dxf";
+                /** @description Members: length that a node takes from each of its members, in the client's unit. The default is 0. */
+                setback?: number;
+                /** @description Members: width of the members in the client's unit. A setback is at least half of it over the tangent of half the smallest angle at the node. */
+                member_width?: number;
+                /** @description Tolerance of the kinds of members and nodes, in the client's unit. The default is 0.001. */
+                tolerance?: number;
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
+                profile?: "plain" | "cut" | "sheet-metal";
+                /** @description `pieces` gives a ZIP with one file for each piece. */
+                split?: "pieces";
+                /** @description Height of capitals in mm. The default is 5. */
+                text_height?: number;
+                /** @description Whether the angles of the folds are printed. The default is true with `profile=sheet-metal` only. Lines have their angles in all digits in any case. */
+                angles?: "true" | "false";
+                /** @description Distance between notches along each seam in mm. Both pieces at a seam have them at the same places. Without it there are none. */
+                notches?: number;
+                /** @description Distance of the cut from the outline in mm, mitred. */
+                allowance?: number;
+                /** @description The allowance along the first rail of each strip. */
+                allowance_p?: number;
+                /** @description The allowance along the second rail of each strip. */
+                allowance_q?: number;
+                /** @description The allowance at the ends of each strip. */
+                allowance_ends?: number;
+                /** @description Full width of the cut in mm. The cut line lies half of it outside the outline. */
+                kerf?: number;
+                /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
+                cut_at?: string;
+                /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
+                layers?: string;
+                /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */
+                paper?: "a4" | "a3";
+                /** @description Sheet metal: thickness in mm. Required with `profile=sheet-metal`. */
+                thickness?: number;
+                /** @description Sheet metal: inner radius of the bends in mm, at least half the thickness. The default is the thickness. */
+                radius?: number;
+                /** @description Sheet metal: convention of the k-factor. The neutral line is k t from the inner skin (`ansi`, the default) or k t / 2 (`din`). */
+                convention?: "ansi" | "din";
+                /** @description Sheet metal: k-factor. The default is 0.44 with `ansi`, and DIN 6935's 0.65 + log10(radius / thickness) / 2, at most 1, with `din`. */
+                k?: number;
+                /** @description Sheet metal: skin of the sheet that the mesh is. `front` is the side of the normals. The default is `middle`. */
+                skin?: "front" | "middle" | "back";
+                /** @description Sheet metal: largest distance in mm of the facets of a bend from its cylinder. Each bend gets as many hits as that takes. Without it, each bend has one line. */
+                chord_error?: number;
+                /** @description Sheet metal: relief of bends that meet at a point of a rail. `none` (the default), `auto` (a circle of radius plus thickness where the blank would overlap, or as large as the opening there), or the radius of a circle in mm. */
+                relief?: string;
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The table, or the numbered lattice in space */
+            200: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                    "image/vnd.dxf": string;
+                    "text/csv": string;
+                };
+            };
+            /** @description The requested range */
+            206: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                    "image/vnd.dxf": string;
+                    "text/csv": string;
+                };
+            };
+            /** @description `If-None-Match` names the current entity tag */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
+            409: components["responses"]["NoMesh"];
+            410: components["responses"]["Gone"];
+            /** @description The range lies outside the file */
+            416: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            421: components["responses"]["Misdirected"];
+            422: components["responses"]["Unsuitable"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
             503: components["responses"]["Unavailable"];

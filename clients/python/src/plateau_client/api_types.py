@@ -255,6 +255,8 @@ class Cable(TypedDict):
 
 class CableForce(TypedDict):
     """A cable of the found shape."""
+    axial_stiffness: Optional[float]
+    """Axial stiffness of the request, a force; null without one."""
     force: float
     """Mean force, weighted by length."""
     force_max: float
@@ -628,6 +630,9 @@ class FilmStress(TypedDict):
 
 class FlatPatternStatistics(TypedDict):
     """Quality of the strips' flat pattern."""
+    cut_at: Optional[List[int]]
+    """For each strip of a closed surface the number of the bridge at which its pattern is cut: the bridge of least
+    fold, the first among equals. Bridges count from 0 over all strips. Null for open strips, which need no cut."""
     edge_length_error_max: float
     """Largest relative difference between an edge's length in space and in the plane."""
     height: float
@@ -914,7 +919,7 @@ class Links(TypedDict):
     mesh: NotRequired[Optional[str]]
     """Address of the mesh. Absent from failed and cancelled jobs."""
     pattern: NotRequired[Optional[str]]
-    """Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do."""
+    """Address of the flat pattern. Present once the job has succeeded and has one: only ruled surfaces do."""
     self: str
 
 
@@ -1233,6 +1238,8 @@ class NetCable(TypedDict):
 
 class NetCableResult(TypedDict):
     """A cable of the found net: all its edges together."""
+    axial_stiffness: Optional[float]
+    """Axial stiffness of the request, a force; null without one."""
     edge_lengths: ValueRange
     edges: int
     """Number of its edges."""
@@ -1340,8 +1347,8 @@ class Ponding(TypedDict):
 class Problem(TypedDict):
     """A problem document, RFC 9457."""
     detail: str
-    errors: NotRequired[List[FieldError]]
-    """Offending values of the body, at most 50."""
+    errors: NotRequired[List[WrongValue]]
+    """Offending values of the body or of the query, at most 50."""
     errors_omitted: NotRequired[bool]
     """True if there were more errors than are listed."""
     instance: str
@@ -1415,8 +1422,7 @@ class RuledStatistics(TypedDict):
     direction_decided_by: List[Optional[str]]
     """For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
     `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`."""
-    flat_pattern: Optional[FlatPatternStatistics]
-    """Null for closed strips, which cannot be unrolled."""
+    flat_pattern: FlatPatternStatistics
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
@@ -2219,6 +2225,16 @@ class Weights(TypedDict):
     """Default: `0.0`."""
     minimal_twist: NotRequired[float]
     """Default: `0.0`."""
+
+
+class WrongValue(TypedDict):
+    """An offending value of a request. Values are never echoed."""
+    detail: str
+    """Description of the error."""
+    parameter: NotRequired[Optional[str]]
+    """Name of the offending parameter, if it is in the query."""
+    pointer: NotRequired[Optional[str]]
+    """JSON Pointer (RFC 6901) to the offending value, if it is in the body."""
 
 
 class RuledSurfaceOptions(TypedDict, total=False):
