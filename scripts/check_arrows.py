@@ -32,6 +32,8 @@ LAYERS = {
         corners reactions warnings outcome lib""",
     "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
+    "drawing": """
+        parameters options piece polygon label metal figure json drawing dxf svg pdf schedule lib""",
     "engine": """
         rejection limits json bounds strict common resolution explain options report join mesh audit solved source checked
         blocks kind kinds components schema request lib""",
@@ -39,7 +41,7 @@ LAYERS = {
         status threads test_hooks store config telemetry auth webhook wire hops jobs http app cli lib main""",
 }
 # These have no solvers. The loops of every other crate are read.
-WITHOUT_SOLVERS = {"archive", "engine", "opennurbs", "page", "plateau"}
+WITHOUT_SOLVERS = {"archive", "drawing", "engine", "opennurbs", "page", "plateau"}
 SUCCESSES = {"OK", "ACCEPTED", "NO_CONTENT", "NOT_MODIFIED", "PARTIAL_CONTENT"}
 NO_CODE = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\bb?r(?P<hashes>#*)".*?"(?P=hashes)|"(?:\\.|[^"\\])*"|'(?:\\.[^']*|[^\\'])'""", re.S)

@@ -3,14 +3,16 @@
 use crate::app;
 use crate::auth;
 use crate::config::Config;
-use crate::http::openapi;
+use crate::http::{openapi, parameters};
 use crate::telemetry;
 use crate::threads::STACK_BYTES;
 use crate::webhook::Secret;
 use crate::wire::incoming::Incoming;
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
+use plateau_drawing::{PatternOptions, Refused, ScheduleOptions, pattern, schedule};
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::Progress;
 use plateau_engine::solved::{Signal, Unsolved};
@@ -45,9 +47,14 @@ enum Command {
     Solve {
         /// File with the request as JSON, including its "kind". Use - for standard input.
         request: PathBuf,
-        /// File to write the mesh to. Its extension chooses the format (glb, gltf, obj, ply, stl).
-        #[arg(short, long)]
-        output: PathBuf,
+        /// File to write; may be repeated. Its extension chooses the mesh's format (glb, gltf, obj, ply, stl), or it
+        /// is a drawing or a schedule (svg, dxf, pdf, json, csv, or a zip of drawings).
+        #[arg(short, long, required = true)]
+        output: Vec<PathBuf>,
+        /// Parameters of the drawing or of the schedule, as in the query of GET …/pattern or GET …/schedule, such as
+        /// profile=cut&format=dxf. The extension is the format if they have none.
+        #[arg(long, value_name = "QUERY")]
+        with: Option<String>,
     },
     /// Check that the server at the configured address answers, for a container's health check. The exit status is 0 if
     /// it does.
@@ -166,7 +173,7 @@ pub fn main() -> ExitCode {
         Command::Health => health(config.http.listen),
         Command::Key { command: KeyCommand::New { name } } => new_key(&name),
         Command::Key { command: KeyCommand::Webhooks { name } } => webhook_secret(&config, name.as_deref()),
-        Command::Solve { request, output } => solve_file(&config, &request, &output),
+        Command::Solve { request, output, with } => solve_file(&config, &request, &output, with.as_deref()),
         command => {
             if let Err(message) = telemetry::init_logs(&config.log) {
                 return fail(USAGE, &message);
@@ -247,12 +254,60 @@ fn webhook_secret(config: &Config, name: Option<&str>) -> ExitCode {
     }
 }
 
-fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode {
-    let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    let Some(format) = MeshFormat::from_name(extension) else {
-        let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
-        return fail(USAGE, &format!("--output: the extension must be one of {names}"));
-    };
+/// A file that `solve` writes.
+enum File {
+    Mesh(MeshFormat),
+    Drawing(Vec<(String, String)>),
+}
+
+impl File {
+    /// Returns the file with this extension. `query` has the parameters of drawings and schedules.
+    fn with(extension: &str, query: Option<&str>) -> Result<Self, String> {
+        let mut given = parameters::pairs(query);
+        let format = given.iter().find(|(name, _)| name == "format").map(|(_, format)| format.clone());
+        let is_mesh = MeshFormat::from_name(extension).filter(|_| format.as_deref() != Some(extension));
+        if let Some(format) = is_mesh {
+            return Ok(Self::Mesh(format));
+        }
+        if format.is_none() && extension != "zip" {
+            given.push(("format".into(), extension.into()));
+        }
+        // A wrong query is refused before anything is solved. The result decides between pattern and schedule.
+        let pattern = PatternOptions::read(&given).map(|options| options.extension());
+        let schedule = ScheduleOptions::read(&given).map(|options| options.extension());
+        let is_schedule = given.iter().any(|(name, _)| name == "part");
+        let made = if is_schedule { schedule } else { pattern.or_else(|refused| schedule.map_err(|_| refused)) };
+        match made {
+            Ok(made) if made == extension => Ok(Self::Drawing(given)),
+            Ok(made) => Err(format!("the extension must be {made} with these parameters")),
+            Err(refused) => Err(refused.to_string()),
+        }
+    }
+
+    fn bytes(&self, archive: &Archive) -> Result<Vec<u8>, String> {
+        let contents = archive.contents();
+        let text = |refused: Refused| refused.to_string();
+        match self {
+            Self::Mesh(format) => format.encode(archive).map_err(|error| error.to_string()),
+            Self::Drawing(given) if contents.unrolls && given.iter().all(|(name, _)| name != "part") => {
+                PatternOptions::read(given).and_then(|options| pattern(contents, &options)).map_err(text)
+            }
+            Self::Drawing(given) => {
+                ScheduleOptions::read(given).and_then(|options| schedule(contents, &options)).map_err(text)
+            }
+        }
+    }
+}
+
+fn solve_file(config: &Config, request: &PathBuf, outputs: &[PathBuf], with: Option<&str>) -> ExitCode {
+    let mut files = Vec::new();
+    for output in outputs {
+        let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match File::with(extension, with) {
+            Ok(file) => files.push((output, file)),
+            Err(message) => return fail(USAGE, &format!("{}: {message}", output.display())),
+        }
+    }
     let mut body = Vec::new();
     let read = if request.as_os_str() == "-" {
         std::io::stdin().read_to_end(&mut body).map(|_| ())
@@ -287,12 +342,12 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
     for warning in &solved.warnings {
         eprintln!("warning: {}: {}", warning.code, warning.detail);
     }
-    let written = format
-        .encode(&solved.archive)
-        .map_err(|error| error.to_string())
-        .and_then(|bytes| std::fs::write(output, bytes).map_err(|error| format!("{}: {error}", output.display())));
-    if let Err(message) = written {
-        return fail(1, &message);
+    for (output, file) in files {
+        let written = file.bytes(&solved.archive);
+        let written = written.and_then(|bytes| std::fs::write(output, bytes).map_err(|error| error.to_string()));
+        if let Err(message) = written {
+            return fail(1, &format!("{}: {message}", output.display()));
+        }
     }
     let statistics: serde_json::Value = serde_json::from_str(&solved.statistics).unwrap_or_default();
     let text = serde_json::to_string_pretty(&statistics).unwrap_or_default();

@@ -22,7 +22,6 @@ mod sources;
 pub(crate) mod submission;
 mod view;
 pub(crate) mod worker;
-mod zip;
 
 pub(crate) use handle::Jobs;
 
@@ -30,6 +29,7 @@ use crate::status::Status;
 use crate::store::StoreError;
 use plateau_archive::archive::VERSION;
 use plateau_archive::formats::Error as ExportError;
+use plateau_drawing::Refused;
 use plateau_engine::SOLVER_REVISION;
 use plateau_engine::kind::Kind;
 use plateau_engine::rejection::{FieldError, Rejection};
@@ -80,8 +80,8 @@ pub enum JobsError {
     NoMesh(Status),
     /// The stored mesh was damaged and has been removed.
     Lost,
-    /// Only open ruled surfaces have a flat pattern.
-    NoPattern,
+    /// A drawing or a schedule cannot be made of this result with these parameters.
+    NoDrawing(Refused),
     /// The request did not ask for a lower bound of the area, or none could be computed.
     NoCertificate,
     /// The job ended under a version that did not keep requests.

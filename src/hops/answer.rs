@@ -3,9 +3,9 @@
 use super::component::{Component, Output, Source, result_type};
 use crate::hops::envelope;
 use crate::wire::job::Job;
-use plateau_archive::Pattern;
 use plateau_archive::archive::{Archive, CABLES, LineSet, Lines};
 use plateau_archive::formats::Error;
+use plateau_drawing::Pattern;
 use plateau_engine::blocks::{self, Part, Type};
 use plateau_engine::report::Warning;
 use plateau_opennurbs::write;
@@ -233,7 +233,7 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
             values.values.iter().for_each(|&value| add(part, Type::Number, Value::from(value).to_string()));
         }
     }
-    if let Some(pattern) = contents.flat_pattern() {
+    if let Ok(pattern) = Pattern::of(contents, &[]) {
         flat_pattern(&pattern, &mut add);
     }
     let statistics: Value = serde_json::from_str(&contents.statistics).unwrap_or_default();

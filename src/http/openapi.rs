@@ -152,6 +152,7 @@ fn problems() -> Value {
         ("TooLarge", "More bytes, points, triangles or cells than this server accepts"),
         ("UnsupportedMediaType", "The body is not plain application/json"),
         ("Invalid", "The request is well-formed JSON but invalid; `errors` names each offending value"),
+        ("Unsuitable", "A parameter does not suit this result; `errors` names each with its `parameter`"),
         ("Misdirected", "The request is for a host that this server does not answer to"),
         ("Failed", "A defect of the server"),
     ] {

@@ -21,3 +21,8 @@ pub fn parameters<const N: usize>(query: Option<&str>, names: [&str; N]) -> Resu
     }
     Ok(values)
 }
+
+/// Returns the parameters of a query in order, unchecked.
+pub fn pairs(query: Option<&str>) -> Vec<(String, String)> {
+    url::form_urlencoded::parse(query.unwrap_or_default().as_bytes()).into_owned().collect()
+}

@@ -5,10 +5,11 @@ use crate::hops::{self, answer::Answer};
 #[cfg(feature = "hops")]
 use crate::http::access::is_message_of_hops;
 use crate::jobs::JobsError;
-use crate::wire::job::Problem;
+use crate::wire::job::{Problem, WrongValue};
 use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
+use plateau_drawing::{ParameterError, Refused};
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::SolveError;
 use std::borrow::Cow;
@@ -22,6 +23,7 @@ pub struct Failure {
     title: Cow<'static, str>,
     detail: String,
     errors: Vec<FieldError>,
+    parameters: Vec<ParameterError>,
     headers: Vec<(HeaderName, HeaderValue)>,
 }
 
@@ -55,6 +57,8 @@ failures! {
     too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server accepts";
     range_not_satisfiable: RANGE_NOT_SATISFIABLE, "range-not-satisfiable", "The range lies outside the file";
     unsupported_media_type: UNSUPPORTED_MEDIA_TYPE, "unsupported-media-type", "The body is not plain application/json";
+    no_such_part: NOT_FOUND, "no-such-part", "The result has no such schedule";
+    unsuitable_pattern: UNPROCESSABLE_ENTITY, "unsuitable-pattern", "The pattern cannot be made with these values";
     unwritable: UNPROCESSABLE_ENTITY, "unwritable", "The mesh cannot be written in this format";
     invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request is invalid";
     key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
@@ -79,7 +83,7 @@ impl Failure {
             }
             _ => Vec::new(),
         };
-        Self { status, kind: kind.into(), title: title.into(), detail, errors: Vec::new(), headers }
+        Self { status, kind: kind.into(), title: title.into(), detail, errors: Vec::new(), parameters: Vec::new(), headers }
     }
 
     /// Returns the failure for a query with a parameter that is not one of `known`.
@@ -177,11 +181,24 @@ impl From<JobsError> for Failure {
             JobsError::NoRequest => {
                 Self::not_found("the job ended under an earlier version of this server, which did not keep requests")
             }
-            JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
+            JobsError::NoDrawing(refused) => refused.into(),
             JobsError::TooMuch(detail) => Self::unwritable(detail),
             JobsError::Unwritable(error) => Self::unwritable(error.to_string()),
             JobsError::Unavailable(detail) => Self::unavailable(detail),
             JobsError::Internal(detail) => Self::internal(detail),
+        }
+    }
+}
+
+impl From<Refused> for Failure {
+    fn from(refused: Refused) -> Self {
+        let detail = refused.to_string();
+        match refused {
+            Refused::BadQuery(parameters) => Self { parameters, ..Self::bad_query(detail) },
+            Refused::Unsuitable(parameters) => Self { parameters, ..Self::unsuitable_pattern(detail) },
+            Refused::NoPattern => Self::not_found(detail),
+            Refused::NoPart(_) => Self::no_such_part(detail),
+            Refused::TooLarge(_) => Self::unwritable(detail),
         }
     }
 }
@@ -201,15 +218,17 @@ pub struct Unaddressed(Problem);
 
 impl IntoResponse for Failure {
     fn into_response(mut self) -> Response<Body> {
-        let errors_omitted = self.errors.len() > MAX_ERRORS;
-        self.errors.truncate(MAX_ERRORS);
+        let fields = self.errors.drain(..).map(WrongValue::from);
+        let mut errors: Vec<WrongValue> = fields.chain(self.parameters.drain(..).map(WrongValue::from)).collect();
+        let errors_omitted = errors.len() > MAX_ERRORS;
+        errors.truncate(MAX_ERRORS);
         let problem = Problem {
             kind: format!("/problems/{}", self.kind),
             title: self.title.into_owned(),
             status: self.status.as_u16(),
             detail: self.detail,
             instance: String::new(),
-            errors: self.errors,
+            errors,
             errors_omitted,
         };
         let mut response = Response::new(Body::empty());

@@ -8,7 +8,7 @@ use crate::http::routes::hops;
 use crate::http::routes::mcp;
 #[cfg(feature = "studio")]
 use crate::http::routes::studio;
-use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mesh, submit};
+use crate::http::routes::{batches, catalogue, docs, drawings, events, health, jobs, mesh, submit};
 use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
@@ -41,7 +41,8 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
             .post(jobs::send_callback_again, jobs::send_callback_again_entry()),
         Resource::at("/v1/jobs/{id}/mesh").get(mesh::mesh, mesh::mesh_entry()),
         Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
-        Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
+        Resource::at("/v1/jobs/{id}/pattern").get(drawings::pattern, drawings::pattern_entry()),
+        Resource::at("/v1/jobs/{id}/schedule").get(drawings::schedule, drawings::schedule_entry()),
         Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
         Resource::at("/v1/batches").post(batches::post, batches::post_entry()),
         Resource::at("/v1/batches/{id}")

@@ -3,6 +3,7 @@
 pub mod batches;
 pub mod catalogue;
 pub mod docs;
+pub mod drawings;
 pub mod events;
 pub mod health;
 #[cfg(feature = "hops")]

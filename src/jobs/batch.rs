@@ -3,7 +3,6 @@
 use super::converters::Length;
 use super::files::File;
 use super::view::{self, Figures};
-use super::zip::Zip;
 use super::{Jobs, JobsError, result_version};
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
@@ -11,6 +10,7 @@ use bytes::Bytes;
 use futures_util::stream::{self, BoxStream, Stream, StreamExt, TryStreamExt};
 use plateau_archive::Archive;
 use plateau_archive::formats::{MeshFormat, gltf};
+use plateau_archive::zip::Zip;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::VecDeque;

@@ -1,6 +1,7 @@
 //! Jobs in the form that clients see.
 
 use crate::status::{CancelReason, Status};
+use plateau_drawing::ParameterError;
 use plateau_engine::failure_kinds;
 use plateau_engine::kind::Kind;
 use plateau_engine::rejection::FieldError;
@@ -68,7 +69,7 @@ pub struct Links {
     /// Address of the mesh. Present once the job has succeeded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
-    /// Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do.
+    /// Address of the flat pattern. Present once the job has succeeded and has one: only ruled surfaces do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
     /// Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
@@ -218,6 +219,31 @@ pub struct JobList {
     pub next_cursor: Option<String>,
 }
 
+/// An offending value of a request. Values are never echoed.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct WrongValue {
+    /// JSON Pointer (RFC 6901) to the offending value, if it is in the body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pointer: Option<String>,
+    /// Name of the offending parameter, if it is in the query.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parameter: Option<String>,
+    /// Description of the error.
+    pub detail: String,
+}
+
+impl From<FieldError> for WrongValue {
+    fn from(FieldError { pointer, detail }: FieldError) -> Self {
+        Self { pointer: Some(pointer), parameter: None, detail }
+    }
+}
+
+impl From<ParameterError> for WrongValue {
+    fn from(ParameterError { parameter, detail }: ParameterError) -> Self {
+        Self { pointer: None, parameter: Some(parameter), detail }
+    }
+}
+
 /// A problem document, RFC 9457.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Problem {
@@ -231,9 +257,9 @@ pub struct Problem {
     pub detail: String,
     /// Path of the request.
     pub instance: String,
-    /// Offending values of the body, at most 50.
+    /// Offending values of the body or of the query, at most 50.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub errors: Vec<FieldError>,
+    pub errors: Vec<WrongValue>,
     /// True if there were more errors than are listed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub errors_omitted: bool,

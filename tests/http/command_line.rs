@@ -47,6 +47,59 @@ async fn the_command_line_and_the_server_give_the_same_bytes() {
 }
 
 #[tokio::test]
+async fn solve_writes_the_drawings_and_schedules_of_the_server_beside_the_mesh() {
+    let app = crate::app::TestApp::start().await;
+    let folder = tempfile::tempdir().unwrap();
+    let cases = [
+        ("contour-stack", "profile=cut&format=dxf", &["zip", "obj"][..], "pattern"),
+        ("two-rails", "angles=true&paper=a3&format=pdf", &["pdf"], "pattern"),
+        ("wavy-strip", "angles=true", &["svg", "dxf"], "pattern"),
+        ("two-rails", "part=bends", &["csv"], "schedule"),
+        ("floor-fewest-nodes", "format=dxf", &["dxf"], "schedule"),
+        ("four-cables", "part=cables", &["csv", "ply"], "schedule"),
+    ];
+    for (name, query, extensions, route) in cases {
+        let request = example(name);
+        let job = app.solve(crate::app::path_of(request["kind"].as_str().unwrap()), &request).await;
+        let this = job["links"]["self"].as_str().unwrap();
+        let outputs: Vec<_> = extensions.iter().map(|extension| folder.path().join(format!("a.{extension}"))).collect();
+        let mut command = binary();
+        command.arg("solve").arg(root().join(format!("api/examples/{name}.json"))).arg("--with").arg(query);
+        for output in &outputs {
+            command.arg("-o").arg(output);
+        }
+        let run = command.output().await.unwrap();
+        assert!(run.status.success(), "{name}: {}", String::from_utf8_lossy(&run.stderr));
+        for (extension, output) in extensions.iter().zip(&outputs) {
+            let path = match *extension {
+                "obj" | "ply" => format!("{this}/mesh?format={extension}"),
+                "zip" => format!("{this}/{route}?{query}"),
+                _ if query.contains("format=") => format!("{this}/{route}?{query}"),
+                _ => format!("{this}/{route}?{query}&format={extension}"),
+            };
+            let served = app.get(&path).await;
+            assert_eq!(served.status(), 200, "{path}");
+            let (served, written) = (served.bytes().await.unwrap(), std::fs::read(output).unwrap());
+            assert!(served == written && !written.is_empty(), "{name} {extension}");
+        }
+    }
+    // Wrong parameters and extensions are refused before anything is solved.
+    for (query, extension, text) in [
+        ("kerf=-1", "svg", "kerf"),
+        ("profile=cut", "svg", "must be zip"),
+        ("format=dxf", "svg", "must be dxf"),
+        ("part=rods", "csv", "part"),
+    ] {
+        let output = folder.path().join(format!("b.{extension}"));
+        let request = root().join("api/examples/wavy-strip.json");
+        let run = binary().arg("solve").arg(request).arg("--with").arg(query).arg("-o").arg(&output).output().await;
+        let run = run.unwrap();
+        let message = String::from_utf8_lossy(&run.stderr).into_owned();
+        assert!(run.status.code() == Some(2) && message.contains(text) && !output.exists(), "{query}: {message}");
+    }
+}
+
+#[tokio::test]
 async fn the_error_for_an_invalid_request_has_its_pointer() {
     let folder = tempfile::tempdir().unwrap();
     let (request, output) = (folder.path().join("request.json"), folder.path().join("x.glb"));
@@ -79,7 +132,7 @@ async fn wrong_usage_and_configuration_exit_with_2_and_name_the_setting() {
         (vec![], vec![("PLATEAU_JOBS__DEADLINE_MS", "soon")], "PLATEAU_JOBS__DEADLINE_MS"),
         (vec![], vec![("PLATEAU_LISTEN", "1.2.3.4")], "listen"),
         (vec!["--database", "mysql://x"], vec![], "store.database"),
-        (vec!["solve", "x.json", "-o", "x.fbx"], vec![], "extension"),
+        (vec!["solve", "x.json", "-o", "x.fbx"], vec![], "x.fbx"),
     ];
     for (arguments, environment, named) in cases {
         let run = binary().args(&arguments).envs(environment).current_dir(folder.path()).output().await.unwrap();

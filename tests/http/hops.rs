@@ -244,7 +244,7 @@ async fn messages_go_to_either_path_and_name_the_component_in_any_of_three_ways(
 }
 
 #[tokio::test]
-async fn a_ruled_strip_has_a_flat_pattern_unless_it_is_closed() {
+async fn a_ruled_strip_has_a_flat_pattern_closed_or_not() {
     let app = TestApp::start().await;
     let rail = |y: f64, bend: f64| -> Vec<[f64; 3]> {
         (0..12).map(|k| f64::from(k) / 4.0).map(|x| [1e6 + x, y, bend * (x - 1.5).powi(2)]).collect()
@@ -271,7 +271,8 @@ async fn a_ruled_strip_has_a_flat_pattern_unless_it_is_closed() {
     };
     let values = [curves("Rails", &[ring(0.0, 1.0), ring(1.0, 0.8)]), number("Samples", 40)];
     let closed = app.run("ruled-strip", &values).await;
-    assert!(output(&closed, "Outlines").is_empty() && output(&closed, "Rulings").len() == 80);
+    assert_eq!((output(&closed, "Outlines").len(), output(&closed, "Rulings").len()), (1, 80));
+    assert_eq!(output(&closed, "Folds").len(), 79);
 }
 
 #[tokio::test]

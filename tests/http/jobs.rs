@@ -85,7 +85,7 @@ async fn every_link_of_a_succeeded_job_leads_to_something() {
         (MINIMAL, small_film(0.1), &["mesh"][..]),
         (MINIMAL, certified, &["certificate", "mesh"]),
         (RULED, example("wavy-strip"), &["mesh", "pattern"]),
-        (RULED, example("contour-stack"), &["mesh"]),
+        (RULED, example("contour-stack"), &["mesh", "pattern"]),
         (UNIFORM, example("floor-fewest-nodes"), &["mesh"]),
     ] {
         let job = app.solve(path, &request).await;

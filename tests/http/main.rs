@@ -18,6 +18,7 @@ mod compression;
 mod connections;
 mod database;
 mod downloads;
+mod drawings;
 mod errors;
 mod events;
 mod examples;

@@ -1,4 +1,4 @@
-//! Formats, entity tags and ranges of the mesh, and the flat pattern.
+//! Formats, entity tags and ranges of the mesh.
 
 use crate::app::{MINIMAL, RULED, TestApp, UNIFORM, example, problem, small_film};
 use reqwest::{Method, Response};
@@ -142,27 +142,6 @@ async fn colours_that_a_mesh_cannot_have_are_refused() {
         let problem = problem(app.get(&format!("{}?{query}", mesh.as_str().unwrap())).await, status).await;
         assert_eq!(problem["detail"], json!(detail), "{query}");
     }
-}
-
-#[tokio::test]
-async fn only_an_open_strip_has_a_flat_pattern() {
-    let app = TestApp::start().await;
-    let job = app.solve(RULED, &example("wavy-strip")).await;
-    let flat = &job["statistics"]["flat_pattern"];
-    assert!(flat["edge_length_error_max"].as_f64().unwrap() < 1e-12 && flat["width"].as_f64().unwrap() > 5.0, "{flat}");
-    let pattern = job["links"]["pattern"].as_str().unwrap();
-    let svg = app.get(pattern).await;
-    assert_eq!(svg.headers()["content-type"], "image/svg+xml");
-    assert!(svg.text().await.unwrap().contains("<svg"));
-    let dxf = app.get(&format!("{pattern}?format=dxf")).await;
-    assert_eq!(dxf.headers()["content-type"], "image/vnd.dxf");
-    let film = app.solve(MINIMAL, &small_film(0.23)).await;
-    assert!(film["links"].get("pattern").is_none());
-    problem(app.get(&format!("{}/pattern", film["links"]["self"].as_str().unwrap())).await, 404).await;
-    let closed = app.solve(RULED, &example("contour-stack")).await;
-    assert!(closed["statistics"]["flat_pattern"].is_null());
-    assert!(closed["links"].get("pattern").is_none(), "{}", closed["links"]);
-    problem(app.get(&format!("{}/pattern", closed["links"]["self"].as_str().unwrap())).await, 404).await;
 }
 
 #[tokio::test]

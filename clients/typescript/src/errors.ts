@@ -16,7 +16,8 @@ interface ProblemFacts {
   title: string;
   detail: string;
   type?: string | undefined;
-  errors?: readonly FieldError[] | undefined;
+  /** A wrong value of the body has a pointer, one of the query the name of its parameter. */
+  errors?: readonly { pointer?: string | null; parameter?: string | null; detail: string }[] | undefined;
   errors_omitted?: boolean | undefined;
 }
 
@@ -25,7 +26,7 @@ export class ProblemError extends PlateauError {
   readonly title: string;
   readonly detail: string;
   readonly type: string;
-  /** JSON Pointers (RFC 6901) into the request, each with what is wrong there. */
+  /** JSON Pointers (RFC 6901) into the request, or names of parameters, each with what is wrong there. */
   readonly errors: readonly FieldError[];
   /** True if there are more errors than `errors` holds. */
   readonly errorsOmitted: boolean;
@@ -38,12 +39,13 @@ export class ProblemError extends PlateauError {
     readonly requestId: string | null = null,
   ) {
     const { title, detail, type = 'about:blank', errors = [], errors_omitted = false } = problem;
-    const lines = errors.map((error) => `\n  ${error.pointer || '(the whole request)'}: ${error.detail}`);
+    const places = errors.map(({ pointer, parameter, detail: reason }) => ({ pointer: pointer ?? parameter ?? '', detail: reason }));
+    const lines = places.map((error) => `\n  ${error.pointer || '(the whole request)'}: ${error.detail}`);
     super(`${title}${detail && `: ${detail}`}${lines.join('')}${errors_omitted ? '\n  … and more' : ''}`);
     this.title = title;
     this.detail = detail;
     this.type = type;
-    this.errors = errors;
+    this.errors = places;
     this.errorsOmitted = errors_omitted;
   }
 }

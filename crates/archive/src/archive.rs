@@ -127,8 +127,8 @@ pub struct Contents {
     pub input_vertices: Vec<Vec<u32>>,
     /// Statistics of the job as JSON text, which this module does not interpret.
     pub statistics: String,
-    /// True if the mesh consists of developable strips that can be unrolled. The line set [`BRIDGES`] then has
-    /// the strips' bridges from first to last, and the mesh has their triangles in the same order.
+    /// True if the mesh consists of strips that can be unrolled. The line set [`BRIDGES`] then has the strips' bridges
+    /// from first to last, and the mesh has their triangles in the same order, followed by those of caps.
     pub unrolls: bool,
     /// The proof of a lower bound of the area as JSON text, which this module does not interpret.
     pub proof: Option<String>,
@@ -331,18 +331,37 @@ fn check_attributes(attributes: &[Attribute], items: usize) -> Result<(), &'stat
 /// unrolling relies.
 fn unrolls(contents: &Contents) -> bool {
     let Some(bridges) = bridges_of(contents) else { return false };
-    let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
-    let triangles = strips_of(bridges).map(|strip| strip.len() - 1).sum::<usize>();
-    triangles == contents.mesh.triangles.len()
+    let closed = is_closed(contents);
+    let step = |one: [u32; 2], next: [u32; 2]| one != next && (one[0] == next[0] || one[1] == next[1]);
+    let steps = |strip: &[[u32; 2]]| {
+        let closes = strip.first().zip(strip.last()).is_some_and(|(&first, &last)| step(last, first));
+        strip.windows(2).all(|pair| step(pair[0], pair[1])) && (!closed || closes)
+    };
+    let triangles = strips_of(bridges).map(|strip| strip.len() - usize::from(!closed)).sum::<usize>();
+    let has_all = |count: usize| if closed { triangles <= count } else { triangles == count };
+    has_all(contents.mesh.triangles.len())
         && strips_of(bridges).all(|strip| strip.len() > 1 && steps(strip))
         && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
 }
 
-/// Name of the line set whose bridges describe how an open ruled surface unrolls.
+/// Name of the line set whose bridges describe how a ruled surface unrolls.
 pub const BRIDGES: &str = "bridges";
+/// Name of the line set of the rails of a ruled surface.
+pub const DIRECTRICES: &str = "directrices";
+
+/// Returns true if the rails of a ruled surface are closed. Rails of one point are not among the lines, and a strip has
+/// at most one of them.
+#[must_use]
+pub fn is_closed(contents: &Contents) -> bool {
+    contents.line_sets.iter().any(|set| match &set.lines {
+        Lines::Polylines(rails) => set.name == DIRECTRICES && rails.first().is_some_and(|rail| rail.closed),
+        Lines::Segments(_) | Lines::Arrows(_) => false,
+    })
+}
 
 /// Returns the bridges of a ruled surface.
-pub(crate) fn bridges_of(contents: &Contents) -> Option<&[[u32; 2]]> {
+#[must_use]
+pub fn bridges_of(contents: &Contents) -> Option<&[[u32; 2]]> {
     contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
         Lines::Segments(pairs) => Some(pairs.as_slice()),
         Lines::Polylines(_) | Lines::Arrows(_) => None,

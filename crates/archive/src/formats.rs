@@ -6,13 +6,11 @@
 //! | [`obj`], [`ply`] | the client's | f64, every digit |
 //! | [`json`] | the client's | f64, every digit |
 //! | [`stl`] | the client's | f32, around the mesh's middle if it is far from zero |
-//! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
 //! `picture` draws a mesh as a small PNG, if the feature `pictures` is on.
 
 mod choices;
 pub mod colors;
-pub mod dxf;
 mod error;
 pub mod gltf;
 pub mod json;
@@ -22,7 +20,6 @@ pub mod picture;
 pub mod ply;
 mod sheets;
 pub mod stl;
-pub mod svg;
 
 pub use choices::{Choices, Origin};
 pub use colors::{Colors, Quantity};
@@ -108,48 +105,5 @@ impl MeshFormat {
             Self::Stl => stl::to_stl(archive, choices),
             Self::Json => json::to_json(archive, choices),
         }
-    }
-}
-
-/// Format in which a flat pattern can be downloaded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum PatternFormat {
-    Svg,
-    Dxf,
-}
-
-impl PatternFormat {
-    pub const ALL: [Self; 2] = [Self::Svg, Self::Dxf];
-
-    /// Returns the short name, which is also the file's extension.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Dxf => "dxf",
-        }
-    }
-
-    #[must_use]
-    pub fn media_type(self) -> &'static str {
-        match self {
-            Self::Svg => "image/svg+xml",
-            Self::Dxf => "image/vnd.dxf",
-        }
-    }
-
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
-    }
-
-    /// Writes the flat pattern in this format. Returns `None` if the archive has none; only open ruled strips have one.
-    #[must_use]
-    pub fn encode(self, archive: &Archive) -> Option<Vec<u8>> {
-        let pattern = archive.contents().flat_pattern()?;
-        Some(match self {
-            Self::Svg => svg::to_svg(&pattern, archive.contents()),
-            Self::Dxf => dxf::to_dxf(&pattern, archive.contents()),
-        })
     }
 }

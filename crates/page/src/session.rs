@@ -2,7 +2,8 @@
 //! drags points.
 
 use plateau_archive::Archive;
-use plateau_archive::formats::{MeshFormat, PatternFormat};
+use plateau_archive::formats::MeshFormat;
+use plateau_drawing::PatternOptions;
 use plateau_engine::json;
 use plateau_engine::limits::Limits;
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
@@ -196,14 +197,17 @@ impl Session {
     }
 
     /// Makes a file of the last result: its mesh in a format of [`MeshFormat`], or its flat pattern in one of
-    /// [`PatternFormat`]. Returns `None` if there is no result or only a preview of one, or if the format is unknown or
+    /// [`plateau_drawing::Format`]. Returns `None` if there is no result or only a preview of one, or if the format is unknown or
     /// cannot have this result.
     #[must_use]
     pub fn file(&self, format: &str) -> Option<Vec<u8>> {
         let archive = self.archive().filter(|_| self.moved.is_none())?;
         match MeshFormat::from_name(format) {
             Some(mesh) => mesh.encode(archive).ok(),
-            None => PatternFormat::from_name(format)?.encode(archive),
+            None => {
+                let options = PatternOptions::read(&[("format".to_owned(), format.to_owned())]).ok()?;
+                plateau_drawing::pattern(archive.contents(), &options).ok()
+            }
         }
     }
 }

@@ -37,7 +37,7 @@
 //! let surface = solve(&[rail(6, 0.0), rail(11, 3.0)], &options, &Execution::default())?;
 //! assert_eq!(surface.mesh.triangles.len(), 15);
 //! assert!((surface.statistics.area - 30.0).abs() < 1e-12);
-//! let pattern = surface.flat_pattern.expect("an open strip unrolls");
+//! let pattern = surface.flat_pattern;
 //! assert!((pattern.width - 10.0).abs() < 1e-12 && !pattern.self_overlap);
 //! # Ok::<(), plateau_mesh::Error>(())
 //! ```

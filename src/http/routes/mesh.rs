@@ -1,4 +1,4 @@
-//! `/v1/jobs/{id}/mesh`, `/pattern` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
+//! `/v1/jobs/{id}/mesh` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
 
 use crate::http::access::Caller;
 use crate::http::entry::{BYTES, id_parameter, query_parameter, reference, representation};
@@ -13,7 +13,7 @@ use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use plateau_archive::Archive;
-use plateau_archive::formats::{Choices, Colors, MeshFormat, Origin, PatternFormat, Quantity};
+use plateau_archive::formats::{Choices, Colors, MeshFormat, Origin, Quantity};
 use serde_json::{Value, json};
 use std::ops::Range;
 
@@ -159,7 +159,7 @@ pub fn mesh_entry() -> Value {
 }
 
 /// Problems that any file made from a job's mesh may have.
-const FILE_PROBLEMS: [(&str, &str); 6] = [
+pub const FILE_PROBLEMS: [(&str, &str); 6] = [
     ("400", "BadRequest"),
     ("404", "NotFound"),
     ("406", "NotAcceptable"),
@@ -167,33 +167,6 @@ const FILE_PROBLEMS: [(&str, &str); 6] = [
     ("410", "Gone"),
     ("503", "Unavailable"),
 ];
-
-pub async fn pattern(
-    State(app): State<App>,
-    caller: Caller,
-    Path(id): Path<String>,
-    RawQuery(query): RawQuery,
-    headers: HeaderMap,
-) -> Result<Response, Failure> {
-    let id = &checked(&id)?;
-    let [format] = parameters(query.as_deref(), ["format"])?;
-    let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
-    let (chosen, media_type) = choose(format, &headers, &formats)?;
-    let format = PatternFormat::ALL[chosen];
-    let file = app
-        .jobs
-        .convert(id, caller.owner(), format.name(), move |archive| format.encode(archive).ok_or(JobsError::NoPattern))
-        .await?;
-    Ok(answer(&headers, &file, media_type, &format!("{id}.{}", format.name())))
-}
-
-pub fn pattern_entry() -> Value {
-    let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
-    let (format, responses) = representation(&formats, "svg", "The flat pattern, true to scale", &FILE_PROBLEMS);
-    json!({ "operationId": "getPattern", "tags": ["jobs"],
-        "summary": "The flat pattern of an open ruled surface as SVG or DXF",
-        "parameters": [id_parameter("job"), format], "responses": responses })
-}
 
 /// The formats of a certificate, with their media types.
 const CERTIFICATE_FORMATS: [(&str, &str); 1] = [("json", "application/json")];

@@ -203,7 +203,10 @@ def problem(response: httpx.Response) -> errors.ProblemError:
         detail,
         status=status,
         type=found.get("type", "about:blank"),
-        errors=[errors.FieldError(item["pointer"], item["detail"]) for item in found.get("errors", [])],
+        errors=[
+            errors.FieldError(item.get("pointer") or item.get("parameter", ""), item["detail"])
+            for item in found.get("errors", [])
+        ],
         errors_omitted=found.get("errors_omitted", False),
         request_id=response.headers.get("x-request-id"),
     )

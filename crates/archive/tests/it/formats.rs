@@ -2,7 +2,7 @@
 
 use crate::sample;
 use crate::skips::skipped;
-use plateau_archive::formats::{Choices, Colors, Error, MeshFormat, Origin, PatternFormat, Quantity, dxf, svg};
+use plateau_archive::formats::{Choices, Colors, Error, MeshFormat, Origin, Quantity};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, Contents, Lines};
 use plateau_mesh::DVec3;
@@ -701,88 +701,6 @@ fn stl_holds_each_triangle_with_its_normal() {
 }
 
 #[test]
-fn svg_is_true_to_scale_in_millimetres() {
-    let text = String::from_utf8(svg::to_svg(&sample::pattern(), sample::full().contents())).unwrap();
-    // The sheet has 200 x 100 cm above 150 x 100 cm with 10 cm between them. The margins are 2% of the larger side (2.1
-    // m), which is 4.2 cm.
-    assert!(text.contains(r#"width="2084.0mm" height="2184.0mm" viewBox="0 0 2084.0 2184.0""#), "{text}");
-    assert!(text.contains(r#"d="M42.0,1042.0L2042.0,1042.0L2042.0,42.0L42.0,42.0Z""#), "{text}");
-    assert!(
-        text.contains(r#"<line class="mountain" x1="542.0" y1="1042.0" x2="542.0" y2="42.0"><title>12.50°</title>"#),
-        "{text}"
-    );
-    assert!(
-        text.contains(r#"<line class="valley" x1="1042.0""#) && text.contains(r#"<line class="flat" x1="792.0""#),
-        "{text}"
-    );
-    assert!(text.contains("<title>roof &lt;of&gt; &quot;four&quot; &amp; more — é x</title>"), "{text}");
-}
-
-/// Returns the DXF file as pairs of group code and value.
-fn dxf_pairs() -> Vec<(u16, String)> {
-    let text = String::from_utf8(dxf::to_dxf(&sample::pattern(), sample::full().contents())).unwrap();
-    let lines: Vec<&str> = text.lines().collect();
-    lines.chunks(2).map(|pair| (pair[0].trim().parse().unwrap(), pair[1].to_owned())).collect()
-}
-
-#[test]
-fn dxf_is_true_to_scale_in_the_clients_unit_with_a_layer_for_each_tool() {
-    let pairs = dxf_pairs();
-    let at = |code: u16, value: &str| pairs.iter().position(|(c, v)| *c == code && v == value).unwrap();
-    assert_eq!(pairs[at(9, "$INSUNITS") + 1], (70, "5".into()));
-    let entities = &pairs[at(2, "ENTITIES")..at(2, "OBJECTS") - 1];
-    let starts: Vec<usize> = (0..entities.len()).filter(|&i| entities[i].0 == 0).collect();
-    let described: Vec<(String, String, Vec<f64>)> = starts
-        .windows(2)
-        .map(|range| {
-            let fields = &entities[range[0]..range[1]];
-            let layer = fields.iter().find(|(code, _)| *code == 8).map(|(_, layer)| layer.clone()).unwrap_or_default();
-            let numbers =
-                fields.iter().filter(|(c, _)| matches!(c, 10..=11 | 20..=21)).map(|(_, v)| v.parse().unwrap());
-            (fields[0].1.clone(), layer, numbers.collect())
-        })
-        .collect();
-    let expected: [(&str, &str, &[f64]); 7] = [
-        ("LWPOLYLINE", "CUT", &[0.0, 110.0, 200.0, 110.0, 200.0, 210.0, 0.0, 210.0]),
-        ("LINE", "FOLD_MOUNTAIN", &[50.0, 110.0, 50.0, 210.0]),
-        ("LINE", "FOLD_VALLEY", &[100.0, 110.0, 100.0, 210.0]),
-        ("TEXT", "LABEL", &[100.0, 160.0, 100.0, 160.0]),
-        ("LWPOLYLINE", "CUT", &[0.0, 0.0, 150.0, 0.0, 150.0, 100.0, 0.0, 100.0]),
-        ("LINE", "FOLD_FLAT", &[75.0, 0.0, 75.0, 100.0]),
-        ("TEXT", "LABEL", &[75.0, 50.0, 75.0, 50.0]),
-    ];
-    for (found, expected) in described.iter().zip(&expected) {
-        assert_eq!((found.0.as_str(), found.1.as_str(), found.2.as_slice()), *expected);
-    }
-    assert_eq!(described.len(), expected.len());
-}
-
-/// A reader refuses a file if two objects have the same handle, or if the seed would lead to that.
-#[test]
-fn dxf_handles_are_unique_and_below_the_seed() {
-    let pairs = dxf_pairs();
-    let seed_at = pairs.iter().position(|(_, value)| value == "$HANDSEED").unwrap();
-    let hex = |text: &str| u32::from_str_radix(text, 16).unwrap();
-    let seed = hex(&pairs[seed_at + 1].1);
-    let mut handles: Vec<u32> =
-        pairs.iter().skip(seed_at + 2).filter(|(code, _)| matches!(code, 5 | 105)).map(|(_, v)| hex(v)).collect();
-    assert!(handles.iter().all(|&handle| handle < seed));
-    let count = handles.len();
-    handles.sort_unstable();
-    handles.dedup();
-    assert_eq!(handles.len(), count);
-    assert!(pairs.iter().any(|(code, text)| *code == 1 && text == "strip 2 \\U+00E9"));
-}
-
-#[test]
-fn only_archives_with_a_pattern_have_pattern_files() {
-    let archive = archive(sample::roof(1.0, DVec3::ZERO));
-    assert!(PatternFormat::ALL.iter().all(|format| format.encode(&archive).is_none()));
-    let strip = Archive::new(sample::strip()).unwrap();
-    assert!(PatternFormat::ALL.iter().all(|format| format.encode(&strip).is_some()));
-}
-
-#[test]
 fn the_khronos_validator_finds_neither_errors_nor_warnings() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("gltf");
     std::fs::create_dir_all(&folder).unwrap();
@@ -815,8 +733,5 @@ fn every_format_can_be_looked_up_by_its_name() {
     for format in MeshFormat::ALL {
         assert_eq!(MeshFormat::from_name(format.name()), Some(format));
     }
-    for format in PatternFormat::ALL {
-        assert_eq!(PatternFormat::from_name(format.name()), Some(format));
-    }
-    assert_eq!((MeshFormat::from_name("GLB"), PatternFormat::from_name("pdf")), (None, None));
+    assert_eq!(MeshFormat::from_name("GLB"), None);
 }

@@ -1,8 +1,8 @@
 //! Sample archives for the export tests, with every kind of content, at any position and size.
 
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_archive::{Archive, Attribute, Contents, Fold, LineSet, Lines, Pattern, Piece, Polyline};
-use plateau_mesh::{DVec2, DVec3, Mesh};
+use plateau_archive::{Archive, Attribute, Contents, LineSet, Lines, Polyline};
+use plateau_mesh::{DVec3, Mesh};
 
 /// Returns a roof of four triangles over a unit square, with its apex off the centre, scaled and moved.
 pub fn roof(scale: f64, offset: DVec3) -> Contents {
@@ -74,22 +74,4 @@ pub fn awkward() -> Archive {
     contents.mesh.vertices[0] = DVec3::new(f64::MIN_POSITIVE / 8.0, -0.0, 0.1 + 0.2);
     contents.mesh.vertices[1] = DVec3::new(1e300, -1e-300, 123_456_789.012_345_67);
     Archive::new(contents).expect("the sample is sound")
-}
-
-/// Returns a flat pattern of two rectangles with every kind of fold, in the unit of [`full`].
-#[allow(dead_code, reason = "not every test that takes samples draws a pattern")]
-pub fn pattern() -> Pattern {
-    let fold = |x: f64, angle_deg: f64| Fold { ends: [DVec2::new(x, 0.0), DVec2::new(x, 100.0)], angle_deg };
-    let rectangle =
-        |width: f64| [[0.0, 0.0], [width, 0.0], [width, 100.0], [0.0, 100.0]].map(DVec2::from_array).to_vec();
-    Pattern {
-        pieces: vec![
-            Piece {
-                name: "strip 1".into(),
-                outline: rectangle(200.0),
-                folds: vec![fold(50.0, 12.5), fold(100.0, -3.0)],
-            },
-            Piece { name: "strip 2 é".into(), outline: rectangle(150.0), folds: vec![fold(75.0, 0.0)] },
-        ],
-    }
 }

@@ -2,10 +2,16 @@
 
 use plateau_mesh::DVec2;
 
-/// A strip in the plane. Its lower left corner is at the origin, and its middle line runs roughly along x.
+/// A strip in the plane, or a part of one. Its lower left corner is at the origin, and its middle line runs roughly
+/// along x.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FlatStrip {
+    /// Number of its strip in the stack.
+    pub strip: usize,
+    /// For each of `bridges` its number, counted from 0 over all strips. A closed strip that is cut at one bridge
+    /// starts and ends with this bridge.
+    pub numbers: Vec<u32>,
     /// The points of the first directrix, in order.
     pub p: Vec<DVec2>,
     /// The points of the second directrix, in order.

@@ -5,7 +5,6 @@ use super::prepare::{Directrix, Prepared};
 use super::surface::RuledSurface;
 use crate::graph::rails::Rails;
 use crate::pattern::FlatPattern;
-use crate::pattern::unroll::unroll;
 use crate::strip::statistics::Statistics;
 use plateau_mesh::Mesh;
 use plateau_mesh::error::Error;
@@ -26,7 +25,6 @@ pub(crate) fn assemble(
     }
     let mut triangles = Vec::with_capacity(2 * vertices.len());
     let mut bridges = Vec::with_capacity(2 * vertices.len());
-    let mut flat = Vec::new();
     for (k, (strip, path)) in strips.iter().zip(paths).enumerate() {
         let local = strip.triangles_along(path);
         let (p, q) = (&prepared.directrices[k], &prepared.directrices[k + 1]);
@@ -34,12 +32,10 @@ pub(crate) fn assemble(
         let vertex = |v: u32| if v < m { p.vertex(v as usize) } else { q.vertex((v - m) as usize) };
         triangles.extend(local.iter().map(|t| t.map(vertex)));
         bridges.extend(path.iter().map(|&[i, j]| [p.vertex(i as usize), q.vertex(j as usize)]));
-        if !strip.closed {
-            flat.push(unroll(strip, path, &local, execution)?);
-        }
     }
     let vertices_of = |directrix: &Directrix| (0..directrix.points.len()).map(|k| directrix.vertex(k)).collect();
     let input = |d: &Directrix| d.vertex_of.iter().map(|&v| (d.offset + v) as u32).collect();
+    let flat_pattern = FlatPattern::of_bridges(&vertices, &bridges, options.closed, &[], execution)?;
     Ok(RuledSurface {
         mesh: Mesh::new(vertices, triangles),
         bridges,
@@ -50,7 +46,7 @@ pub(crate) fn assemble(
         statistics: Statistics::default(),
         strips: Vec::new(),
         comparison: None,
-        flat_pattern: (!options.closed).then(|| FlatPattern::of(flat)),
+        flat_pattern,
         warnings: Vec::new(),
     })
 }

@@ -33,8 +33,8 @@ pub struct RuledSurface {
     /// Table 1: the figures of the optimum of each objective, if
     /// [`Options::all_objectives`](crate::Options::all_objectives) is set.
     pub comparison: Option<Vec<Comparison>>,
-    /// The flat pattern of an open surface; `None` for a closed one.
-    pub flat_pattern: Option<FlatPattern>,
+    /// The flat pattern. Closed strips are cut at their bridge of least fold.
+    pub flat_pattern: FlatPattern,
     /// Facts about the input or the result that the caller should know.
     pub warnings: Vec<Warning>,
 }

@@ -272,7 +272,7 @@ fn spiral_ramp(turns: f64) -> [Vec<DVec3>; 2] {
 #[test]
 fn unrolling_keeps_lengths_and_sees_overlaps() {
     for (turns, overlaps) in [(0.9, false), (1.5, true)] {
-        let pattern = solved(&spiral_ramp(turns), &Options::default()).flat_pattern.expect("an open strip has one");
+        let pattern = solved(&spiral_ramp(turns), &Options::default()).flat_pattern;
         assert_eq!(pattern.self_overlap, overlaps, "{turns} turns");
         assert!(pattern.edge_length_error_max < 1e-12);
     }
@@ -283,7 +283,7 @@ fn unrolling_keeps_lengths_and_sees_overlaps() {
         let rails = [case.p, case.q];
         let Ok(surface) = solve(&rails, &Options::default(), &Execution::default()) else { continue };
         seen += 1;
-        let pattern = surface.flat_pattern.expect("an open strip has one");
+        let pattern = surface.flat_pattern;
         let strip = &pattern.strips[0];
         let flat = |v: u32| {
             let v = v as usize;
@@ -318,15 +318,95 @@ fn bridges_alone_give_the_same_flat_pattern() {
         let direction = if k % 2 == 0 { Direction::Auto } else { Direction::AsGiven };
         let options = Options { direction, ..Options::default() };
         let Ok(surface) = solve(&stack, &options, &Execution::default()) else { continue };
-        let again = FlatPattern::of_bridges(&surface.mesh.vertices, &surface.bridges, &Execution::default());
-        assert_eq!(again.as_ref(), Ok(surface.flat_pattern.as_ref().unwrap()));
+        let again = of_bridges(&surface.mesh.vertices, &surface.bridges, false, &[]);
+        assert_eq!(again.as_ref(), Ok(&surface.flat_pattern));
         seen += 1;
     }
     assert!(seen > 60, "{seen}");
     let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.5)];
     for bridges in [[[0, 2], [0, 2]], [[0, 2], [1, 4]], [[0, 2], [1, 3]]] {
-        assert!(matches!(FlatPattern::of_bridges(&points, &bridges, &Execution::default()), Err(Error::Input(_))));
+        assert!(matches!(of_bridges(&points, &bridges, false, &[]), Err(Error::Input(_))));
     }
+}
+
+fn of_bridges(points: &[DVec3], bridges: &[[u32; 2]], closed: bool, cuts: &[u32]) -> Result<FlatPattern, Error> {
+    FlatPattern::of_bridges(points, bridges, closed, cuts, &Execution::default())
+}
+
+/// The frustum from radius 1 to 3 and height 4 unrolls to a sector with the angle 2π sin β, between the slants 1/sin β
+/// and 3/sin β, where tan β = ½. A pyramid of n sides has the sector of its own edges: n times the apex angle of a side.
+#[test]
+fn a_closed_frustum_unrolls_to_the_sector_of_its_cone() {
+    let sine = 1.0 / 5f64.sqrt();
+    let mut errors = Vec::new();
+    for count in [48, 96, 192] {
+        let ring = |radius: f64, z: f64| -> Vec<DVec3> {
+            let angle = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
+            (0..count).map(|k| DVec3::new(radius * angle(k).cos(), radius * angle(k).sin(), z)).collect()
+        };
+        let rings = [ring(1.0, 4.0), ring(3.0, 0.0)];
+        let options = Options { closed: true, ..Options::default() };
+        let surface = solved(&rings, &options);
+        let pattern = &surface.flat_pattern;
+        let [piece] = pattern.strips.as_slice() else { panic!("one piece") };
+        assert!(!pattern.self_overlap && pattern.edge_length_error_max < 1e-12);
+        assert_eq!(piece.numbers.len(), surface.bridges.len() + 1);
+        assert_eq!((piece.p.len(), piece.q.len(), piece.strip), (count + 1, count + 1, 0));
+        // The two ends are the same bridge, and their lines meet in the centre of the sector.
+        assert_eq!(piece.numbers.first(), piece.numbers.last());
+        let [start, end] = [0, count].map(|k| (piece.p[k], piece.q[k]));
+        assert!((start.0.distance(start.1) - end.0.distance(end.1)).abs() < 1e-12);
+        let straight = |k: usize| piece.q[k].distance(piece.q[k + 1]);
+        let (edge, slant) = (straight(0), rings[1][0].distance(DVec3::new(0.0, 0.0, 6.0)));
+        assert!((slant - 3.0 / sine).abs() < 1e-12);
+        // A second route: the angle of a regular pyramid from its own edge and slant.
+        let pyramid = 2.0 * count as f64 * (0.5 * edge / slant).asin();
+        // The ends of the sector: the path may open within a side, at its diagonal, which spans less than a side.
+        let spanned: f64 = piece.q.windows(2).map(|pair| 2.0 * (0.5 * pair[0].distance(pair[1]) / slant).asin()).sum();
+        assert!((spanned - pyramid).abs() < 1e-12, "{spanned} {pyramid}");
+        errors.push((pyramid - 2.809926).abs());
+        let area = 0.5 * count as f64 * (pyramid / count as f64).sin() * (9.0 - 1.0) / (sine * sine);
+        let flat = piece.triangles.iter().map(|t| {
+            let [a, b, c] = t.map(|v| {
+                let v = v as usize;
+                if v < piece.p.len() { piece.p[v] } else { piece.q[v - piece.p.len()] }
+            });
+            0.5 * (b - a).perp_dot(c - a)
+        });
+        assert!((flat.sum::<f64>() - area).abs() < 1e-11 * area);
+    }
+    // The angle of the pyramid tends to the angle of the cone with the square of the number of sides.
+    assert!((errors[0] / errors[2] - 16.0).abs() < 0.2 && errors[2] < 1e-3, "{errors:?}");
+}
+
+#[test]
+fn closed_strips_open_at_the_least_fold_or_where_they_are_told_and_further_cuts_divide_them() {
+    let square = |z: f64| [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, z)).to_vec();
+    let surface = solved(&[square(0.0), square(1.0)], &Options { closed: true, ..Options::default() });
+    let normal = |k: usize| {
+        let [a, b, c] = surface.mesh.triangles[k % 8].map(|v| surface.mesh.vertices[v as usize]);
+        (b - a).cross(c - a).normalize()
+    };
+    let flat: Vec<u32> = (0..8).filter(|&k| normal(k + 7).dot(normal(k)) > 0.9).map(|k| k as u32).collect();
+    assert_eq!(flat.len(), 4, "the four diagonals");
+    assert_eq!(surface.flat_pattern.strips[0].numbers[0], flat[0]);
+    let cut = |cuts: &[u32]| of_bridges(&surface.mesh.vertices, &surface.bridges, true, cuts);
+    for bridge in 0..8 {
+        let pattern = cut(&[bridge]).unwrap();
+        let expected: Vec<u32> = (0..=8).map(|k| (bridge + k) % 8).collect();
+        assert_eq!(pattern.strips[0].numbers, expected);
+        assert!(pattern.strips[0].triangles.len() == 8 && pattern.edge_length_error_max < 1e-12);
+    }
+    let pieces = cut(&[6, 1]).unwrap().strips;
+    let numbers: Vec<&[u32]> = pieces.iter().map(|piece| piece.numbers.as_slice()).collect();
+    assert_eq!(numbers, [[1, 2, 3, 4, 5, 6].as_slice(), &[6, 7, 0, 1]]);
+    for cuts in [[8, 1], [2, 2]] {
+        assert!(matches!(cut(&cuts), Err(Error::Input(_))), "{cuts:?}");
+    }
+    let open = solved(&[square(0.0), square(1.0)], &Options::default());
+    let cut = |cuts: &[u32]| of_bridges(&open.mesh.vertices, &open.bridges, false, cuts);
+    assert!(cut(&[0]).is_err() && cut(&[6]).is_err());
+    assert_eq!(cut(&[3]).unwrap().strips.iter().map(|piece| piece.numbers.len()).collect::<Vec<_>>(), [4, 4]);
 }
 
 #[test]

@@ -47,6 +47,8 @@ pub struct CableResult {
     /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial
     /// stiffness, or if a strut's force exceeds it.
     pub unstressed_length: Option<f64>,
+    /// Axial stiffness of the request, a force; null without one.
+    pub axial_stiffness: Option<f64>,
     pub edge_lengths: ValueRange,
     pub force_densities: ValueRange,
     /// Largest |force / target - 1|; null without a target.
@@ -158,6 +160,7 @@ impl CableResult {
                 let stretch = |k: usize| 1.0 + found.forces[k] / stiffness;
                 edges().all(|k| stretch(k) > 0.0).then(|| edges().map(|k| found.lengths[k] / stretch(k)).sum())
             }),
+            axial_stiffness: group.axial_stiffness,
             edge_lengths: ValueRange::of(edges().map(|k| found.lengths[k])),
             force_densities: ValueRange::of(edges().map(|k| found.densities[k])),
             force_deviation: deviation(&found.forces, |edge| edge.force),

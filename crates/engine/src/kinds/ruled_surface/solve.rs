@@ -7,8 +7,7 @@ use crate::solved::{
     self, CoordinateSystem, UnauditedResult, archive, generator, line_set, origin, polylines, to_json, warnings,
 };
 use plateau_archive::Lines;
-use plateau_archive::archive::BRIDGES;
-use plateau_archive::archive::Contents;
+use plateau_archive::archive::{BRIDGES, Contents, DIRECTRICES};
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
@@ -31,7 +30,6 @@ impl solved::SolverInput for SolverInput {
         let (mesh, warned) = (&surface.mesh, &mut surface.warnings);
         let crossings = Crossings::count(mesh, Order::AsGiven, MOST_SEARCHED_TRIANGLES, warned, exec)?;
         let statistics = to_json(&RuledStatistics::of(&surface, options, crossings, origin(&surface.mesh)))?;
-        let unrolls = surface.flat_pattern.is_some();
         let archive = archive(Contents {
             generator: generator(),
             title: "ruled surface".into(),
@@ -39,12 +37,12 @@ impl solved::SolverInput for SolverInput {
             up: coordinates.up,
             mesh: surface.mesh,
             line_sets: vec![
-                line_set("directrices", polylines(&surface.directrices, options.closed)),
+                line_set(DIRECTRICES, polylines(&surface.directrices, options.closed)),
                 line_set(BRIDGES, Lines::Segments(surface.bridges)),
             ],
             input_vertices: surface.input_vertices,
             statistics: statistics.clone(),
-            unrolls,
+            unrolls: true,
             ..Contents::default()
         })?;
         Ok(UnauditedResult {

@@ -44,6 +44,9 @@ pub struct FlatPatternStatistics {
     pub self_overlap: bool,
     pub width: f64,
     pub height: f64,
+    /// For each strip of a closed surface the number of the bridge at which its pattern is cut: the bridge of least
+    /// fold, the first among equals. Bridges count from 0 over all strips. Null for open strips, which need no cut.
+    pub cut_at: Option<Vec<u32>>,
 }
 
 /// Statistics of a ruled surface.
@@ -61,8 +64,7 @@ pub struct RuledStatistics {
     pub total: StripStatistics,
     /// Statistics of each strip, in order. Caps belong to none.
     pub strips: Vec<StripStatistics>,
-    /// Null for closed strips, which cannot be unrolled.
-    pub flat_pattern: Option<FlatPatternStatistics>,
+    pub flat_pattern: FlatPatternStatistics,
     /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
     /// mesh. Null if not all pairs were looked at.
     pub self_intersections: Option<u64>,
@@ -108,6 +110,19 @@ impl From<&geometry::Statistics> for StripStatistics {
     }
 }
 
+impl FlatPatternStatistics {
+    fn of(pattern: &geometry::FlatPattern, closed: bool) -> Self {
+        let cut = |strip: &geometry::FlatStrip| strip.numbers[0];
+        Self {
+            edge_length_error_max: pattern.edge_length_error_max,
+            self_overlap: pattern.self_overlap,
+            width: pattern.width,
+            height: pattern.height,
+            cut_at: closed.then(|| pattern.strips.iter().map(cut).collect()),
+        }
+    }
+}
+
 impl RuledStatistics {
     #[must_use]
     pub(crate) fn of(
@@ -122,12 +137,7 @@ impl RuledStatistics {
             vertices: surface.mesh.vertices.len(),
             total: (&surface.statistics).into(),
             strips: surface.strips.iter().map(Into::into).collect(),
-            flat_pattern: surface.flat_pattern.as_ref().map(|pattern| FlatPatternStatistics {
-                edge_length_error_max: pattern.edge_length_error_max,
-                self_overlap: pattern.self_overlap,
-                width: pattern.width,
-                height: pattern.height,
-            }),
+            flat_pattern: FlatPatternStatistics::of(&surface.flat_pattern, options.closed),
             self_intersections: crossings.pairs,
             self_intersections_skipped: crossings.skipped,
             reversed: surface.reversed.clone(),

@@ -23,6 +23,8 @@ pub struct CableForce {
     pub length: f64,
     /// Length / (1 + force / axial stiffness); null without an axial stiffness.
     pub unstressed_length: Option<f64>,
+    /// Axial stiffness of the request, a force; null without one.
+    pub axial_stiffness: Option<f64>,
     /// Largest distance from the chord between the ends.
     pub sag: f64,
     /// Whether it carries no force.
@@ -258,6 +260,7 @@ fn cable_force((cable, found): (&geometry::Cable, &geometry::CableResult)) -> Ca
         force_max: found.force_range.1,
         length: found.length,
         unstressed_length: found.unstressed_length,
+        axial_stiffness: cable.axial_stiffness,
         sag: found.sag,
         slack: found.slack,
     }

@@ -4,7 +4,7 @@
 //!
 //! Every date is 1980-01-01, the first date of the format, so that the same entries give the same bytes.
 
-use plateau_archive::formats::Error;
+use crate::formats::Error;
 
 const VERSION: u16 = 20;
 /// Flag for names in UTF-8.

@@ -1,28 +1,23 @@
-//! The flat pattern as DXF (AC1015, AutoCAD 2000), true to scale in the client's unit. `$INSUNITS` names the unit.
+//! Drawings as DXF (AC1015, AutoCAD 2000), true to scale in millimetres, which `$INSUNITS` names.
 //!
-//! The layers `CUT`, `FOLD_MOUNTAIN`, `FOLD_VALLEY`, `FOLD_FLAT` and `LABEL` allow a cutting program to use a different
-//! tool for each. AC1015 is used instead of the shorter R12 because R12 cannot name its unit. This module writes the
-//! format itself, because a crate for DXF would add an image library. A pattern needs only one closed `LWPOLYLINE` per
-//! piece, `LINE` and `TEXT`, and the tables that every file must have.
+//! Every layer of a drawing is a layer of the file, so that a cutting program can use a different tool for each. Fold
+//! and bend lines have their angle in degrees as extended data of the application `PLATEAU`. AC1015 is used instead of
+//! the shorter R12 because R12 cannot name its unit. This module writes the format itself, because a crate for DXF
+//! would add an image library. A drawing needs only closed `LWPOLYLINE`, `LINE` and `TEXT`, and the tables that every
+//! file must have.
 
+use crate::drawing::Drawing;
+use crate::figure::Shape;
+use crate::label::Spot;
+use crate::options::{Layer, LayerNames};
+use plateau_mesh::{DVec2, DVec3};
 use std::fmt::{Display, Write as _};
 
-use plateau_mesh::DVec2;
+/// A layer of a file: its name, colour number and line type.
+type FileLayer = (String, u8, &'static str);
 
-use super::obj::one_line;
-use super::svg::{label_height, middle};
-use crate::archive::Contents;
-use crate::pattern::{FoldKind, Pattern};
-use crate::units::Unit;
-
-const LAYERS: [(&str, u8, &str); 6] = [
-    ("0", 7, "CONTINUOUS"),
-    ("CUT", 7, "CONTINUOUS"),
-    ("FOLD_MOUNTAIN", 1, "DASHDOT"),
-    ("FOLD_VALLEY", 5, "DASHED"),
-    ("FOLD_FLAT", 8, "DASHED"),
-    ("LABEL", 3, "CONTINUOUS"),
-];
+/// Name of the application whose extended data the lines have.
+const APPLICATION: &str = "PLATEAU";
 
 /// Fixed handles that other parts of the file refer to. All other handles are counted from `FIRST_FREE_HANDLE`.
 const MODEL_SPACE: u32 = 0x1F;
@@ -31,60 +26,95 @@ const ROOT_DICTIONARY: u32 = 0xC;
 const GROUP_DICTIONARY: u32 = 0xD;
 const FIRST_FREE_HANDLE: u32 = 0x30;
 
-/// Writes all pieces on one sheet, as [`Pattern::sheet`] lays them out.
+/// Writes a drawing.
 #[must_use]
-pub fn to_dxf(pattern: &Pattern, contents: &Contents) -> Vec<u8> {
-    let sheet = pattern.sheet();
+pub fn to_dxf(drawing: &Drawing, layers: &LayerNames) -> Vec<u8> {
+    let used: Vec<Layer> = Layer::ALL.into_iter().filter(|layer| is_used(drawing, *layer)).collect();
+    let named: Vec<FileLayer> = used
+        .iter()
+        .map(|&layer| {
+            let (color, line_type) = style(layer);
+            (layers.of(layer).to_owned(), color, line_type)
+        })
+        .collect();
+    file(&named, [DVec3::ZERO, drawing.size.extend(0.0)], 4, &drawing.generator, |out| {
+        for shape in drawing.groups.iter().flat_map(|group| &group.shapes) {
+            match shape {
+                Shape::Polygon { layer, points } => out.polygon(points, layers.of(*layer)),
+                Shape::Line { layer, ends, angle_deg } => {
+                    out.line(ends.map(|end| end.extend(0.0)), layers.of(*layer));
+                    if let Some(angle) = angle_deg {
+                        out.pair(1001, APPLICATION);
+                        out.number(1040, *angle);
+                    }
+                }
+                Shape::Text { layer, text, spot } => out.text(text, spot, layers.of(*layer)),
+            }
+        }
+    })
+}
+
+fn is_used(drawing: &Drawing, layer: Layer) -> bool {
+    drawing.groups.iter().flat_map(|group| &group.shapes).any(|shape| match shape {
+        Shape::Polygon { layer: own, .. } | Shape::Line { layer: own, .. } | Shape::Text { layer: own, .. } => {
+            *own == layer
+        }
+    })
+}
+
+/// Returns the colour number and the line type of a layer.
+fn style(layer: Layer) -> (u8, &'static str) {
+    match layer {
+        Layer::Cut => (7, "CONTINUOUS"),
+        Layer::Sew => (6, "DASHED"),
+        Layer::BendUp | Layer::FoldValley => (5, "DASHED"),
+        Layer::BendDown | Layer::FoldMountain => (1, "DASHDOT"),
+        Layer::FoldFlat => (8, "DASHED"),
+        Layer::BendZone | Layer::Mark | Layer::Sheet | Layer::Register | Layer::Dimension => (8, "CONTINUOUS"),
+        Layer::Notch => (2, "CONTINUOUS"),
+        Layer::Grain | Layer::Text | Layer::ScaleBar => (3, "CONTINUOUS"),
+    }
+}
+
+/// Writes a file with these layers besides `0`. `units` is the value of `$INSUNITS`.
+pub(crate) fn file(
+    layers: &[FileLayer],
+    [low, high]: [DVec3; 2],
+    units: u8,
+    generator: &str,
+    entities: impl FnOnce(&mut Writer),
+) -> Vec<u8> {
     let mut body = Writer { text: String::new(), next_handle: FIRST_FREE_HANDLE };
     body.section("CLASSES", |_| {});
-    body.section("TABLES", |out| out.tables(sheet.size));
+    body.section("TABLES", |out| out.tables(layers, [low, high]));
     body.section("BLOCKS", Writer::blocks);
-    body.section("ENTITIES", |out| {
-        for piece in &sheet.pieces {
-            out.outline(&piece.outline);
-            for fold in &piece.folds {
-                let layer = match fold.kind() {
-                    FoldKind::Mountain => "FOLD_MOUNTAIN",
-                    FoldKind::Valley => "FOLD_VALLEY",
-                    FoldKind::Flat => "FOLD_FLAT",
-                };
-                out.line(fold.ends, layer);
-            }
-            out.label(middle(piece), label_height(sheet.size), &piece.name);
-        }
-    });
+    body.section("ENTITIES", entities);
     body.section("OBJECTS", Writer::objects);
     body.pair(0, "EOF");
 
     // The header contains the next free handle, so it is written after the body.
     let mut file = Writer { text: String::new(), next_handle: body.next_handle };
-    file.pair(999, one_line(&contents.generator));
+    file.pair(999, one_line(generator));
     file.section("HEADER", |out| {
         out.variable("$ACADVER", 1, "AC1015");
         out.variable("$DWGCODEPAGE", 3, "ANSI_1252");
-        out.variable("$INSUNITS", 70, insunits(contents.unit));
-        out.variable("$MEASUREMENT", 70, u8::from(!matches!(contents.unit, Unit::Inch | Unit::Foot)));
+        out.variable("$INSUNITS", 70, units);
+        out.variable("$MEASUREMENT", 70, u8::from(!matches!(units, 1 | 2)));
         out.variable("$HANDSEED", 5, format_args!("{:X}", body.next_handle));
         out.pair(9, "$EXTMIN");
-        out.point(10, DVec2::ZERO);
+        out.point(10, low);
         out.pair(9, "$EXTMAX");
-        out.point(10, sheet.size);
+        out.point(10, high);
     });
     file.text.push_str(&body.text);
     file.text.into_bytes()
 }
 
-fn insunits(unit: Unit) -> u8 {
-    match unit {
-        Unit::Inch => 1,
-        Unit::Foot => 2,
-        Unit::Millimetre => 4,
-        Unit::Centimetre => 5,
-        Unit::Metre => 6,
-    }
+fn one_line(text: &str) -> String {
+    text.replace(|c: char| c.is_control(), " ")
 }
 
-struct Writer {
+pub(crate) struct Writer {
     text: String,
     next_handle: u32,
 }
@@ -99,11 +129,11 @@ impl Writer {
         self.pair(code, format_args!("{value:?}"));
     }
 
-    /// Writes x under `code`, y under `code + 10` and z = 0 under `code + 20`.
-    fn point(&mut self, code: u16, point: DVec2) {
+    /// Writes x under `code`, y under `code + 10` and z under `code + 20`.
+    fn point(&mut self, code: u16, point: DVec3) {
         self.number(code, point.x);
         self.number(code + 10, point.y);
-        self.number(code + 20, 0.0);
+        self.number(code + 20, point.z);
     }
 
     fn variable(&mut self, name: &str, code: u16, value: impl Display) {
@@ -154,12 +184,13 @@ impl Writer {
         self.pair(70, 0);
     }
 
-    fn tables(&mut self, sheet: DVec2) {
+    fn tables(&mut self, layers: &[FileLayer], [low, high]: [DVec3; 2]) {
+        let (sheet, middle) = (high - low, low.midpoint(high));
         self.table("VPORT", 1, |out, table| {
             out.record("VPORT", "AcDbViewportTableRecord", table, "*ACTIVE");
             // The values are the lower left and upper right of the window, and the centre, height and aspect of the
             // view.
-            for (code, x, y) in [(10, 0.0, 0.0), (11, 1.0, 1.0), (12, 0.5 * sheet.x, 0.5 * sheet.y)] {
+            for (code, x, y) in [(10, 0.0, 0.0), (11, 1.0, 1.0), (12, middle.x, middle.y)] {
                 out.number(code, x);
                 out.number(code + 10, y);
             }
@@ -187,8 +218,9 @@ impl Writer {
                 }
             }
         });
-        self.table("LAYER", LAYERS.len(), |out, table| {
-            for (name, color, line_type) in LAYERS {
+        let default = ("0".to_owned(), 7, "CONTINUOUS");
+        self.table("LAYER", layers.len() + 1, |out, table| {
+            for (name, color, line_type) in std::iter::once(&default).chain(layers) {
                 out.record("LAYER", "AcDbLayerTableRecord", table, name);
                 out.pair(62, color);
                 out.pair(6, line_type);
@@ -206,7 +238,11 @@ impl Writer {
         });
         self.table("VIEW", 0, |_, _| {});
         self.table("UCS", 0, |_, _| {});
-        self.table("APPID", 1, |out, table| out.record("APPID", "AcDbRegAppTableRecord", table, "ACAD"));
+        self.table("APPID", 2, |out, table| {
+            for name in ["ACAD", APPLICATION] {
+                out.record("APPID", "AcDbRegAppTableRecord", table, name);
+            }
+        });
         self.table("DIMSTYLE", 1, |out, table| {
             out.record("DIMSTYLE", "AcDbDimStyleTableRecord", table, "STANDARD");
         });
@@ -228,7 +264,7 @@ impl Writer {
             self.entity("BLOCK", record, "0", "AcDbBlockBegin");
             self.pair(2, name);
             self.pair(70, 0);
-            self.point(10, DVec2::ZERO);
+            self.point(10, DVec3::ZERO);
             self.pair(3, name);
             self.pair(1, "");
             self.entity("ENDBLK", record, "0", "AcDbBlockEnd");
@@ -245,8 +281,8 @@ impl Writer {
         self.pair(100, class);
     }
 
-    fn outline(&mut self, points: &[DVec2]) {
-        self.entity("LWPOLYLINE", MODEL_SPACE, "CUT", "AcDbPolyline");
+    fn polygon(&mut self, points: &[DVec2], layer: &str) {
+        self.entity("LWPOLYLINE", MODEL_SPACE, layer, "AcDbPolyline");
         self.pair(90, points.len());
         self.pair(70, 1);
         for point in points {
@@ -255,18 +291,33 @@ impl Writer {
         }
     }
 
-    fn line(&mut self, [start, end]: [DVec2; 2], layer: &str) {
+    pub(crate) fn line(&mut self, [start, end]: [DVec3; 2], layer: &str) {
         self.entity("LINE", MODEL_SPACE, layer, "AcDbLine");
         self.point(10, start);
         self.point(11, end);
     }
 
-    fn label(&mut self, at: DVec2, height: f64, text: &str) {
-        self.entity("TEXT", MODEL_SPACE, "LABEL", "AcDbText");
+    fn text(&mut self, text: &str, spot: &Spot, layer: &str) {
+        let turn = libm::atan2(spot.direction.y, spot.direction.x).to_degrees();
+        let start = spot.starts_left.then(|| spot.start(text));
+        self.text_placed(text, start.unwrap_or(spot.at).extend(0.0), spot.height, turn, start.is_none(), layer);
+    }
+
+    /// Writes a text around its middle. `turn` is its direction in degrees.
+    pub(crate) fn text_at(&mut self, text: &str, at: DVec3, height: f64, turn: f64, layer: &str) {
+        self.text_placed(text, at, height, turn, true, layer);
+    }
+
+    /// Writes a text around its middle, or from the middle of its left end on.
+    fn text_placed(&mut self, text: &str, at: DVec3, height: f64, turn: f64, is_amid: bool, layer: &str) {
+        self.entity("TEXT", MODEL_SPACE, layer, "AcDbText");
         self.point(10, at);
         self.number(40, height);
         self.pair(1, ascii(text));
-        self.pair(72, 1);
+        if turn != 0.0 {
+            self.number(50, turn);
+        }
+        self.pair(72, u8::from(is_amid));
         self.point(11, at);
         self.pair(100, "AcDbText");
         self.pair(73, 2);

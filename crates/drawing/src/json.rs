@@ -1,0 +1,66 @@
+//! A flat pattern as JSON, with every number in all digits.
+
+use crate::figure::Figure;
+use crate::options::Layer;
+use crate::piece::Seam;
+use plateau_mesh::DVec2;
+use serde_json::{Value, json};
+
+/// Writes the figures. Lengths are in millimetres, with the origin of each piece at the lower left corner of its cut.
+#[must_use]
+pub fn to_json(figures: &[Figure]) -> Vec<u8> {
+    let pieces: Vec<Value> = figures.iter().map(piece).collect();
+    let bends: usize = figures.iter().map(bends).sum();
+    let document = json!({ "pieces": pieces, "bends": bends });
+    // Serialization cannot fail because there are only lists, text and numbers.
+    serde_json::to_vec(&document).unwrap_or_default()
+}
+
+/// Returns the number of bends. A bend of several hits counts once.
+fn bends(figure: &Figure) -> usize {
+    let mut bridges: Vec<u32> =
+        figure.lines.iter().filter(|line| line.layer != Layer::FoldFlat).map(|line| line.bridge).collect();
+    bridges.dedup();
+    bridges.len()
+}
+
+/// Returns the name of a seam: rails and bridges count from 0.
+#[must_use]
+pub fn seam_name(seam: Seam) -> String {
+    match seam {
+        Seam::Rail(number) => format!("rail {number}"),
+        Seam::Bridge(number) => format!("bridge {number}"),
+    }
+}
+
+fn piece(figure: &Figure) -> Value {
+    let [low, high] = figure.bounds();
+    let size = high - low;
+    let point = |at: DVec2| (at - low).to_array();
+    let points = |of: &[DVec2]| of.iter().map(|&at| point(at)).collect::<Vec<_>>();
+    let lines: Vec<Value> = figure
+        .lines
+        .iter()
+        .map(|line| {
+            json!({
+                "kind": line.layer.name().to_lowercase(),
+                "ends": line.ends.map(point),
+                "angle_deg": line.angle_deg,
+                "bridge": line.bridge,
+            })
+        })
+        .collect();
+    let marks: Vec<Value> = figure
+        .marks
+        .iter()
+        .map(|mark| json!({ "at": point(mark.at), "seam": seam_name(mark.seam), "arc_length": mark.arc_length }))
+        .collect();
+    json!({
+        "name": figure.name,
+        "size": { "width": size.x, "height": size.y },
+        "outline": points(&figure.cut),
+        "sew": figure.sew.as_deref().map(points),
+        "lines": lines,
+        "marks": marks,
+    })
+}
