@@ -15,6 +15,7 @@ pub mod open_requests;
 pub mod openapi;
 pub mod pace;
 pub mod parameters;
+pub mod paths;
 pub mod problem;
 pub mod resource;
 pub mod router;

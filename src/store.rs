@@ -40,6 +40,8 @@ mod postgres;
 #[cfg(not(feature = "postgres"))]
 #[path = "store/no_postgres.rs"]
 mod postgres;
+#[cfg(not(feature = "postgres"))]
+use postgres as session;
 mod queue;
 mod redact;
 mod results;

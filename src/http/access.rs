@@ -3,6 +3,7 @@
 use crate::auth::{AuthError, Left};
 use crate::config::HttpConfig;
 use crate::http::open_requests::{self, NoConnection};
+use crate::http::paths::is_message_of_hops;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use axum::extract::{FromRequestParts, Request, State};
@@ -36,13 +37,6 @@ impl<S: Sync> FromRequestParts<S> for Caller {
 
 /// Header in which Hops sends a key.
 const RHINO_COMPUTE_KEY: HeaderName = HeaderName::from_static("rhinocomputekey");
-
-/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by
-/// later versions, at the root of the host.
-#[must_use]
-pub fn is_message_of_hops(path: &str) -> bool {
-    cfg!(feature = "hops") && matches!(path, "/solve" | "/hops/solve")
-}
 
 /// Returns true for paths that need no key: the API document, its page, the studio, the health checks, and the
 /// descriptions of the components of Hops.

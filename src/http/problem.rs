@@ -3,7 +3,7 @@
 #[cfg(feature = "hops")]
 use crate::hops::{self, answer::Answer};
 #[cfg(feature = "hops")]
-use crate::http::access::is_message_of_hops;
+use crate::http::paths::is_message_of_hops;
 use crate::jobs::JobsError;
 use crate::wire::job::{Problem, WrongValue};
 use axum::body::Body;
@@ -83,7 +83,15 @@ impl Failure {
             }
             _ => Vec::new(),
         };
-        Self { status, kind: kind.into(), title: title.into(), detail, errors: Vec::new(), parameters: Vec::new(), headers }
+        Self {
+            status,
+            kind: kind.into(),
+            title: title.into(),
+            detail,
+            errors: Vec::new(),
+            parameters: Vec::new(),
+            headers,
+        }
     }
 
     /// Returns the failure for a query with a parameter that is not one of `known`.

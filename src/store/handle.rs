@@ -13,6 +13,7 @@ use super::files::ResultStorage;
 use super::jobs::{self, Outcome};
 use super::outage::OutageTracker;
 use super::results::{self, Prepared};
+use super::session::Server;
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions, leaders, postgres, sqlite};
 
@@ -101,7 +102,7 @@ impl Store {
     /// neither of them.
     pub fn check_places(url: &str, results: &str) -> Result<()> {
         if url.starts_with("postgres://") || url.starts_with("postgresql://") {
-            postgres::Server::at(url)?;
+            Server::at(url)?;
         } else if url.starts_with("sqlite:") {
             let path = sqlite::path(url)?;
             let above = path.ancestors().skip(1).find(|folder| folder.exists());

@@ -7,8 +7,7 @@ use tokio::time::timeout;
 
 use super::migrations::migrate;
 use super::pool::Pool;
-use super::session::{Connection, PATIENCE, STATEMENT_LIMIT};
-pub(super) use super::session::{Server, Session};
+use super::session::{Connection, PATIENCE, STATEMENT_LIMIT, Server, Session};
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
 pub(super) use tokio_postgres::Row;

@@ -48,10 +48,7 @@ pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_
 /// # Errors
 /// Returns the first place at which `T` refuses the text.
 #[cfg(feature = "stored")]
-pub(crate) fn read_tracked<T: DeserializeOwned>(
-    text: &[u8],
-    aside: &[&str],
-) -> Result<Parted<T>, Rejection> {
+pub(crate) fn read_tracked<T: DeserializeOwned>(text: &[u8], aside: &[&str]) -> Result<Parted<T>, Rejection> {
     json::refuse_what_is_no_text(text)?;
     let mut track = Track::new();
     let mut deserializer = serde_json::Deserializer::from_slice(text);
