@@ -40,13 +40,14 @@ mod postgres;
 #[cfg(not(feature = "postgres"))]
 #[path = "store/no_postgres.rs"]
 mod postgres;
-#[cfg(not(feature = "postgres"))]
-use postgres as session;
 mod queue;
 mod redact;
 mod results;
 mod retention;
 #[cfg(feature = "postgres")]
+mod session;
+#[cfg(not(feature = "postgres"))]
+#[path = "store/no_session.rs"]
 mod session;
 mod sqlite;
 #[cfg(feature = "postgres")]

@@ -5,18 +5,9 @@ use std::convert::Infallible;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
+use super::session::Server;
 use super::tx::{AfterCommit, Tx};
-use super::value::Value;
 use super::{Result, StoreError, StoreOptions};
-
-#[derive(Debug)]
-pub(super) struct Server;
-
-impl Server {
-    pub(super) fn at(_url: &str) -> Result<Self> {
-        Err(StoreError::Url("this program was built without the feature postgres; use sqlite://PATH".into()))
-    }
-}
 
 #[derive(Debug)]
 pub(super) enum Database {}
@@ -44,23 +35,6 @@ impl Database {
     }
 
     pub(super) async fn close(&self) {
-        match *self {}
-    }
-}
-
-#[derive(Debug)]
-pub(super) enum Session {}
-
-impl Session {
-    pub(super) fn rows(&mut self, _text: &str, _values: &[Value<'_>]) -> Result<Vec<Row>> {
-        match *self {}
-    }
-
-    pub(super) fn execute(&mut self, _text: &str, _values: &[Value<'_>]) -> Result<u64> {
-        match *self {}
-    }
-
-    pub(super) fn script(&mut self, _text: &str) -> Result<()> {
         match *self {}
     }
 }
