@@ -59,12 +59,7 @@ const BALLAST_BYTES: u64 = 32 << 20;
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
     let config = Arc::new(Config { http: with_descriptors(config.http, role), ..config });
-    if keys.file_is_empty() {
-        tracing::warn!(
-            file = %config.auth.keys_file.display(),
-            "auth.keys_file has no keys: every client may do everything until a key is added"
-        );
-    }
+    warn_without_keys(&keys, &config);
     let (keys, address) = (Arc::new(keys), config.http.listen);
     // Jobs and results belong to their clients, so no other user of this machine may read the files of this process.
     rustix::process::umask(rustix::fs::Mode::RWXG | rustix::fs::Mode::RWXO);
@@ -140,6 +135,16 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         return Err(StartError::Failed(detail));
     }
     Ok(())
+}
+
+/// Warns of a file for keys that has none, because a server on a loopback address then serves everybody.
+fn warn_without_keys(keys: &Keys, config: &Config) {
+    if keys.file_is_empty() {
+        tracing::warn!(
+            file = %config.auth.keys_file.display(),
+            "auth.keys_file has no keys: every client may do everything until a key is added"
+        );
+    }
 }
 
 /// Logs where the service can be reached, and which of its doors are shut.

@@ -12,18 +12,17 @@ use axum::response::IntoResponse;
 use plateau_drawing::{ParameterError, Refused};
 use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::SolveError;
-use std::borrow::Cow;
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]
 pub struct Failure {
     status: StatusCode,
     /// Last part of the type.
-    kind: Cow<'static, str>,
-    title: Cow<'static, str>,
-    detail: String,
+    kind: Box<str>,
+    title: Box<str>,
+    detail: Box<str>,
     errors: Vec<FieldError>,
-    parameters: Vec<ParameterError>,
+    parameters: Box<[ParameterError]>,
     headers: Vec<(HeaderName, HeaderValue)>,
 }
 
@@ -87,9 +86,9 @@ impl Failure {
             status,
             kind: kind.into(),
             title: title.into(),
-            detail,
+            detail: detail.into(),
             errors: Vec::new(),
-            parameters: Vec::new(),
+            parameters: Box::default(),
             headers,
         }
     }
@@ -202,8 +201,10 @@ impl From<Refused> for Failure {
     fn from(refused: Refused) -> Self {
         let detail = refused.to_string();
         match refused {
-            Refused::BadQuery(parameters) => Self { parameters, ..Self::bad_query(detail) },
-            Refused::Unsuitable(parameters) => Self { parameters, ..Self::unsuitable_pattern(detail) },
+            Refused::BadQuery(parameters) => Self { parameters: parameters.into(), ..Self::bad_query(detail) },
+            Refused::Unsuitable(parameters) => {
+                Self { parameters: parameters.into(), ..Self::unsuitable_pattern(detail) }
+            }
             Refused::NoPattern => Self::not_found(detail),
             Refused::NoPart(_) => Self::no_such_part(detail),
             Refused::TooLarge(_) => Self::unwritable(detail),
@@ -227,14 +228,14 @@ pub struct Unaddressed(Problem);
 impl IntoResponse for Failure {
     fn into_response(mut self) -> Response<Body> {
         let fields = self.errors.drain(..).map(WrongValue::from);
-        let mut errors: Vec<WrongValue> = fields.chain(self.parameters.drain(..).map(WrongValue::from)).collect();
+        let mut errors: Vec<WrongValue> = fields.chain(self.parameters.into_iter().map(WrongValue::from)).collect();
         let errors_omitted = errors.len() > MAX_ERRORS;
         errors.truncate(MAX_ERRORS);
         let problem = Problem {
             kind: format!("/problems/{}", self.kind),
-            title: self.title.into_owned(),
+            title: self.title.into(),
             status: self.status.as_u16(),
-            detail: self.detail,
+            detail: self.detail.into(),
             instance: String::new(),
             errors,
             errors_omitted,

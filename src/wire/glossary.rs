@@ -10,7 +10,6 @@ const GENERAL: &[(&str, &str)] = &[
     ("boundary", "Number of the boundary, counted from 0."),
     ("boundary_loops", "Number of closed loops of boundary edges."),
     ("bridges", "Number of bridges, which are the edges between the rails."),
-    ("cancel", "Address that cancels."),
     ("cancelled", "Number of cancelled jobs."),
     ("components", "Number of connected parts."),
     ("converged", "Whether the solver has met its own rule."),

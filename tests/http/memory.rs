@@ -157,6 +157,6 @@ async fn the_first_error_of_a_dense_body_is_named() {
         let post = app.request(Method::POST, MINIMAL).header("content-type", "application/json").body(wrong(end));
         let refused = problem(post.send().await.unwrap(), 422).await;
         let pointers = crate::app::pointers(&refused);
-        assert!(pointers.iter().any(|found| *found == pointer), "{pointer}: {pointers:?}");
+        assert!(pointers.contains(&pointer), "{pointer}: {pointers:?}");
     }
 }

@@ -241,7 +241,7 @@ async fn answers(app: &TestApp) -> Value {
     let mut found = json!({});
     let mut note = |operation: &str, status: u16, answer: Value| {
         // A shortened request would not be valid.
-        let answer = if operation == "getExample" { answer } else { shortened(&answer) };
+        let answer = if ["getExample", "getRequest"].contains(&operation) { answer } else { shortened(&answer) };
         found[operation][status.to_string()] = answer;
     };
     for (operation, path) in [
@@ -277,6 +277,7 @@ async fn answers(app: &TestApp) -> Value {
         let ended = app.ended(job).await;
         if operation == "postMinimalSurface" {
             note("getJob", 200, app.get_json(&this).await);
+            note("getRequest", 200, app.get_json(&format!("{this}/request")).await);
             note("cancelJob", 200, ended.clone());
             let callbacks = app.get_json(&format!("{this}/callbacks")).await;
             note("getJobCallbacks", 200, callbacks.clone());

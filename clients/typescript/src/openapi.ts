@@ -8,7 +8,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Checks that the process answers */
+        /**
+         * Checks that the process answers
+         * @description Needs no key. A container that does not answer should be restarted.
+         */
         get: operations["getLive"];
         put?: never;
         post?: never;
@@ -25,7 +28,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Checks that the store answers and jobs are accepted */
+        /**
+         * Checks that the store answers and jobs are accepted
+         * @description Needs no key. A server that answers 503 should get no requests for the moment.
+         */
         get: operations["getReady"];
         put?: never;
         post?: never;
@@ -42,8 +48,31 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Metrics as Prometheus text */
+        /**
+         * Metrics as Prometheus text
+         * @description Counters of this process and the length of the shared queue, in the format of Prometheus.
+         */
         get: operations["getMetrics"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/problems": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Kinds of problem documents and of failed jobs
+         * @description The `type` of every problem document and of every failed job's `error`.
+         */
+        get: operations["listProblems"];
         put?: never;
         post?: never;
         delete?: never;
@@ -61,7 +90,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Submits many requests at once; either all are accepted or none */
+        /**
+         * Submits many requests at once; either all are accepted or none
+         * @description Each request names its `kind` and becomes a job of its own. If one of them is refused, none is accepted, and the pointers of the errors begin with its place in `requests`.
+         */
         post: operations["postBatch"];
         delete?: never;
         options?: never;
@@ -76,11 +108,17 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The batch with its status and its jobs */
+        /**
+         * The batch with its status and its jobs
+         * @description With `Prefer: wait=N` the answer waits until every job has ended, at most N seconds.
+         */
         get: operations["getBatch"];
         put?: never;
         post?: never;
-        /** Cancels jobs that have not ended, and removes all jobs and meshes */
+        /**
+         * Cancels jobs that have not ended, and removes all jobs and meshes
+         * @description The batch and its jobs are unknown afterwards.
+         */
         delete: operations["deleteBatch"];
         options?: never;
         head?: never;
@@ -94,10 +132,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What became of the message to the batch's callback URL */
+        /**
+         * What became of the message to the batch's callback URL
+         * @description Shows the attempts to deliver the message, but not why the receiver refused it.
+         */
         get: operations["getBatchCallbacks"];
         put?: never;
-        /** Sends the message to the batch's callback URL again */
+        /**
+         * Sends the message to the batch's callback URL again
+         * @description Sends the message even if it was delivered or given up before.
+         */
         post: operations["sendBatchCallbackAgain"];
         delete?: never;
         options?: never;
@@ -114,7 +158,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Cancels every job that has not ended */
+        /**
+         * Cancels every job that has not ended
+         * @description Jobs that have ended keep their results. Cancelling twice is the same as once.
+         */
         post: operations["cancelBatch"];
         delete?: never;
         options?: never;
@@ -129,7 +176,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** All meshes in one file */
+        /**
+         * All meshes in one file
+         * @description Jobs without a mesh are left out. Jobs that have not ended are too, so wait for the batch first.
+         */
         get: operations["getBatchMeshes"];
         put?: never;
         post?: never;
@@ -150,7 +200,7 @@ export interface paths {
         put?: never;
         /**
          * Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths
-         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's `error`.
          */
         post: operations["postCableNet"];
         delete?: never;
@@ -166,7 +216,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Names and titles of the example requests */
+        /**
+         * Names and titles of the example requests
+         * @description Each of them can be posted to the path of its kind as it is.
+         */
         get: operations["listExamples"];
         put?: never;
         post?: never;
@@ -183,7 +236,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** An example request */
+        /**
+         * An example request
+         * @description `request` is the body to post to the path of its `kind`.
+         */
         get: operations["getExample"];
         put?: never;
         post?: never;
@@ -200,7 +256,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Jobs, newest first */
+        /**
+         * Jobs, newest first
+         * @description Lists the jobs of this key, page by page.
+         */
         get: operations["listJobs"];
         put?: never;
         post?: never;
@@ -217,11 +276,17 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The job with its status, progress, statistics and links */
+        /**
+         * The job with its status, progress, statistics and links
+         * @description With `Prefer: wait=N` the answer waits until the job has ended, at most N seconds.
+         */
         get: operations["getJob"];
         put?: never;
         post?: never;
-        /** Cancels the job if needed, and removes it with its mesh */
+        /**
+         * Cancels the job if needed, and removes it with its mesh
+         * @description The job is unknown afterwards.
+         */
         delete: operations["deleteJob"];
         options?: never;
         head?: never;
@@ -235,10 +300,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What became of the message to the job's callback URL */
+        /**
+         * What became of the message to the job's callback URL
+         * @description Shows the attempts to deliver the message, but not why the receiver refused it.
+         */
         get: operations["getJobCallbacks"];
         put?: never;
-        /** Sends the message to the job's callback URL again */
+        /**
+         * Sends the message to the job's callback URL again
+         * @description Sends the message even if it was delivered or given up before.
+         */
         post: operations["sendJobCallbackAgain"];
         delete?: never;
         options?: never;
@@ -255,7 +326,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Cancels a queued or running job; a finished job stays unchanged */
+        /**
+         * Cancels a queued or running job; a finished job stays unchanged
+         * @description The job is cancelled at once, although its solver may need a moment to stop. Cancelling twice is the same as once.
+         */
         post: operations["cancelJob"];
         delete?: never;
         options?: never;
@@ -270,7 +344,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The proof of a minimal surface's `area_lower_bound`, for a check by another program */
+        /**
+         * The proof of a minimal surface's `area_lower_bound`, for a check by another program
+         * @description A JSON document with the vector fields that prove the bound.
+         */
         get: operations["getCertificate"];
         put?: never;
         post?: never;
@@ -287,7 +364,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Progress as server-sent events */
+        /**
+         * Progress as server-sent events
+         * @description A client that reconnects with `Last-Event-ID` gets the changes of status that it missed and the latest progress.
+         */
         get: operations["getEvents"];
         put?: never;
         post?: never;
@@ -304,7 +384,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The mesh as GLB, glTF, OBJ, PLY, STL or JSON */
+        /**
+         * The mesh as GLB, glTF, OBJ, PLY, STL or JSON
+         * @description Coordinates of OBJ, PLY, STL and JSON are in the request's unit and axes; glTF is in metres with y up.
+         */
         get: operations["getMesh"];
         put?: never;
         post?: never;
@@ -321,8 +404,45 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The flat pattern of an open ruled surface as SVG or DXF */
+        /**
+         * The flat pattern of a ruled surface as SVG, DXF, PDF or JSON
+         * @description Drawn true to scale in the request's unit, with cuts and folds on layers of their own.
+         */
         get: operations["getPattern"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}/request": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The request as it was accepted, kept as long as its job */
+        get: operations["getRequest"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}/schedule": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Members, nodes, bends, cables or supports as CSV, or the numbered members as DXF */
+        get: operations["getSchedule"];
         put?: never;
         post?: never;
         delete?: never;
@@ -338,7 +458,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Limits of this server for one request, for one key and for all keys */
+        /**
+         * Limits of this server for one request, for one key and for all keys
+         * @description Limits of this server, which its operator sets.
+         */
         get: operations["getLimits"];
         put?: never;
         post?: never;
@@ -359,7 +482,7 @@ export interface paths {
         put?: never;
         /**
          * Finds the minimal surface that spans boundary polylines
-         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's `error`.
          */
         post: operations["postMinimalSurface"];
         delete?: never;
@@ -375,7 +498,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Objectives that a request can choose */
+        /**
+         * Objectives that a request can choose
+         * @description Each objective has its formula, and the options that can act with it. A request with an option that does not act is refused with 422.
+         */
         get: operations["listObjectives"];
         put?: never;
         post?: never;
@@ -396,7 +522,7 @@ export interface paths {
         put?: never;
         /**
          * Finds the globally optimal ruled strip between directrices for an objective
-         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's `error`.
          */
         post: operations["postRuledSurface"];
         delete?: never;
@@ -416,7 +542,7 @@ export interface paths {
         put?: never;
         /**
          * Finds the shape in equilibrium of a film with cables, pressure and weight
-         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's `error`.
          */
         post: operations["postTensileStructure"];
         delete?: never;
@@ -436,7 +562,7 @@ export interface paths {
         put?: never;
         /**
          * Finds a mesh of a polygon, patch or film with as many equal edges as possible
-         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's `error`.
          */
         post: operations["postUniformMesh"];
         delete?: never;
@@ -452,20 +578,27 @@ export interface components {
         /** @description A part of a boundary, in the boundary's direction. Points are counted from 0. */
         Along: {
             /** @description Default: `0`. */
-            boundary?: number;
+            boundary?: number | null;
             /** @description Number of the point at which the cable begins. */
             from: number;
             /** @description Number of the point at which it ends. */
             to: number;
         };
         AngleRange: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest value.
+             */
             min: number;
         };
         /** @description Requests that were submitted together, and the state of their jobs. */
         Batch: {
+            /** @description Number of jobs of a batch in each state. */
             counts: components["schemas"]["BatchCounts"];
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
@@ -475,6 +608,7 @@ export interface components {
             id: string;
             /** @description Jobs in the order of the requests. Jobs that were deleted or have expired are left out. */
             jobs: components["schemas"]["BatchJob"][];
+            /** @description Addresses that belong to a batch. */
             links: components["schemas"]["BatchLinks"];
             /**
              * @description `queued` until the first job starts, then `running` until the last job has ended. The final status is `failed`
@@ -484,10 +618,15 @@ export interface components {
         };
         /** @description Number of jobs of a batch in each state. */
         BatchCounts: {
+            /** @description Number of cancelled jobs. */
             cancelled: number;
+            /** @description Number of failed jobs. */
             failed: number;
+            /** @description Number of jobs that wait. */
             queued: number;
+            /** @description Number of jobs that are being solved. */
             running: number;
+            /** @description Number of jobs that have succeeded. */
             succeeded: number;
         };
         /**
@@ -495,18 +634,24 @@ export interface components {
          *     certificate.
          */
         BatchJob: {
+            /** @description ULID, which sorts by time of submission. */
             id: string;
             /** @description Index of the job's request in the batch, counted from 0. */
             index: number;
+            /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
         };
         /** @description Addresses that belong to a batch. */
         BatchLinks: {
-            cancel: string;
-            /** @description Address of all meshes in one file. Absent if the batch has ended without a mesh. */
+            /** @description Address that cancels the jobs of the batch. Present until every job has ended. */
+            cancel?: string | null;
+            /** @description Address of all meshes in one file. Present once every job has ended and one has succeeded. */
             meshes?: string | null;
+            /** @description Address of the resource itself. */
             self: string;
         };
         /** @description Requests of any kinds. Each becomes a separate job. */
@@ -524,7 +669,8 @@ export interface components {
         /** @description A point of a boundary, counted from 0. */
         BoundaryPoint: {
             /** @description Default: `0`. */
-            boundary?: number;
+            boundary?: number | null;
+            /** @description Number of the point, counted from 0. */
             point: number;
         };
         /**
@@ -539,24 +685,26 @@ export interface components {
         Cable: {
             /**
              * @description Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
-             *     the last are points of the boundaries. Cables across the film may share points but must not cross.
+             *     the last are points of the boundaries or lie on their segments. Cables across the film may share points but must
+             *     not cross. Points within `join_tolerance` of others take their place.
              */
-            across?: components["schemas"]["Point"][];
+            across?: components["schemas"]["Point"][] | null;
             /** @description Part of a boundary along which the cable runs. The film's edge hangs on the cable. */
-            along?: components["schemas"]["Along"];
+            along?: components["schemas"]["Along"] | null;
             /**
              * Format: double
              * @description EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length.
              */
             axial_stiffness?: number | null;
-            mode?: components["schemas"]["CableMode"];
+            /** @description Quantity of a cable that is held constant. */
+            mode?: components["schemas"]["CableMode"] | null;
             /** @description Name in statistics and warnings. Null means its number, as in `cable 0`. */
             name?: string | null;
             /**
-             * @description Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
-             *     the hub of a ring is joined to it; any other point is a support.
+             * @description Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
+             *     of `joints` or the hub of a ring is joined to it; any other point is a support.
              */
-            points?: components["schemas"]["Point"][];
+            points?: components["schemas"]["Point"][] | null;
             /**
              * Format: double
              * @description Value that the mode holds constant: a force, a force per length (`force_density`) or a length.
@@ -566,10 +714,15 @@ export interface components {
              * Format: double
              * @description Weight per length of the found shape. Default: `0.0`.
              */
-            weight?: number;
+            weight?: number | null;
         };
         /** @description A cable of the found shape. */
         CableForce: {
+            /**
+             * Format: double
+             * @description Axial stiffness of the request, a force; null without one.
+             */
+            axial_stiffness: number | null;
             /**
              * Format: double
              * @description Mean force, weighted by length.
@@ -585,9 +738,14 @@ export interface components {
              * @description Least force, at the lower end of a segment if the cable is heavy.
              */
             force_min: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length.
+             */
             length: number;
+            /** @description Quantity that was held constant. */
             mode: string;
+            /** @description Name. */
             name: string;
             /**
              * Format: double
@@ -617,12 +775,15 @@ export interface components {
         CableMode: "force" | "end_tension" | "horizontal_component" | "force_density" | "length" | "unstressed_length" | "sag";
         /** @description A job: an accepted request and its state. */
         CableNetJob: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
@@ -633,16 +794,21 @@ export interface components {
             kind: "cable_net";
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /** @description Null until the job has succeeded. */
             statistics: components["schemas"]["CableNetStatistics"] | null;
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @enum {string} */
@@ -655,16 +821,16 @@ export interface components {
          */
         CableNetRequest: {
             /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
-            cables?: components["schemas"]["NetCable"][];
+            cables?: components["schemas"]["NetCable"][] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /** @description Pairs of vertices that a cable joins, counted from 0. */
             edges: number[][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
@@ -676,9 +842,9 @@ export interface components {
              * @description Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
              *     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
              */
-            least_force_density?: number;
+            least_force_density?: number | null;
             /** @description Loads on vertices. Loads of one vertex are added. */
-            loads?: components["schemas"]["NetLoad"][];
+            loads?: components["schemas"]["NetLoad"][] | null;
             /**
              * @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
              *     struts.
@@ -699,13 +865,18 @@ export interface components {
              * Format: double
              * @description The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`.
              */
-            tolerance?: number;
-            units?: components["schemas"]["LengthAndForce"];
+            tolerance?: number | null;
+            /**
+             * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+             *     weight of a cable a force per length, and an axial stiffness a force.
+             */
+            units?: components["schemas"]["LengthAndForce"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
             /** @description Points of the net: supports where they stay, the other vertices where form finding begins. */
             vertices: components["schemas"]["Point"][];
-            weights?: components["schemas"]["TargetWeights"];
+            /** @description Weights of the terms of the loss. */
+            weights?: components["schemas"]["TargetWeights"] | null;
         };
         /**
          * @description A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
@@ -715,16 +886,16 @@ export interface components {
          */
         CableNetRequestWithKind: {
             /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
-            cables?: components["schemas"]["NetCable"][];
+            cables?: components["schemas"]["NetCable"][] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /** @description Pairs of vertices that a cable joins, counted from 0. */
             edges: number[][];
             /**
@@ -739,9 +910,9 @@ export interface components {
              * @description Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
              *     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
              */
-            least_force_density?: number;
+            least_force_density?: number | null;
             /** @description Loads on vertices. Loads of one vertex are added. */
-            loads?: components["schemas"]["NetLoad"][];
+            loads?: components["schemas"]["NetLoad"][] | null;
             /**
              * @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
              *     struts.
@@ -762,21 +933,30 @@ export interface components {
              * Format: double
              * @description The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`.
              */
-            tolerance?: number;
-            units?: components["schemas"]["LengthAndForce"];
+            tolerance?: number | null;
+            /**
+             * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+             *     weight of a cable a force per length, and an axial stiffness a force.
+             */
+            units?: components["schemas"]["LengthAndForce"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
             /** @description Points of the net: supports where they stay, the other vertices where form finding begins. */
             vertices: components["schemas"]["Point"][];
-            weights?: components["schemas"]["TargetWeights"];
+            /** @description Weights of the terms of the loss. */
+            weights?: components["schemas"]["TargetWeights"] | null;
         };
         /** @description Statistics of a cable net. */
         CableNetStatistics: {
+            /** @description Sums of the forces. */
             balance: components["schemas"]["ForceBalance"];
             /** @description Cables in the order of the request, and `other` for edges that no cable lists. */
             cables: components["schemas"]["NetCableResult"][];
+            /** @description Whether the solver has met its own rule. */
             converged: boolean;
+            /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
+            /** @description Number of edges. */
             edges: number;
             /** @description Unit of the forces. */
             force_unit: string;
@@ -785,12 +965,14 @@ export interface components {
              * @description Largest derivative of the loss by the logarithm of a force density.
              */
             gradient: number;
+            /** @description Number of iterations. */
             iterations: number;
             /**
              * Format: double
              * @description Σ |force| · length.
              */
             load_path: number;
+            /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
             /**
              * Format: double
@@ -808,9 +990,11 @@ export interface components {
              * @description Largest force on a free vertex that is not balanced, over the largest force of an edge.
              */
             residual: number;
+            /** @description Reason for which the solver stopped. */
             stop_reason: string;
             /** @description Always 0: a net has no triangles. */
             triangles: number;
+            /** @description Number of vertices. */
             vertices: number;
         };
         /**
@@ -821,6 +1005,31 @@ export interface components {
          * @enum {string}
          */
         Cache: "reuse" | "bypass";
+        /** @description Message to a callback URL, with the fields of Standard Webhooks. */
+        CallbackMessage: {
+            /** @description The job or the batch, without its statistics. */
+            data: {
+                /** @description Number of the batch's jobs in each state. Absent for a job. */
+                counts?: components["schemas"]["BatchCounts"];
+                /** @description Identifier of the job or the batch. */
+                id: string;
+                /**
+                 * @description Kind of the job's request. Absent for a batch.
+                 * @enum {string}
+                 */
+                kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
+                /** @description Addresses of the job or the batch, as `GET` of it has them. */
+                links: {
+                    [key: string]: string;
+                };
+                /** @description Final status. */
+                status: components["schemas"]["Status"];
+            };
+            /** @description Time of the end (RFC 3339, UTC). */
+            timestamp: string | null;
+            /** @description `job.` or `batch.` with the final status, such as `job.succeeded`. */
+            type: string;
+        };
         /** @description Message to the callback URL of a job or batch. */
         Callbacks: {
             /** @description Null if the request named no URL. */
@@ -832,6 +1041,16 @@ export interface components {
             /** @description True until the message has been delivered or given up. */
             pending: boolean;
         };
+        /**
+         * @description Reason for which a job was cancelled.
+         *
+         *     - `client`: A client cancelled the job or its batch.
+         *     - `superseded`: A newer job of the same series took the job's place.
+         *     - `disconnected`: The client that waited for the job closed its connection.
+         *     - `deleted`: The job was deleted before it had ended. Only the job's last event shows this.
+         * @enum {string}
+         */
+        CancelReason: "client" | "superseded" | "disconnected" | "deleted";
         /**
          * @description The caps at the ends of a closed stack.
          *
@@ -857,6 +1076,7 @@ export interface components {
              * @description The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
              */
             gap: number | null;
+            /** @description Number of iterations. */
             iterations: number;
             /**
              * @description Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
@@ -884,13 +1104,13 @@ export interface components {
              * Format: double
              * @description The search ends once the film's area is at most this fraction above the bound. Default: `0.005`.
              */
-            gap?: number;
+            gap?: number | null;
             /**
              * Format: double
              * @description Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so
              *     that the same request gives the same result on every machine. Default: `2.0`.
              */
-            seconds?: number;
+            seconds?: number | null;
         };
         /**
          * @description A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
@@ -898,17 +1118,17 @@ export interface components {
          */
         Chamber: {
             /** @description Number of the layer, counted from 0. Default: `0`. */
-            below?: number;
+            below?: number | null;
             /**
              * Format: double
              * @description Pressure above that outside, a force per area.
              */
-            pressure?: number;
+            pressure?: number | null;
             /**
              * Format: double
              * @description Volume. The pressure is found.
              */
-            volume?: number;
+            volume?: number | null;
         };
         /** @description A chamber of the found shape. */
         ChamberState: {
@@ -928,18 +1148,32 @@ export interface components {
         CircleGuide: {
             /** @description Normal of the circle's plane. */
             axis: number[];
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             centre: components["schemas"]["Point"];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Radius.
+             */
             radius: number;
         };
         /** @description Statistics of one objective's optimum. */
         Comparison: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area, in square units of the request's unit of length.
+             */
             area: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Bending energy of the strip, without a unit.
+             */
             bending_energy: number;
+            /** @description Number of bridges, which are the edges between the rails. */
             bridges: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Number of locally convex bridges over the number of bridges.
+             */
             convex_bridge_ratio: number;
             /** @description Number of bridges that are locally convex. */
             convex_bridges: number;
@@ -954,48 +1188,68 @@ export interface components {
              * @description Largest angle between the normals of neighbouring triangles.
              */
             largest_fold_deg: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the longest bridge.
+             */
             longest_bridge: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Variation of the mean curvature from bridge to bridge.
+             */
             mean_curvature_variation: number;
             /**
              * Format: double
              * @description Value of `minimal_normal_variation`. Null without normals.
              */
             normal_variation: number | null;
+            /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
             /**
              * Format: double
              * @description Value of the objective. For `maximal_convexity` it is the number of convex bridges.
              */
             objective_value: number;
+            /** @description Objective that decided among strips of equal value. */
             secondary_objective: string | null;
             /**
              * Format: double
              * @description Value of the secondary objective. Null without one.
              */
             secondary_value: number | null;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the shortest bridge.
+             */
             shortest_bridge: number;
             /**
              * Format: double
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
+            /** @description Number of triangles. */
             triangles: number;
         };
-        /** @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. */
+        /**
+         * @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+         *     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+         *     boundary.
+         */
         Constraints: {
             /** @description Default: `[]`. */
-            points?: components["schemas"]["Point"][];
+            points?: components["schemas"]["Point"][] | null;
             /** @description Default: `[]`. */
-            polylines?: components["schemas"]["Polyline"][];
+            polylines?: components["schemas"]["Polyline"][] | null;
         };
         CylinderGuide: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             axis: components["schemas"]["Point"];
             /** @description A point of the axis. */
             point: number[];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Radius.
+             */
             radius: number;
         };
         /** @description An attempt to deliver a message. */
@@ -1004,6 +1258,10 @@ export interface components {
             at: string;
             /** @description Number of the attempt, counted from 1. */
             attempt: number;
+            /**
+             * @description How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
+             *     attempt will be repeated, and `given_up` if it was the last.
+             */
             outcome: components["schemas"]["DeliveryOutcome"];
         };
         /**
@@ -1022,21 +1280,24 @@ export interface components {
         Direction: "as_given" | "auto";
         /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
         Domain: {
-            bezier?: components["schemas"]["Bezier"];
+            /** @description A tensor-product Bézier patch. */
+            bezier?: components["schemas"]["Bezier"] | null;
             /** @description Closed polygons. The domain is the minimal surface that spans them. */
-            boundaries?: components["schemas"]["Polygon"][];
+            boundaries?: components["schemas"]["Polygon"][] | null;
             /** @description Holes of the polygon. Default: `[]`. */
-            holes?: components["schemas"]["Polygon"][];
-            nurbs?: components["schemas"]["Nurbs"];
+            holes?: components["schemas"]["Polygon"][] | null;
+            /** @description A NURBS patch. */
+            nurbs?: components["schemas"]["Nurbs"] | null;
             /**
              * @description A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
              *     plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
              *     warning `projected`.
              */
-            polygon?: components["schemas"]["Point"][];
+            polygon?: components["schemas"]["Point"][] | null;
         };
         /** @description The supports along the fixed parts of a boundary together. */
         EdgeReaction: {
+            /** @description Number of the boundary, counted from 0. */
             boundary: number;
             /** @description Force of the supports on the structure. */
             force: number[];
@@ -1057,18 +1318,25 @@ export interface components {
         };
         /** @description An example request. */
         Example: {
+            /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
+            /** @description Name. */
             name: string;
             /** @description Request to post to the path of its kind. */
             request: components["schemas"]["RequestWithKind"];
+            /** @description Title, for people. */
             title: string;
         };
         ExampleList: {
+            /** @description The examples. */
             examples: components["schemas"]["ExampleSummary"][];
         };
         ExampleSummary: {
+            /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
+            /** @description Name. */
             name: string;
+            /** @description Title, for people. */
             title: string;
         };
         /** @description Area of the smooth surface on the same polygon, extrapolated from two resolutions to edges of length zero. */
@@ -1116,15 +1384,26 @@ export interface components {
         /** @description Quality of the strips' flat pattern. */
         FlatPatternStatistics: {
             /**
+             * @description For each strip of a closed surface the number of the bridge at which its pattern is cut: the bridge of least
+             *     fold, the first among equals. Bridges count from 0 over all strips. Null for open strips, which need no cut.
+             */
+            cut_at: number[] | null;
+            /**
              * Format: double
              * @description Largest relative difference between an edge's length in space and in the plane.
              */
             edge_length_error_max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Height of the bounding box.
+             */
             height: number;
             /** @description Whether an unrolled strip overlaps itself. */
             self_overlap: boolean;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Width of the bounding box.
+             */
             width: number;
         };
         /** @description Sums of the forces. */
@@ -1151,9 +1430,15 @@ export interface components {
         };
         /** @description Forces per length along an edge, a force over the length unit. */
         ForcePerLength: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest value.
+             */
             min: number;
         };
         /**
@@ -1176,23 +1461,37 @@ export interface components {
              *     numbers from points of `boundaries` take their places, and boundary vertices between them move onto the segment.
              *     The file needs no other file and no extension.
              */
-            glb?: string;
+            glb?: string | null;
             /** @description Vertex indices of each triangle, counted from 0. */
-            triangles?: number[][];
-            vertices?: components["schemas"]["Polygon"];
+            triangles?: number[][] | null;
+            /** @description The points of a closed polygon in order. The first point is not repeated. */
+            vertices?: components["schemas"]["Polygon"] | null;
         };
         /** @description A named objective, or a weighted sum. */
         Goal: components["schemas"]["RuledSurfaceObjective"] | components["schemas"]["WeightedSum"];
         /** @description Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group. */
         GroupLengths: {
+            /** @description Number of members. */
             count: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Mean value.
+             */
             mean: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest value.
+             */
             min: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Standard deviation.
+             */
             std_dev: number;
         };
         /**
@@ -1200,12 +1499,19 @@ export interface components {
          *     unit length.
          */
         Guide: {
+            /** @description A circle. */
             circle?: components["schemas"]["CircleGuide"];
+            /** @description A cylinder. */
             cylinder?: components["schemas"]["CylinderGuide"];
+            /** @description A straight line. */
             line?: components["schemas"]["LineGuide"];
+            /** @description A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike. */
             mesh?: components["schemas"]["MeshGuide"];
+            /** @description A plane. */
             plane?: components["schemas"]["PlaneGuide"];
+            /** @description A sphere. */
             sphere?: components["schemas"]["SphereGuide"];
+            /** @description A torus, such as a ring beam of round tube. */
             torus?: components["schemas"]["TorusGuide"];
         };
         /** @description The record of an iteration of the solver. */
@@ -1231,38 +1537,49 @@ export interface components {
         Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"] | components["schemas"]["TensileStructureJob"] | components["schemas"]["CableNetJob"];
         /** @description Reason for a failure: what was wrong with the geometry, and what to try. */
         JobError: {
+            /** @description What was wrong and what to try, in words. */
             detail: string;
+            /** @description Offending values of the request. */
             errors: components["schemas"]["FieldError"][];
+            /** @description Title, for people. */
             title: string;
             /** @description Stable URI reference that identifies the kind of failure. */
             type: string;
         };
         /** @description One page of jobs, newest first. */
         JobList: {
+            /** @description The jobs. */
             jobs: components["schemas"]["JobSummary"][];
             /** @description Value of `?cursor=` for the next page; null on the last page. */
             next_cursor: string | null;
         };
         /** @description A job of a list. */
         JobSummary: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
+            /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /**
              * @description Statistics of a job that has succeeded. Absent unless the list was asked for with `statistics=true`. The fields
@@ -1271,7 +1588,9 @@ export interface components {
             statistics?: {
                 [key: string]: unknown;
             };
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @description A warning about the input or the result of a job that succeeded. */
@@ -1281,15 +1600,17 @@ export interface components {
              *
              *     - `apex_inside`: A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
              *     - `beyond_support`: An edge or a point has slid beyond the border of its support: `support`, `distance`.
+             *     - `closing_corner`: The sides of a film nearly touch at a corner between cables: `boundary`, `point`, `angle_deg`, and `force_factor`, by which the forces of these cables would have to grow to open the corner to 5 degrees.
              *     - `crossing_directrices`: Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
              *     - `edge_length_missed`: The mean edge length differs from the wanted one: `mean_edge_length`, `edge_length`.
              *     - `empty_triangles`: Triangles of a strip have no area: `strip`, `count`.
              *     - `far_from_zero`: The mesh is so far from zero that an STL file cannot hold its coordinates and is relative to `origin`.
              *     - `film`: The film under a lattice has a warning. The detail begins with the code of that warning.
              *     - `films_cross`: The films of the least topology pass through each other or themselves.
-             *     - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
+             *     - `folds`: Neighbouring triangles of a strip fold back, and its directrices have no such sharp corner: `strip`, `largest_fold_deg`.
              *     - `held_points`: A single point does not hold a film, however finely it is meshed: `count`.
              *     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
+             *     - `joined`: Points of the request were joined to others within the tolerance: `count`, and the largest `distance`.
              *     - `junction_point`: Other than four junctions meet in a point, which a soap film would split: `junctions`, `points`.
              *     - `large_area`: A strip has a much larger area than the strip of minimal area: `strip`, `factor`.
              *     - `layers_cross`: A layer lies in front of the layer below it: `layer`, `volume`.
@@ -1297,6 +1618,7 @@ export interface components {
              *     - `mechanism`: Nothing resists a motion of the structure. The detail names the points that move.
              *     - `merged_points`: Equal or nearly equal neighbouring points were merged: `count`, and `directrix` if there are several.
              *     - `near_critical`: A slightly different boundary or a finer mesh may have no such film: `margin`.
+             *     - `nearly_joined`: An end lies near a point or a segment of the request to which it is not joined: `distance`.
              *     - `no_certificate`: No lower bound was computed. The detail has the reason.
              *     - `no_connected_film`: No film that connects all boundaries was found: `largest_gap_fraction`, if a film connects nearer ones.
              *     - `no_lattice`: No lattice edge fits into the domain.
@@ -1324,6 +1646,7 @@ export interface components {
              *     - `unstable`: The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided.
              */
             code: string;
+            /** @description What was wrong and what to try, in words. */
             detail: string;
             /**
              * @description Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
@@ -1390,21 +1713,29 @@ export interface components {
         Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
         /** @description A layer of the found shape. In the mesh its triangles follow those of the layers before it. */
         LayerFigures: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area, in square units of the request's unit of length.
+             */
             area: number;
             /** @description Null if the forces could not be balanced. */
             stress: components["schemas"]["FilmStress"] | null;
+            /** @description Number of triangles. */
             triangles: number;
         };
         /**
          * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
          *     weight of a cable a force per length, and an axial stiffness a force.
+         * @example {
+         *       "force": "kN",
+         *       "length": "m"
+         *     }
          */
         LengthAndForce: {
             /** @description Default: `kN`. */
-            force?: components["schemas"]["ForceUnit"];
+            force?: components["schemas"]["ForceUnit"] | null;
             /** @description Default: `m`. */
-            length?: components["schemas"]["Units"];
+            length?: components["schemas"]["Units"] | null;
         };
         /** @description Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin. */
         LengthHistogram: {
@@ -1464,14 +1795,18 @@ export interface components {
             webhooks: boolean;
         };
         LineGuide: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             direction: components["schemas"]["Point"];
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             point: components["schemas"]["Point"];
         };
         /** @description A number for each line. */
         LineValues: {
+            /** @description Name. */
             name: string;
             /** @description Empty for plain numbers. */
             unit: string;
+            /** @description Values, in the order of the lines. */
             values: number[];
         };
         /**
@@ -1482,20 +1817,29 @@ export interface components {
          * @enum {string}
          */
         LinearSolver: "direct" | "conjugate_gradients";
-        /** @description Addresses that belong to a job. */
+        /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
         Links: {
-            cancel: string;
+            /** @description Address of the batch that the job belongs to. */
+            batch?: string | null;
+            /** @description Address that cancels the job. Present until the job has ended. */
+            cancel?: string | null;
             /**
              * @description Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
              *     surfaces do, if their request has `certify`.
              */
             certificate?: string | null;
+            /** @description Address of the server-sent events. */
             events: string;
-            /** @description Address of the mesh. Absent from failed and cancelled jobs. */
+            /** @description Address of the mesh. Present once the job has succeeded. */
             mesh?: string | null;
-            /** @description Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do. */
+            /** @description Address of the flat pattern. Present once the job has succeeded and has one: only ruled surfaces do. */
             pattern?: string | null;
+            /** @description Address of the request as it was accepted. Absent from jobs that ended under a version that dropped requests. */
+            request?: string | null;
+            /** @description Address of the resource itself. */
             self: string;
+            /** @description Address of the job that superseded this one. */
+            successor?: string | null;
         };
         /**
          * @description Construction of the initial mesh. The statistics name the construction that `auto` chose.
@@ -1509,13 +1853,15 @@ export interface components {
          */
         MadeMesh: "auto" | "planar" | "disk" | "rings" | "barycentres";
         /**
-         * @description A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
-         *     hub of a ring is joined to it; any other point is a support. At least one end is no support.
+         * @description A straight member between two points that may push. A point within `join_tolerance` of a boundary's point, one of
+         *     `joints` or the hub of a ring is joined to it; any other point is a support. At least one end is no support.
          */
         Mast: {
-            mode?: components["schemas"]["MastMode"];
+            /** @description Quantity of a mast that is held constant. */
+            mode?: components["schemas"]["MastMode"] | null;
             /** @description Name in statistics and warnings. Null means its number, as in `mast 0`. */
             name?: string | null;
+            /** @description The two ends. */
             points: components["schemas"]["Point"][];
             /**
              * Format: double
@@ -1530,9 +1876,14 @@ export interface components {
              * @description Force with which the mast pushes; negative if it pulls.
              */
             force: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the mast in the found shape.
+             */
             length: number;
+            /** @description Quantity that was held constant. */
             mode: string;
+            /** @description Name. */
             name: string;
         };
         /**
@@ -1563,9 +1914,11 @@ export interface components {
         };
         /** @description A mesh in the axes and the unit of its request. */
         Mesh: {
+            /** @description Numbers at the vertices. */
             attributes: components["schemas"]["MeshAttributes"];
             /** @description For each polyline of the request, the vertices that its points became. */
             input_vertices: number[][];
+            /** @description Sets of lines beside the triangles, such as boundaries and cables. */
             lines: components["schemas"]["MeshLines"][];
             /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
             origin: number[];
@@ -1579,7 +1932,12 @@ export interface components {
             };
             /** @description Three indices of vertices for each triangle, counted from 0. A cable net has none. */
             triangles: number[][];
+            /**
+             * @description Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
+             *     unit.
+             */
             unit: components["schemas"]["Units"];
+            /** @description Axis of the client's coordinates that points up. */
             up: components["schemas"]["UpAxis"];
             /** @description The request's own points come first, in their order. */
             vertices: components["schemas"]["Point"][];
@@ -1599,6 +1957,7 @@ export interface components {
             rounding: number;
             /** @description Vertex indices of each triangle, counted from 0. */
             triangles: number[][];
+            /** @description The points of a closed polygon in order. The first point is not repeated. */
             vertices: components["schemas"]["Polygon"];
         };
         /** @description Lines along the mesh. */
@@ -1620,12 +1979,18 @@ export interface components {
          *     and angles in degrees.
          */
         MinimalStatistics: {
+            /** @description Angles of the triangles, in degrees. */
             angles_deg: components["schemas"]["AngleRange"];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area, in square units of the request's unit of length.
+             */
             area: number;
+            /** @description Number of closed loops of boundary edges. */
             boundary_loops: number;
             /** @description Proven lower bound of the area. Null without `certify`. */
             certificate: components["schemas"]["Certificate"] | null;
+            /** @description Number of connected parts. */
             components: number;
             /**
              * @description Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
@@ -1633,19 +1998,27 @@ export interface components {
              *     `least_squares_tolerance` for `minimal_mean_curvature`.
              */
             converged: boolean;
+            /** @description Number of triangles without an area, up to rounding. */
             degenerate_triangles: number;
+            /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
+            /** @description Number of edges that were flipped. */
             edges_swapped: number;
-            /** Format: int64 */
+            /**
+             * Format: int64
+             * @description Vertices - edges + triangles.
+             */
             euler_characteristic: number;
             /** @description Null if the boundary's points do not allow a second resolution, and for unstable surfaces. */
             extrapolated_area: components["schemas"]["ExtrapolatedArea"] | null;
+            /** @description Number of triangles that are turned over against their neighbours. */
             flipped_triangles: number;
             /**
              * Format: int64
              * @description Null for films with junctions, for which it is not defined.
              */
             genus: number | null;
+            /** @description Iterations of the solver. */
             history: components["schemas"]["HistoryRow"][];
             /**
              * Format: double
@@ -1654,12 +2027,18 @@ export interface components {
             initial_area: number;
             /** @description Initial mesh that was built. */
             initial_mesh: string;
+            /** @description Number of iterations. */
             iterations: number;
             /** @description Null unless the initial mesh of the film has edges with three triangles. */
             junctions: components["schemas"]["Junctions"] | null;
+            /** @description Mean curvature over the vertices that are free to move, in 1/unit. */
             mean_curvature: components["schemas"]["MeanCurvature"];
+            /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Value of the objective.
+             */
             objective_value: number;
             /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
             origin: number[];
@@ -1691,17 +2070,22 @@ export interface components {
             stability: components["schemas"]["Stability"] | null;
             /** @description Rule or limit that ended the solver. */
             stop_reason: string;
+            /** @description Number of triangles. */
             triangles: number;
+            /** @description Number of vertices. */
             vertices: number;
         };
         /** @description A job: an accepted request and its state. */
         MinimalSurfaceJob: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
@@ -1712,16 +2096,21 @@ export interface components {
             kind: "minimal_surface";
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /** @description Null until the job has succeeded. */
             statistics: components["schemas"]["MinimalStatistics"] | null;
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @enum {string} */
@@ -1735,45 +2124,52 @@ export interface components {
         MinimalSurfaceRequest: {
             /**
              * Format: double
-             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`.
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`. Only with `objective: minimal_area` and `solver` `vertex_relaxation` or `pinkall_polthier`.
              */
-            area_tolerance?: number;
+            area_tolerance?: number | null;
             /** @description Closed polygons that do not repeat their first point. */
             boundaries: components["schemas"]["Polygon"][];
             /**
              * @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
-             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`.
+             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`.
              */
-            boundary_curvature?: boolean;
-            boundary_sampling?: components["schemas"]["BoundarySampling"];
+            boundary_curvature?: boolean | null;
+            /** @description Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            boundary_sampling?: components["schemas"]["BoundarySampling"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             *     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`.
              */
-            certify?: components["schemas"]["Certify"];
-            constraints?: components["schemas"]["Constraints"];
+            certify?: components["schemas"]["Certify"] | null;
+            /**
+             * @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+             *     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+             *     boundary.
+             */
+            constraints?: components["schemas"]["Constraints"] | null;
             /**
              * Format: double
              * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-             *     angle. 0 removes none. Default: `1.0`.
+             *     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`.
              */
-            degenerate_angle_deg?: number;
+            degenerate_angle_deg?: number | null;
             /**
              * Format: double
              * @description Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
-             *     `area_tolerance`.
+             *     `area_tolerance`. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             fairing_tolerance?: number | null;
-            initial_mesh?: components["schemas"]["InitialMesh"];
+            /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
+            initial_mesh?: components["schemas"]["InitialMesh"] | null;
             /**
              * Format: double
              * @description Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
@@ -1788,30 +2184,32 @@ export interface components {
             /**
              * Format: double
              * @description Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
-             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`.
+             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`. Only with `objective: minimal_mean_curvature`.
              */
-            least_squares_tolerance?: number;
-            /** @description Method by which `pinkall_polthier` solves its linear systems. */
-            linear_solver?: components["schemas"]["LinearSolver"];
-            /** @description Maximum number of iterations. Null means the solver's default. */
+            least_squares_tolerance?: number | null;
+            /** @description Method by which `pinkall_polthier` solves its linear systems. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`. */
+            linear_solver?: components["schemas"]["LinearSolver"] | null;
+            /** @description Maximum number of iterations. Null means the solver's default. Only with `objective` `minimal_area` or `minimal_mean_curvature`. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
                 [key: string]: unknown;
             } | null;
-            objective?: components["schemas"]["MinimalSurfaceObjective"];
-            on_unstable?: components["schemas"]["OnUnstable"];
+            /** @description Quantity that is minimised. `GET /v1/objectives` has the formulas. */
+            objective?: components["schemas"]["MinimalSurfaceObjective"] | null;
+            /** @description Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`. */
+            on_unstable?: components["schemas"]["OnUnstable"] | null;
             /**
              * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-             *     stages.
+             *     stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
-            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
-            resolution?: components["schemas"]["Resolution"];
-            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
-            seed?: number;
-            /** @description Method that minimises the area. */
-            solver?: components["schemas"]["Solver"];
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            resolution?: components["schemas"]["Resolution"] | null;
+            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`. */
+            seed?: number | null;
+            /** @description Method that minimises the area. Only with `objective: minimal_area`. */
+            solver?: components["schemas"]["Solver"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
@@ -1820,58 +2218,66 @@ export interface components {
             /**
              * Format: double
              * @description Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
-             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`.
+             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`. Only with `objective: minimal_area`.
              */
-            tolerance?: number;
-            topology?: components["schemas"]["Topology"];
+            tolerance?: number | null;
+            /** @description Only with `objective: minimal_area` and `solver` `auto`, `pinkall_polthier` or `newton`. */
+            topology?: components["schemas"]["Topology"] | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /** @description Boundary polygons, and options for the surface that spans them. */
         MinimalSurfaceRequestWithKind: {
             /**
              * Format: double
-             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`.
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`. Only with `objective: minimal_area` and `solver` `vertex_relaxation` or `pinkall_polthier`.
              */
-            area_tolerance?: number;
+            area_tolerance?: number | null;
             /** @description Closed polygons that do not repeat their first point. */
             boundaries: components["schemas"]["Polygon"][];
             /**
              * @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
-             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`.
+             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`.
              */
-            boundary_curvature?: boolean;
-            boundary_sampling?: components["schemas"]["BoundarySampling"];
+            boundary_curvature?: boolean | null;
+            /** @description Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            boundary_sampling?: components["schemas"]["BoundarySampling"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             *     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`.
              */
-            certify?: components["schemas"]["Certify"];
-            constraints?: components["schemas"]["Constraints"];
+            certify?: components["schemas"]["Certify"] | null;
+            /**
+             * @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+             *     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+             *     boundary.
+             */
+            constraints?: components["schemas"]["Constraints"] | null;
             /**
              * Format: double
              * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-             *     angle. 0 removes none. Default: `1.0`.
+             *     angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`.
              */
-            degenerate_angle_deg?: number;
+            degenerate_angle_deg?: number | null;
             /**
              * Format: double
              * @description Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
-             *     `area_tolerance`.
+             *     `area_tolerance`. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             fairing_tolerance?: number | null;
-            initial_mesh?: components["schemas"]["InitialMesh"];
+            /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
+            initial_mesh?: components["schemas"]["InitialMesh"] | null;
             /**
              * Format: double
              * @description Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
@@ -1889,30 +2295,32 @@ export interface components {
             /**
              * Format: double
              * @description Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
-             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`.
+             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`. Only with `objective: minimal_mean_curvature`.
              */
-            least_squares_tolerance?: number;
-            /** @description Method by which `pinkall_polthier` solves its linear systems. */
-            linear_solver?: components["schemas"]["LinearSolver"];
-            /** @description Maximum number of iterations. Null means the solver's default. */
+            least_squares_tolerance?: number | null;
+            /** @description Method by which `pinkall_polthier` solves its linear systems. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`. */
+            linear_solver?: components["schemas"]["LinearSolver"] | null;
+            /** @description Maximum number of iterations. Null means the solver's default. Only with `objective` `minimal_area` or `minimal_mean_curvature`. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
                 [key: string]: unknown;
             } | null;
-            objective?: components["schemas"]["MinimalSurfaceObjective"];
-            on_unstable?: components["schemas"]["OnUnstable"];
+            /** @description Quantity that is minimised. `GET /v1/objectives` has the formulas. */
+            objective?: components["schemas"]["MinimalSurfaceObjective"] | null;
+            /** @description Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`. */
+            on_unstable?: components["schemas"]["OnUnstable"] | null;
             /**
              * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-             *     stages.
+             *     stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
-            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
-            resolution?: components["schemas"]["Resolution"];
-            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
-            seed?: number;
-            /** @description Method that minimises the area. */
-            solver?: components["schemas"]["Solver"];
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            resolution?: components["schemas"]["Resolution"] | null;
+            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`. */
+            seed?: number | null;
+            /** @description Method that minimises the area. Only with `objective: minimal_area`. */
+            solver?: components["schemas"]["Solver"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
@@ -1921,14 +2329,15 @@ export interface components {
             /**
              * Format: double
              * @description Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
-             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`.
+             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`. Only with `objective: minimal_area`.
              */
-            tolerance?: number;
-            topology?: components["schemas"]["Topology"];
+            tolerance?: number | null;
+            /** @description Only with `objective: minimal_area` and `solver` `auto`, `pinkall_polthier` or `newton`. */
+            topology?: components["schemas"]["Topology"] | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /** @description Edges with common targets. Targets are met in least squares, and `force_density` exactly. */
         NetCable: {
@@ -1937,7 +2346,7 @@ export interface components {
              * @description EA, a force. It gives the unstressed length.
              */
             axial_stiffness?: number | null;
-            /** @description Numbers of its edges, counted from 0. Null means all edges that no other cable lists. */
+            /** @description Numbers of its edges, counted from 0. Null means all edges that no other cable lists. An empty list is refused. */
             edges?: number[] | null;
             /**
              * Format: double
@@ -1958,10 +2367,16 @@ export interface components {
             /** @description Name in statistics and files. Null means its number, as in `cable 0`. */
             name?: string | null;
             /** @description Whether the edges are struts, which push. A negative `force` or `force_density` says it too. */
-            strut?: boolean;
+            strut?: boolean | null;
         };
         /** @description A cable of the found net: all its edges together. */
         NetCableResult: {
+            /**
+             * Format: double
+             * @description Axial stiffness of the request, a force; null without one.
+             */
+            axial_stiffness: number | null;
+            /** @description Smallest and largest value. */
             edge_lengths: components["schemas"]["ValueRange"];
             /** @description Number of its edges. */
             edges: number;
@@ -1970,15 +2385,22 @@ export interface components {
              * @description Mean force, weighted by length. Forces of struts are negative.
              */
             force: number;
+            /** @description Smallest and largest value. */
             force_densities: components["schemas"]["ValueRange"];
             /**
              * Format: double
              * @description Largest |force / target - 1|; null without a target.
              */
             force_deviation: number | null;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest force.
+             */
             force_max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest force.
+             */
             force_min: number;
             /**
              * Format: double
@@ -1990,6 +2412,7 @@ export interface components {
              * @description Largest |length / target - 1|; null without a target.
              */
             length_deviation: number | null;
+            /** @description Name. */
             name: string;
             /** @description Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension. */
             slack_edges: number;
@@ -2004,13 +2427,14 @@ export interface components {
         NetLoad: {
             /** @description Force on each of the vertices. */
             force: number[];
-            /** @description Vertices on which the load acts. Null means all vertices that are no supports. */
+            /** @description Vertices on which the load acts. Null means all vertices that are no supports. An empty list is refused. */
             vertices?: number[] | null;
         };
         /** @description A support of the net. */
         NetReaction: {
             /** @description Force of the support on the net. */
             force: number[];
+            /** @description Number of the vertex, counted from 0. */
             vertex: number;
         };
         /** @description A NURBS patch. */
@@ -2028,19 +2452,38 @@ export interface components {
         };
         /** @description One objective of one kind of request. */
         Objective: {
+            /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
             /** @description Quantity that is minimised or maximised, as a formula in words and symbols. */
             minimises: string;
+            /** @description Name. */
             name: string;
-            /** @description Names of the request's fields that change the solution. */
-            options: string[];
+            /**
+             * @description Members of the request that can change the result with this objective, each with the choices that it needs. A
+             *     request with a member that does not act is refused.
+             */
+            options: components["schemas"]["ObjectiveOption"][];
             /** @description Author, section and equation. */
             source: string;
             /** @description Unit of the objective's value, where `u` is the client's unit. */
             unit: string;
         };
         ObjectiveList: {
+            /** @description The objectives. */
             objectives: components["schemas"]["Objective"][];
+        };
+        /** @description An option of an objective in the catalogue. */
+        ObjectiveOption: {
+            /** @description Name of the request's member. */
+            name: string;
+            /**
+             * @description Alternatives, of which one must hold for the option to act. Each names members of the request with the values
+             *     that they may have; `true` and `false` are texts here, and `given` stands for the client's own initial mesh. The
+             *     list is empty if the option always acts.
+             */
+            needs: {
+                [key: string]: string[];
+            }[];
         };
         /**
          * @description Treatment of a stationary surface that is not a local minimum.
@@ -2058,14 +2501,19 @@ export interface components {
         Optimise: "nodes" | "lengths";
         /** @description A member outside the range from the edge length to its double. */
         OutOfRange: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the member.
+             */
             length: number;
+            /** @description Numbers of its two ends, counted from 0. */
             vertices: number[];
             /** @description Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`. */
             why: string;
         };
         /** @description A change of topology. */
         Pinch: {
+            /** @description Number of the iteration, counted from 1. */
             iteration: number;
             /** @description Place of the change in the request's unit and axes. */
             place: number[];
@@ -2076,7 +2524,9 @@ export interface components {
             what: string;
         };
         PlaneGuide: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             normal: components["schemas"]["Point"];
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             point: components["schemas"]["Point"];
         };
         /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
@@ -2107,18 +2557,36 @@ export interface components {
         };
         /** @description A problem document, RFC 9457. */
         Problem: {
+            /** @description What was wrong and what to try, in words. */
             detail: string;
-            /** @description Offending values of the body, at most 50. */
-            errors?: components["schemas"]["FieldError"][];
+            /** @description Offending values of the body or of the query, at most 50. */
+            errors?: components["schemas"]["WrongValue"][];
             /** @description True if there were more errors than are listed. */
             errors_omitted?: boolean;
             /** @description Path of the request. */
             instance: string;
             /** @description HTTP status of the response. */
             status: number;
+            /** @description Title, for people. */
             title: string;
             /** @description Stable URI reference that identifies the kind of problem. */
             type: string;
+        };
+        /** @description A kind of problem. */
+        ProblemKind: {
+            /** @description HTTP status of the response. Null for the error of a failed job. */
+            status: number | null;
+            /** @description Title, for people. */
+            title: string;
+            /**
+             * @description Stable URI reference, which problem documents and the errors of failed jobs have as their `type`. A GET of it
+             *     answers with a text for people.
+             */
+            type: string;
+        };
+        ProblemList: {
+            /** @description The kinds, those of problem documents first. */
+            problems: components["schemas"]["ProblemKind"][];
         };
         /**
          * @description A process of Chen, Cai and Zheng's relaxation.
@@ -2130,7 +2598,12 @@ export interface components {
          */
         Process: "laplacian_fairing" | "area_minimising" | "edge_swapping";
         /** @description One process, or several that take turns. */
-        ProcessStage: components["schemas"]["Process"] | components["schemas"]["Process"][];
+        ProcessStage: components["schemas"]["Process"] | components["schemas"]["Processes"];
+        /** @description Processes that take turns in one stage. */
+        Processes: {
+            /** @description The processes in the order of each turn. */
+            together: components["schemas"]["Process"][];
+        };
         /** @description Progress of a job. */
         Progress: {
             /**
@@ -2138,16 +2611,24 @@ export interface components {
              * @description Fraction of the work that is done, from 0 to 1. It never falls within one attempt.
              */
             fraction: number;
+            /** @description Number of the iteration, counted from 1. */
             iteration: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Value of the objective after the iteration, if the solver knows it.
+             */
             objective_value: number | null;
             /** @description Name of the solver's current phase. */
             phase: string;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Residual after the iteration, if the solver knows it.
+             */
             residual: number | null;
         };
         /** @description The weft runs around an axis and the warp away from it. The axis must not pass through the film. */
         RadialDirection: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             axis: components["schemas"]["Point"];
             /** @description A point of the axis. */
             point: number[];
@@ -2178,17 +2659,19 @@ export interface components {
         Ring: {
             /** @description Direction in which the ring moves. It needs no unit length. */
             axis: number[];
+            /** @description Number of the boundary, counted from 0. */
             boundary: number;
             /**
              * Format: double
              * @description Force on the ring along the axis, from outside. Default: `0.0`.
              */
-            force?: number;
+            force?: number | null;
             /** @description Point in the air that moves with the ring. Masts and cables may end there. */
-            hub?: number[];
+            hub?: number[] | null;
         };
         /** @description A ring of the found shape. */
         RingPosition: {
+            /** @description Number of the boundary, counted from 0. */
             boundary: number;
             /**
              * Format: double
@@ -2198,14 +2681,24 @@ export interface components {
         };
         /** @description Statistics of a ruled surface. */
         RuledStatistics: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area, in square units of the request's unit of length.
+             */
             area: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Bending energy of the strip, without a unit.
+             */
             bending_energy: number;
+            /** @description Number of bridges, which are the edges between the rails. */
             bridges: number;
             /** @description Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`. */
             comparison: components["schemas"]["Comparison"][] | null;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Number of locally convex bridges over the number of bridges.
+             */
             convex_bridge_ratio: number;
             /** @description Number of bridges that are locally convex. */
             convex_bridges: number;
@@ -2220,16 +2713,22 @@ export interface components {
              *     `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
              */
             direction_decided_by: (string | null)[];
-            /** @description Null for closed strips, which cannot be unrolled. */
-            flat_pattern: components["schemas"]["FlatPatternStatistics"] | null;
+            /** @description Quality of the strips' flat pattern. */
+            flat_pattern: components["schemas"]["FlatPatternStatistics"];
             /**
              * Format: double
              * @description Largest angle between the normals of neighbouring triangles.
              */
             largest_fold_deg: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the longest bridge.
+             */
             longest_bridge: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Variation of the mean curvature from bridge to bridge.
+             */
             mean_curvature_variation: number;
             /**
              * Format: double
@@ -2259,7 +2758,10 @@ export interface components {
             self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
             self_intersections_skipped: string | null;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the shortest bridge.
+             */
             shortest_bridge: number;
             /** @description Statistics of each strip, in order. Caps belong to none. */
             strips: components["schemas"]["StripStatistics"][];
@@ -2268,18 +2770,22 @@ export interface components {
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
+            /** @description Number of triangles. */
             triangles: number;
             /** @description Number of vertices of the mesh. */
             vertices: number;
         };
         /** @description A job: an accepted request and its state. */
         RuledSurfaceJob: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
@@ -2290,16 +2796,21 @@ export interface components {
             kind: "ruled_surface";
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /** @description Null until the job has succeeded. */
             statistics: components["schemas"]["RuledStatistics"] | null;
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @enum {string} */
@@ -2314,29 +2825,29 @@ export interface components {
         /** @description Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh. */
         RuledSurfaceRequest: {
             /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
-            all_objectives?: boolean;
+            all_objectives?: boolean | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
-             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`. Only with `closed: true`.
              */
-            caps?: components["schemas"]["Caps"];
+            caps?: components["schemas"]["Caps"] | null;
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
-            closed?: boolean;
+            closed?: boolean | null;
             /**
              * Format: double
              * @description Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
              *     half-plane. 0 is the exact test. Default: `1e-6`.
              */
-            convexity_tolerance_deg?: number;
+            convexity_tolerance_deg?: number | null;
             /**
              * @description `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
              *     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
@@ -2345,7 +2856,7 @@ export interface components {
              *     decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
              *     `auto` would.
              */
-            direction?: components["schemas"]["Direction"];
+            direction?: components["schemas"]["Direction"] | null;
             /** @description Polylines in order. A single point is an apex. */
             directrices: components["schemas"]["Point"][][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
@@ -2362,10 +2873,10 @@ export interface components {
              */
             normals?: components["schemas"]["Point"][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
-            objective?: components["schemas"]["Goal"];
+            objective?: components["schemas"]["Goal"] | null;
             /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
             sampling?: components["schemas"]["Sampling"] | null;
-            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
+            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`. */
             secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
@@ -2378,36 +2889,36 @@ export interface components {
              */
             tangents?: components["schemas"]["Point"][][] | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /** @description Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh. */
         RuledSurfaceRequestWithKind: {
             /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
-            all_objectives?: boolean;
+            all_objectives?: boolean | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
-             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             *     at most a thousandth of its size is projected onto it for the cap, with the warning `projected`. Only with `closed: true`.
              */
-            caps?: components["schemas"]["Caps"];
+            caps?: components["schemas"]["Caps"] | null;
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
-            closed?: boolean;
+            closed?: boolean | null;
             /**
              * Format: double
              * @description Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
              *     half-plane. 0 is the exact test. Default: `1e-6`.
              */
-            convexity_tolerance_deg?: number;
+            convexity_tolerance_deg?: number | null;
             /**
              * @description `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
              *     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
@@ -2416,7 +2927,7 @@ export interface components {
              *     decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
              *     `auto` would.
              */
-            direction?: components["schemas"]["Direction"];
+            direction?: components["schemas"]["Direction"] | null;
             /** @description Polylines in order. A single point is an apex. */
             directrices: components["schemas"]["Point"][][];
             /**
@@ -2436,10 +2947,10 @@ export interface components {
              */
             normals?: components["schemas"]["Point"][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
-            objective?: components["schemas"]["Goal"];
+            objective?: components["schemas"]["Goal"] | null;
             /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
             sampling?: components["schemas"]["Sampling"] | null;
-            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
+            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`. */
             secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
@@ -2452,15 +2963,19 @@ export interface components {
              */
             tangents?: components["schemas"]["Point"][][] | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /**
          * @description Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
          *     nearest sample.
          */
         Sampling: {
+            /**
+             * @description `parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
+             *     polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`.
+             */
             by: components["schemas"]["SamplingRule"];
             /**
              * @description Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
@@ -2507,9 +3022,9 @@ export interface components {
         /** @description A support without friction. What slides is exactly one of `along`, `boundary` and `point`. */
         SlidingSupport: {
             /** @description Part of a boundary, without its two ends. */
-            along?: components["schemas"]["Along"];
+            along?: components["schemas"]["Along"] | null;
             /** @description Number of a boundary that slides as a whole. */
-            boundary?: number;
+            boundary?: number | null;
             /**
              * Format: double
              * @description Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
@@ -2517,8 +3032,13 @@ export interface components {
              *     edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight.
              */
             contact_angle_deg?: number | null;
+            /**
+             * @description A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+             *     unit length.
+             */
             on: components["schemas"]["Guide"];
-            point?: components["schemas"]["BoundaryPoint"];
+            /** @description A point of a boundary, counted from 0. */
+            point?: components["schemas"]["BoundaryPoint"] | null;
         };
         /**
          * @description Method that minimises the area. `auto` chooses the best of the others for the request.
@@ -2563,11 +3083,16 @@ export interface components {
              *     boundary. Null if nothing is proven.
              */
             gap: number | null;
+            /** @description Second variation of area under normal motion. */
             stability: components["schemas"]["Stability"] | null;
         };
         SphereGuide: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             centre: components["schemas"]["Point"];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Radius.
+             */
             radius: number;
         };
         /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
@@ -2621,6 +3146,7 @@ export interface components {
         StabilityMethod: "inertia" | "eigenvalue";
         /** @description One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1. */
         Stage: {
+            /** @description One group of members at one stage. */
             all: components["schemas"]["StageGroup"];
             /** @description Null for the auxiliary triangulation. */
             lattice: components["schemas"]["StageGroup"] | null;
@@ -2632,18 +3158,31 @@ export interface components {
         };
         /** @description One group of members at one stage. */
         StageGroup: {
+            /** @description Number of members. */
             count: number;
             /** @description Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one. */
             distinct_lengths: number;
             /** @description Number of members within the tolerance of the edge length. */
             equal_edges: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Mean value.
+             */
             mean: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest value.
+             */
             min: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Standard deviation.
+             */
             std_dev: number;
         };
         /**
@@ -2674,12 +3213,22 @@ export interface components {
          *     square, and angles in degrees.
          */
         StripStatistics: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area, in square units of the request's unit of length.
+             */
             area: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Bending energy of the strip, without a unit.
+             */
             bending_energy: number;
+            /** @description Number of bridges, which are the edges between the rails. */
             bridges: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Number of locally convex bridges over the number of bridges.
+             */
             convex_bridge_ratio: number;
             /** @description Number of bridges that are locally convex. */
             convex_bridges: number;
@@ -2694,9 +3243,15 @@ export interface components {
              * @description Largest angle between the normals of neighbouring triangles.
              */
             largest_fold_deg: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the longest bridge.
+             */
             longest_bridge: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Variation of the mean curvature from bridge to bridge.
+             */
             mean_curvature_variation: number;
             /**
              * Format: double
@@ -2713,13 +3268,17 @@ export interface components {
              * @description Value of the secondary objective. Null without one.
              */
             secondary_value: number | null;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Length of the shortest bridge.
+             */
             shortest_bridge: number;
             /**
              * Format: double
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
+            /** @description Number of triangles. */
             triangles: number;
         };
         /** @description A support at the end of a cable. */
@@ -2730,6 +3289,7 @@ export interface components {
             force: number[];
             /** @description Number of the boundary's point. */
             point: number | null;
+            /** @description Number of the vertex, counted from 0. */
             vertex: number;
         };
         /** @description The mesh beside the curved surface that it stands for. All nodes lie on the surface. */
@@ -2766,46 +3326,52 @@ export interface components {
              * Format: double
              * @description Weight of the mean of (force / target - 1)² over the edges with a target force. Default: `1.0`.
              */
-            force?: number;
+            force?: number | null;
             /**
              * Format: double
              * @description Weight of the mean of (length / target - 1)² over the edges with a target length. Default: `1.0`.
              */
-            length?: number;
+            length?: number | null;
             /**
              * Format: double
              * @description Weight of the load path Σ force · length, as a fraction of its value at the start. Default: `0.0`.
              */
-            load_path?: number;
+            load_path?: number | null;
         };
         /** @description The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`. */
         TensileFilm: {
-            direction?: components["schemas"]["WarpDirection"];
-            hold?: components["schemas"]["WeaveHold"];
+            /**
+             * @description Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
+             *     onto the film. Directions need no unit length.
+             */
+            direction?: components["schemas"]["WarpDirection"] | null;
+            /** @description Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`. */
+            hold?: components["schemas"]["WeaveHold"] | null;
             /**
              * Format: double
              * @description Isotropic tension, a force per length.
              */
-            tension?: number;
+            tension?: number | null;
             /**
              * Format: double
              * @description Stress along the warp, a force per length.
              */
-            warp?: number;
+            warp?: number | null;
             /**
              * Format: double
              * @description Stress along the weft, at right angles to the warp, a force per length.
              */
-            weft?: number;
+            weft?: number | null;
             /**
              * Format: double
              * @description Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
              *     the height by the weight. Default: `0.0`.
              */
-            weight?: number;
+            weight?: number | null;
         };
         /** @description Statistics of a tensile structure. */
         TensileStatistics: {
+            /** @description Angles of the triangles, in degrees. */
             angles_deg: components["schemas"]["AngleRange"];
             /**
              * Format: double
@@ -2814,6 +3380,7 @@ export interface components {
             area: number;
             /** @description Null if the forces could not be balanced. */
             balance: components["schemas"]["ForceBalance"] | null;
+            /** @description The cables with their forces. */
             cables: components["schemas"]["CableForce"][];
             /** @description The chambers. The space below a single film with a pressure is one. */
             chambers: components["schemas"]["ChamberState"][];
@@ -2822,17 +3389,23 @@ export interface components {
              *     left. Null without such an edge.
              */
             contact_angle_deg: components["schemas"]["AngleRange"] | null;
+            /** @description Whether the solver has met its own rule. */
             converged: boolean;
+            /** @description Number of triangles without an area, up to rounding. */
             degenerate_triangles: number;
+            /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
             /** @description Supports along the fixed parts of the boundaries. */
             edge_reactions: components["schemas"]["EdgeReaction"][];
+            /** @description Number of triangles that are turned over against their neighbours. */
             flipped_triangles: number;
             /** @description Unit of the forces. */
             force_unit: string;
+            /** @description Number of iterations. */
             iterations: number;
             /** @description The layers. A single film is one. */
             layers: components["schemas"]["LayerFigures"][];
+            /** @description The masts with their forces. */
             masts: components["schemas"]["MastForce"][];
             /** @description Centroid of the triangle with the smallest slope. */
             minimum_slope_at: number[];
@@ -2841,6 +3414,7 @@ export interface components {
              * @description Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0.
              */
             minimum_slope_deg: number;
+            /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
             /**
              * Format: double
@@ -2858,8 +3432,12 @@ export interface components {
             pressure: number;
             /** @description Supports at the ends of cables. */
             reactions: components["schemas"]["SupportReaction"][];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Residual, without a unit.
+             */
             residual: number;
+            /** @description The rings with their places. */
             rings: components["schemas"]["RingPosition"][];
             /** @description Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at. */
             self_intersections: number | null;
@@ -2867,10 +3445,13 @@ export interface components {
             self_intersections_skipped: string | null;
             /** @description Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum. */
             stability: components["schemas"]["EquilibriumStability"] | null;
+            /** @description Reason for which the solver stopped. */
             stop_reason: string;
             /** @description Stresses of all layers. Null if the forces could not be balanced. */
             stress: components["schemas"]["FilmStress"] | null;
+            /** @description Number of triangles. */
             triangles: number;
+            /** @description Number of vertices. */
             vertices: number;
             /**
              * Format: double
@@ -2880,12 +3461,15 @@ export interface components {
         };
         /** @description A job: an accepted request and its state. */
         TensileStructureJob: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
@@ -2896,16 +3480,21 @@ export interface components {
             kind: "tensile_structure";
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /** @description Null until the job has succeeded. */
             statistics: components["schemas"]["TensileStatistics"] | null;
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @enum {string} */
@@ -2920,28 +3509,28 @@ export interface components {
             /** @description Closed polygons that do not repeat their first point: the edges of the film before form finding. */
             boundaries: components["schemas"]["Polygon"][];
             /** @description Cables along the boundaries and in the air. */
-            cables?: components["schemas"]["Cable"][];
+            cables?: components["schemas"]["Cable"][] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
              *     `pressure` and `volume`.
              */
-            chambers?: components["schemas"]["Chamber"][];
+            chambers?: components["schemas"]["Chamber"][] | null;
             /** @description The film. Required unless there are `layers`. */
-            film?: components["schemas"]["TensileFilm"];
+            film?: components["schemas"]["TensileFilm"] | null;
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
              *     on both sides; cables in the air can tie it back.
              */
-            free_points?: components["schemas"]["BoundaryPoint"][];
+            free_points?: components["schemas"]["BoundaryPoint"][] | null;
             /**
              * Format: double
              * @description Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
@@ -2951,7 +3540,7 @@ export interface components {
              */
             join_tolerance?: number | null;
             /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
-            joints?: components["schemas"]["Point"][];
+            joints?: components["schemas"]["Point"][] | null;
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["TensileStructureKind"] | null;
             /** @description Name of the job for people. The job and lists of jobs show it. */
@@ -2960,9 +3549,9 @@ export interface components {
              * @description Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
              *     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
              */
-            layers?: components["schemas"]["TensileFilm"][];
+            layers?: components["schemas"]["TensileFilm"][] | null;
             /** @description Straight members that may push. */
-            masts?: components["schemas"]["Mast"][];
+            masts?: components["schemas"]["Mast"][] | null;
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
@@ -2979,25 +3568,29 @@ export interface components {
              * @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
              *     are more.
              */
-            resolution?: components["schemas"]["Resolution"];
+            resolution?: components["schemas"]["Resolution"] | null;
             /** @description Boundaries that are rigid rings and move along an axis. */
-            rings?: components["schemas"]["Ring"][];
+            rings?: components["schemas"]["Ring"][] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
              */
             supersede?: string | null;
             /** @description Supports on which points or edges of the film slide without friction. */
-            supports?: components["schemas"]["SlidingSupport"][];
+            supports?: components["schemas"]["SlidingSupport"][] | null;
             /**
              * Format: double
              * @description Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
              *     supports) at which the shape counts as found. Default: `1e-8`.
              */
-            tolerance?: number;
-            units?: components["schemas"]["LengthAndForce"];
+            tolerance?: number | null;
+            /**
+             * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+             *     weight of a cable a force per length, and an axial stiffness a force.
+             */
+            units?: components["schemas"]["LengthAndForce"] | null;
             /** @description Axis that points up. Weights pull against it. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
@@ -3015,28 +3608,28 @@ export interface components {
             /** @description Closed polygons that do not repeat their first point: the edges of the film before form finding. */
             boundaries: components["schemas"]["Polygon"][];
             /** @description Cables along the boundaries and in the air. */
-            cables?: components["schemas"]["Cable"][];
+            cables?: components["schemas"]["Cable"][] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
             /**
              * @description Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
              *     `pressure` and `volume`.
              */
-            chambers?: components["schemas"]["Chamber"][];
+            chambers?: components["schemas"]["Chamber"][] | null;
             /** @description The film. Required unless there are `layers`. */
-            film?: components["schemas"]["TensileFilm"];
+            film?: components["schemas"]["TensileFilm"] | null;
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
              *     on both sides; cables in the air can tie it back.
              */
-            free_points?: components["schemas"]["BoundaryPoint"][];
+            free_points?: components["schemas"]["BoundaryPoint"][] | null;
             /**
              * Format: double
              * @description Distance up to which joints, hubs, ends of cables and masts, and points of cables across the film are joined to
@@ -3046,7 +3639,7 @@ export interface components {
              */
             join_tolerance?: number | null;
             /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
-            joints?: components["schemas"]["Point"][];
+            joints?: components["schemas"]["Point"][] | null;
             /**
              * @description Kind of the request. (enum property replaced by openapi-typescript)
              * @enum {string}
@@ -3058,9 +3651,9 @@ export interface components {
              * @description Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
              *     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
              */
-            layers?: components["schemas"]["TensileFilm"][];
+            layers?: components["schemas"]["TensileFilm"][] | null;
             /** @description Straight members that may push. */
-            masts?: components["schemas"]["Mast"][];
+            masts?: components["schemas"]["Mast"][] | null;
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
@@ -3077,25 +3670,29 @@ export interface components {
              * @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
              *     are more.
              */
-            resolution?: components["schemas"]["Resolution"];
+            resolution?: components["schemas"]["Resolution"] | null;
             /** @description Boundaries that are rigid rings and move along an axis. */
-            rings?: components["schemas"]["Ring"][];
+            rings?: components["schemas"]["Ring"][] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
              */
             supersede?: string | null;
             /** @description Supports on which points or edges of the film slide without friction. */
-            supports?: components["schemas"]["SlidingSupport"][];
+            supports?: components["schemas"]["SlidingSupport"][] | null;
             /**
              * Format: double
              * @description Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
              *     supports) at which the shape counts as found. Default: `1e-8`.
              */
-            tolerance?: number;
-            units?: components["schemas"]["LengthAndForce"];
+            tolerance?: number | null;
+            /**
+             * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+             *     weight of a cable a force per length, and an axial stiffness a force.
+             */
+            units?: components["schemas"]["LengthAndForce"] | null;
             /** @description Axis that points up. Weights pull against it. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
@@ -3111,7 +3708,9 @@ export interface components {
         Topology: "fixed" | "free" | "best";
         /** @description A torus, such as a ring beam of round tube. */
         TorusGuide: {
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             axis: components["schemas"]["Point"];
+            /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
             centre: components["schemas"]["Point"];
             /**
              * Format: double
@@ -3126,12 +3725,15 @@ export interface components {
         };
         /** @description A job: an accepted request and its state. */
         UniformMeshJob: {
+            /** @description Why the job was cancelled. Null unless it was. */
+            cancelled_because: components["schemas"]["CancelReason"] | null;
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at: string | null;
+            /** @description Time of the end (RFC 3339, UTC). Null until then. */
             finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
@@ -3142,16 +3744,21 @@ export interface components {
             kind: "uniform_mesh";
             /** @description Name of the job for people, if the request gave one. */
             label: string | null;
+            /** @description Addresses that belong to a job. Each can be followed now: an address without a resource is absent. */
             links: components["schemas"]["Links"];
             /** @description Fields of the client, if the request gave some. */
             metadata: {
                 [key: string]: unknown;
             } | null;
+            /** @description Progress of a job. */
             progress: components["schemas"]["Progress"];
+            /** @description Time at which the solver began (RFC 3339, UTC). Null until then. */
             started_at: string | null;
             /** @description Null until the job has succeeded. */
             statistics: components["schemas"]["UniformStatistics"] | null;
+            /** @description State of a job. `succeeded`, `failed` and `cancelled` are final. */
             status: components["schemas"]["Status"];
+            /** @description Warnings about a result that is there. */
             warnings: components["schemas"]["JobWarning"][];
         };
         /** @enum {string} */
@@ -3166,17 +3773,18 @@ export interface components {
         UniformMeshObjective: "fewest_nodes" | "most_equal_edges";
         /** @description A domain and the edge length of its mesh. */
         UniformMeshRequest: {
-            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. */
-            auxiliary_grid?: number[];
+            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. Only with `domain` `bezier` or `nurbs`. */
+            auxiliary_grid?: number[] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
+            /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
             domain: components["schemas"]["Domain"];
             /**
              * Format: double
@@ -3194,42 +3802,44 @@ export interface components {
              *     edge length.
              */
             length_tolerance?: number | null;
-            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
+            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. Only with `optimise: lengths`. */
             max_distinct_lengths?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
                 [key: string]: unknown;
             } | null;
-            objective?: components["schemas"]["UniformMeshObjective"];
-            /** @description Aim of moving the nodes. */
-            optimise?: components["schemas"]["Optimise"];
-            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. */
-            optimise_nodes?: boolean;
-            /** @description Lengths that members outside the lattice group may take while the nodes move. */
-            rim?: components["schemas"]["Rim"];
+            /** @description Quantity that is optimised. */
+            objective?: components["schemas"]["UniformMeshObjective"] | null;
+            /** @description Aim of moving the nodes. Only with `optimise_nodes: true`. */
+            optimise?: components["schemas"]["Optimise"] | null;
+            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. Only with `domain` `bezier`, `nurbs` or `boundaries`. */
+            optimise_nodes?: boolean | null;
+            /** @description Lengths that members outside the lattice group may take while the nodes move. Only with `domain` `bezier`, `nurbs` or `boundaries` and `optimise_nodes: true`. */
+            rim?: components["schemas"]["Rim"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
              */
             supersede?: string | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /** @description A domain and the edge length of its mesh. */
         UniformMeshRequestWithKind: {
-            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. */
-            auxiliary_grid?: number[];
+            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. Only with `domain` `bezier` or `nurbs`. */
+            auxiliary_grid?: number[] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
-            cache?: components["schemas"]["Cache"];
+            cache?: components["schemas"]["Cache"] | null;
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
-            cancel_on_disconnect?: boolean;
+            cancel_on_disconnect?: boolean | null;
+            /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
             domain: components["schemas"]["Domain"];
             /**
              * Format: double
@@ -3250,31 +3860,33 @@ export interface components {
              *     edge length.
              */
             length_tolerance?: number | null;
-            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
+            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. Only with `optimise: lengths`. */
             max_distinct_lengths?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
                 [key: string]: unknown;
             } | null;
-            objective?: components["schemas"]["UniformMeshObjective"];
-            /** @description Aim of moving the nodes. */
-            optimise?: components["schemas"]["Optimise"];
-            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. */
-            optimise_nodes?: boolean;
-            /** @description Lengths that members outside the lattice group may take while the nodes move. */
-            rim?: components["schemas"]["Rim"];
+            /** @description Quantity that is optimised. */
+            objective?: components["schemas"]["UniformMeshObjective"] | null;
+            /** @description Aim of moving the nodes. Only with `optimise_nodes: true`. */
+            optimise?: components["schemas"]["Optimise"] | null;
+            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. Only with `domain` `bezier`, `nurbs` or `boundaries`. */
+            optimise_nodes?: boolean | null;
+            /** @description Lengths that members outside the lattice group may take while the nodes move. Only with `domain` `bezier`, `nurbs` or `boundaries` and `optimise_nodes: true`. */
+            rim?: components["schemas"]["Rim"] | null;
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
              */
             supersede?: string | null;
             /** @description Unit of the coordinates. Default: `m`. */
-            units?: components["schemas"]["Units"];
+            units?: components["schemas"]["Units"] | null;
             /** @description Axis that points up. Default: `z`. */
-            up?: components["schemas"]["UpAxis"];
+            up?: components["schemas"]["UpAxis"] | null;
         };
         /** @description Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees. */
         UniformStatistics: {
+            /** @description Angles of the triangles, in degrees. */
             angles_deg: components["schemas"]["AngleRange"];
             /**
              * @description False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the
@@ -3282,13 +3894,17 @@ export interface components {
              *     says by how much.
              */
             converged: boolean;
+            /** @description Number of different lengths of members. */
             distinct_lengths: number;
+            /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
+            /** @description Number of edges. */
             edges: number;
             /** @description Number of members within the tolerance of the edge length. */
             equal_edges: number;
             /** @description Lengths of the members of the lattice. */
             lattice_edges: components["schemas"]["GroupLengths"];
+            /** @description Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin. */
             length_histogram: components["schemas"]["LengthHistogram"];
             /**
              * Format: double
@@ -3300,7 +3916,9 @@ export interface components {
              *     Null for curved domains.
              */
             node_lower_bound: number | null;
+            /** @description Number of nodes. */
             nodes: number;
+            /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
             /** @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`. */
             objective_value: number;
@@ -3308,6 +3926,7 @@ export interface components {
             origin: number[];
             /** @description The first 200 members that are out of range. */
             out_of_range: components["schemas"]["OutOfRange"][];
+            /** @description Number of members whose length is outside the range of the objective. */
             out_of_range_edges: number;
             /** @description Number of members that are out of range, for each reason. */
             out_of_range_reasons: {
@@ -3326,6 +3945,7 @@ export interface components {
             stages: components["schemas"]["Stage"][];
             /** @description Curved domains: the mesh beside its surface. Null for polygons. */
             surface: components["schemas"]["SurfaceFit"] | null;
+            /** @description Number of triangles. */
             triangles: number;
             /** @description Entry k is the number of nodes with k members. */
             valence_histogram: number[];
@@ -3343,9 +3963,15 @@ export interface components {
         UpAxis: "z" | "y";
         /** @description Smallest and largest value. */
         ValueRange: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Largest value.
+             */
             max: number;
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Smallest value.
+             */
             min: number;
         };
         /**
@@ -3357,6 +3983,7 @@ export interface components {
             along?: components["schemas"]["Point"][];
             /** @description Vector along which the warp runs. */
             parallel?: number[];
+            /** @description The weft runs around an axis and the warp away from it. The axis must not pass through the film. */
             radial?: components["schemas"]["RadialDirection"];
         };
         /**
@@ -3398,7 +4025,8 @@ export interface components {
         /** @description The sum of the named objectives times their weights. */
         WeightedSum: {
             /** @description Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`. */
-            normalise?: boolean;
+            normalise?: boolean | null;
+            /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
             weights: components["schemas"]["Weights"];
         };
         /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
@@ -3407,27 +4035,36 @@ export interface components {
              * Format: double
              * @description Default: `0.0`.
              */
-            minimal_area?: number;
+            minimal_area?: number | null;
             /**
              * Format: double
              * @description Default: `0.0`.
              */
-            minimal_bending_energy?: number;
+            minimal_bending_energy?: number | null;
             /**
              * Format: double
              * @description Default: `0.0`.
              */
-            minimal_mean_curvature_variation?: number;
+            minimal_mean_curvature_variation?: number | null;
             /**
              * Format: double
              * @description Default: `0.0`.
              */
-            minimal_normal_variation?: number;
+            minimal_normal_variation?: number | null;
             /**
              * Format: double
              * @description Default: `0.0`.
              */
-            minimal_twist?: number;
+            minimal_twist?: number | null;
+        };
+        /** @description An offending value of a request. Values are never echoed. */
+        WrongValue: {
+            /** @description Description of the error. */
+            detail: string;
+            /** @description Name of the offending parameter, if it is in the query. */
+            parameter?: string | null;
+            /** @description JSON Pointer (RFC 6901) to the offending value, if it is in the body. */
+            pointer?: string | null;
         };
     };
     responses: {
@@ -3589,6 +4226,16 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
+        /** @description A parameter does not suit this result; `errors` names each with its `parameter` */
+        Unsuitable: {
+            headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
         /** @description The body is not plain application/json */
         UnsupportedMediaType: {
             headers: {
@@ -3633,11 +4280,17 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "status": "live"
+                     *     }
+                     */
                     "application/json": {
                         status: string;
                     };
                 };
             };
+            400: components["responses"]["BadRequest"];
             421: components["responses"]["Misdirected"];
             500: components["responses"]["Failed"];
         };
@@ -3657,6 +4310,12 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "status": "ready",
+                     *       "unresponsive_solvers": 0
+                     *     }
+                     */
                     "application/json": {
                         status: string;
                         /** @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. The process ends by itself if there are `jobs.unresponsive_max`. */
@@ -3664,6 +4323,7 @@ export interface operations {
                     };
                 };
             };
+            400: components["responses"]["BadRequest"];
             421: components["responses"]["Misdirected"];
             500: components["responses"]["Failed"];
             503: components["responses"]["Unavailable"];
@@ -3687,9 +4347,50 @@ export interface operations {
                     "text/plain": string;
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+        };
+    };
+    listProblems: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Kinds of problem documents and of failed jobs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "problems": [
+                     *         {
+                     *           "status": 400,
+                     *           "title": "The body is not well-formed JSON",
+                     *           "type": "/problems/malformed-body"
+                     *         },
+                     *         {
+                     *           "status": 400,
+                     *           "title": "A query parameter is invalid",
+                     *           "type": "/problems/bad-query"
+                     *         }
+                     *       ]
+                     *     }
+                     */
+                    "application/json": components["schemas"]["ProblemList"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            406: components["responses"]["NotAcceptable"];
+            421: components["responses"]["Misdirected"];
             500: components["responses"]["Failed"];
         };
     };
@@ -3724,6 +4425,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "counts": {
+                     *         "cancelled": 0,
+                     *         "failed": 0,
+                     *         "queued": 0,
+                     *         "running": 0,
+                     *         "succeeded": 2
+                     *       },
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "jobs": [
+                     *         {
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "index": 0,
+                     *           "kind": "ruled_surface",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *           },
+                     *           "status": "succeeded"
+                     *         },
+                     *         {
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "index": 1,
+                     *           "kind": "cable_net",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *           },
+                     *           "status": "succeeded"
+                     *         }
+                     *       ],
+                     *       "links": {
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *       },
+                     *       "status": "succeeded"
+                     *     }
+                     */
                     "application/json": components["schemas"]["Batch"];
                 };
             };
@@ -3738,12 +4485,59 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "counts": {
+                     *         "cancelled": 0,
+                     *         "failed": 0,
+                     *         "queued": 0,
+                     *         "running": 0,
+                     *         "succeeded": 2
+                     *       },
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "jobs": [
+                     *         {
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "index": 0,
+                     *           "kind": "ruled_surface",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *           },
+                     *           "status": "succeeded"
+                     *         },
+                     *         {
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "index": 1,
+                     *           "kind": "cable_net",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *           },
+                     *           "status": "succeeded"
+                     *         }
+                     *       ],
+                     *       "links": {
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *       },
+                     *       "status": "succeeded"
+                     *     }
+                     */
                     "application/json": components["schemas"]["Batch"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             413: components["responses"]["TooLarge"];
             415: components["responses"]["UnsupportedMediaType"];
@@ -3778,11 +4572,59 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "counts": {
+                     *         "cancelled": 0,
+                     *         "failed": 0,
+                     *         "queued": 0,
+                     *         "running": 0,
+                     *         "succeeded": 2
+                     *       },
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "jobs": [
+                     *         {
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "index": 0,
+                     *           "kind": "ruled_surface",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *           },
+                     *           "status": "succeeded"
+                     *         },
+                     *         {
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "index": 1,
+                     *           "kind": "cable_net",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *           },
+                     *           "status": "succeeded"
+                     *         }
+                     *       ],
+                     *       "links": {
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *       },
+                     *       "status": "succeeded"
+                     *     }
+                     */
                     "application/json": components["schemas"]["Batch"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -3809,6 +4651,7 @@ export interface operations {
                 };
                 content?: never;
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
@@ -3837,11 +4680,21 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "callback_url": null,
+                     *       "deliveries": [],
+                     *       "next_attempt_at": null,
+                     *       "pending": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Callbacks"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -3867,12 +4720,22 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "callback_url": null,
+                     *       "deliveries": [],
+                     *       "next_attempt_at": null,
+                     *       "pending": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Callbacks"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             /** @description The request named no callback URL */
             409: {
                 headers: {
@@ -3908,12 +4771,60 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "counts": {
+                     *         "cancelled": 0,
+                     *         "failed": 0,
+                     *         "queued": 0,
+                     *         "running": 0,
+                     *         "succeeded": 2
+                     *       },
+                     *       "created_at": "2026-11-28T19:39:09.615Z",
+                     *       "finished_at": "2026-11-28T19:39:09.615Z",
+                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "jobs": [
+                     *         {
+                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "index": 0,
+                     *           "kind": "ruled_surface",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *           },
+                     *           "status": "succeeded"
+                     *         },
+                     *         {
+                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "index": 1,
+                     *           "kind": "cable_net",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
+                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
+                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
+                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *           },
+                     *           "status": "succeeded"
+                     *         }
+                     *       ],
+                     *       "links": {
+                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
+                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
+                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *       },
+                     *       "status": "succeeded"
+                     *     }
+                     */
                     "application/json": components["schemas"]["Batch"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -4029,7 +4940,141 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.601Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.609Z",
+                     *       "finished_at": "2026-11-28T19:39:09.609Z",
+                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *       "kind": "cable_net",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 6,
+                     *         "objective_value": 0,
+                     *         "phase": "finished",
+                     *         "residual": 3.051711199014824e-16
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.605Z",
+                     *       "statistics": {
+                     *         "balance": {
+                     *           "imbalance": 8.322848724585886e-17,
+                     *           "loads": [
+                     *             0,
+                     *             0,
+                     *             -2
+                     *           ],
+                     *           "magnitudes": 22,
+                     *           "reactions": [
+                     *             0,
+                     *             -4.440892098500626e-16,
+                     *             2.0000000000000018
+                     *           ],
+                     *           "residual_force": 1.831026719408895e-15
+                     *         },
+                     *         "cables": [
+                     *           {
+                     *             "edge_lengths": {
+                     *               "max": 3.352428760181686,
+                     *               "min": 3.352428760181686
+                     *             },
+                     *             "edges": 2,
+                     *             "force": 4.999999999999999,
+                     *             "force_densities": {
+                     *               "max": 1.491456003297449,
+                     *               "min": 1.491456003297449
+                     *             },
+                     *             "force_deviation": 2.220446049250313e-16,
+                     *             "force_max": 4.999999999999999,
+                     *             "force_min": 4.999999999999999,
+                     *             "length": 6.704857520363372,
+                     *             "length_deviation": null,
+                     *             "name": "low",
+                     *             "slack_edges": 0,
+                     *             "unstressed_length": null
+                     *           },
+                     *           {
+                     *             "edge_lengths": {
+                     *               "max": 3.5835029074546845,
+                     *               "min": 3.5835029074546845
+                     *             },
+                     *             "edges": 2,
+                     *             "force": 6.000000000000002,
+                     *             "force_densities": {
+                     *               "max": 1.6743393698713986,
+                     *               "min": 1.6743393698713986
+                     *             },
+                     *             "force_deviation": 2.220446049250313e-16,
+                     *             "force_max": 6.000000000000002,
+                     *             "force_min": 6.000000000000002,
+                     *             "length": 7.167005814909369,
+                     *             "length_deviation": null,
+                     *             "name": "high",
+                     *             "slack_edges": 0,
+                     *             "unstressed_length": null
+                     *           }
+                     *         ],
+                     *         "converged": true,
+                     *         "edge_lengths": {
+                     *           "max": 3.5835029074546845,
+                     *           "mean": 3.467965833818185,
+                     *           "min": 3.352428760181686,
+                     *           "std_dev": 0.11553707363649934
+                     *         },
+                     *         "edges": 4,
+                     *         "force_unit": "kN",
+                     *         "gradient": 0,
+                     *         "iterations": 6,
+                     *         "load_path": 76.52632249127308,
+                     *         "objective": "nearest_to_targets",
+                     *         "objective_value": 0,
+                     *         "origin": [
+                     *           2,
+                     *           2,
+                     *           2
+                     *         ],
+                     *         "reactions": [
+                     *           {
+                     *             "force": [
+                     *               -2.982912006594898,
+                     *               -2.982912006594898,
+                     *               -2.6841147370825995
+                     *             ],
+                     *             "vertex": 0
+                     *           },
+                     *           {
+                     *             "force": [
+                     *               3.3486787397427973,
+                     *               -3.3486787397427973,
+                     *               3.6841147370826004
+                     *             ],
+                     *             "vertex": 1
+                     *           }
+                     *         ],
+                     *         "residual": 3.051711199014824e-16,
+                     *         "stop_reason": "change",
+                     *         "triangles": 0,
+                     *         "vertices": 5
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["CableNetJob"];
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
+                    "application/x-ply": string;
+                    "model/gltf+json": string;
+                    "model/gltf-binary": string;
+                    "model/obj": string;
+                    "model/stl": string;
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -4043,12 +5088,42 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.601Z",
+                     *       "error": null,
+                     *       "expires_at": null,
+                     *       "finished_at": null,
+                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *       "kind": "cable_net",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 0,
+                     *         "iteration": 0,
+                     *         "objective_value": null,
+                     *         "phase": "queued",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": null,
+                     *       "statistics": null,
+                     *       "status": "queued",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["CableNetJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
@@ -4075,10 +5150,28 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "examples": [
+                     *         {
+                     *           "kind": "ruled_surface",
+                     *           "name": "two-rails",
+                     *           "title": "A strip between rails of three and two points"
+                     *         },
+                     *         {
+                     *           "kind": "minimal_surface",
+                     *           "name": "helicoid",
+                     *           "title": "Chen-Cai-Zheng's helicoid patch, 186 boundary points, 2050 triangles"
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["ExampleList"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
+            406: components["responses"]["NotAcceptable"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
@@ -4102,11 +5195,51 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "kind": "minimal_surface",
+                     *       "name": "four-corners",
+                     *       "request": {
+                     *         "boundaries": [
+                     *           [
+                     *             [
+                     *               0,
+                     *               0,
+                     *               0
+                     *             ],
+                     *             [
+                     *               1,
+                     *               0,
+                     *               1
+                     *             ],
+                     *             [
+                     *               1,
+                     *               1,
+                     *               0
+                     *             ],
+                     *             [
+                     *               0,
+                     *               1,
+                     *               1
+                     *             ]
+                     *           ]
+                     *         ],
+                     *         "kind": "minimal_surface",
+                     *         "objective": "minimal_area",
+                     *         "resolution": {
+                     *           "triangles": 2000
+                     *         }
+                     *       },
+                     *       "title": "Four edges of a tetrahedron, given by their corners alone"
+                     *     }
+                     */
                     "application/json": components["schemas"]["Example"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
@@ -4115,10 +5248,16 @@ export interface operations {
     listJobs: {
         parameters: {
             query?: {
-                /** @description Only jobs in this state. */
-                status?: "queued" | "running" | "succeeded" | "failed" | "cancelled";
+                /** @description Only jobs in one of these states, separated by commas. */
+                status?: ("queued" | "running" | "succeeded" | "failed" | "cancelled")[];
                 /** @description Only jobs of this kind. */
                 kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
+                /** @description Only jobs with this label. */
+                label?: string;
+                /** @description Only jobs of the batch with this identifier. */
+                batch?: string;
+                /** @description Only jobs that were submitted after this time (RFC 3339). */
+                created_after?: string;
                 /** @description Only jobs that were submitted with this `Idempotency-Key`. */
                 idempotency_key?: string;
                 /** @description Maximum number of jobs on the page. The default is 50. */
@@ -4140,11 +5279,71 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "jobs": [
+                     *         {
+                     *           "created_at": "2026-11-28T19:39:09.601Z",
+                     *           "error": null,
+                     *           "expires_at": "2026-12-05T19:39:09.609Z",
+                     *           "finished_at": "2026-11-28T19:39:09.609Z",
+                     *           "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *           "kind": "cable_net",
+                     *           "label": "an example",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
+                     *             "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
+                     *             "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
+                     *             "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *           },
+                     *           "metadata": null,
+                     *           "progress": {
+                     *             "fraction": 1,
+                     *             "iteration": 6,
+                     *             "objective_value": 0,
+                     *             "phase": "finished",
+                     *             "residual": 3.051711199014824e-16
+                     *           },
+                     *           "started_at": "2026-11-28T19:39:09.605Z",
+                     *           "status": "succeeded",
+                     *           "warnings": []
+                     *         },
+                     *         {
+                     *           "created_at": "2026-11-28T19:39:09.579Z",
+                     *           "error": null,
+                     *           "expires_at": "2026-12-05T19:39:09.594Z",
+                     *           "finished_at": "2026-11-28T19:39:09.594Z",
+                     *           "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *           "kind": "tensile_structure",
+                     *           "label": "an example",
+                     *           "links": {
+                     *             "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *             "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *             "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *             "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *           },
+                     *           "metadata": null,
+                     *           "progress": {
+                     *             "fraction": 1,
+                     *             "iteration": 8,
+                     *             "objective_value": 73.25113980219366,
+                     *             "phase": "finished",
+                     *             "residual": 3.3106481918620263e-12
+                     *           },
+                     *           "started_at": "2026-11-28T19:39:09.582Z",
+                     *           "status": "succeeded",
+                     *           "warnings": []
+                     *         }
+                     *       ],
+                     *       "next_cursor": "01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *     }
+                     */
                     "application/json": components["schemas"]["JobList"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
+            406: components["responses"]["NotAcceptable"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
@@ -4175,11 +5374,113 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "kind": "minimal_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 6,
+                     *         "objective_value": 1.2818902834560277,
+                     *         "phase": "finished",
+                     *         "residual": 3.2554828767319298e-9
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "statistics": {
+                     *         "angles_deg": {
+                     *           "max": 101.73816570796455,
+                     *           "min": 21.18617166042886
+                     *         },
+                     *         "area": 1.2818902834560277,
+                     *         "boundary_loops": 1,
+                     *         "certificate": null,
+                     *         "components": 1,
+                     *         "converged": true,
+                     *         "degenerate_triangles": 0,
+                     *         "edge_lengths": {
+                     *           "max": 0.17942816245701437,
+                     *           "mean": 0.1264530607435818,
+                     *           "min": 0.05535453657770467,
+                     *           "std_dev": 0.0206521703259476
+                     *         },
+                     *         "edges_swapped": 0,
+                     *         "euler_characteristic": 1,
+                     *         "extrapolated_area": {
+                     *           "area": 1.2792662070753635,
+                     *           "error_estimate": 0.0006560190951660309
+                     *         },
+                     *         "flipped_triangles": 0,
+                     *         "genus": 0,
+                     *         "history": [
+                     *           {
+                     *             "area": 1.282123243844641,
+                     *             "iteration": 1,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.016856117404700187
+                     *           },
+                     *           {
+                     *             "area": 1.2821211946557756,
+                     *             "iteration": 2,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.002044446117223246
+                     *           }
+                     *         ],
+                     *         "initial_area": 1.2835767943080725,
+                     *         "initial_mesh": "planar",
+                     *         "iterations": 6,
+                     *         "junctions": null,
+                     *         "mean_curvature": {
+                     *           "max": 0.010184372135017295,
+                     *           "mean": 0.004047545512019322,
+                     *           "rms": 0.004747635026083317
+                     *         },
+                     *         "objective": "minimal_area",
+                     *         "objective_value": 1.2818902834560277,
+                     *         "origin": [
+                     *           0.5,
+                     *           0.5,
+                     *           0.5
+                     *         ],
+                     *         "pinches": [],
+                     *         "residual": 3.2554828767319298e-9,
+                     *         "residual_full": 0.008819924990519338,
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "solver": "newton",
+                     *         "spanning": null,
+                     *         "stability": {
+                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "method": "inertia",
+                     *           "morse_index": 0,
+                     *           "stable": true
+                     *         },
+                     *         "stop_reason": "residual",
+                     *         "triangles": 200,
+                     *         "vertices": 121
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["Job"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -4206,6 +5507,7 @@ export interface operations {
                 };
                 content?: never;
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
@@ -4234,11 +5536,21 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "callback_url": null,
+                     *       "deliveries": [],
+                     *       "next_attempt_at": null,
+                     *       "pending": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Callbacks"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -4264,12 +5576,22 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "callback_url": null,
+                     *       "deliveries": [],
+                     *       "next_attempt_at": null,
+                     *       "pending": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Callbacks"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             /** @description The request named no callback URL */
             409: {
                 headers: {
@@ -4305,12 +5627,114 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "kind": "minimal_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 6,
+                     *         "objective_value": 1.2818902834560277,
+                     *         "phase": "finished",
+                     *         "residual": 3.2554828767319298e-9
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "statistics": {
+                     *         "angles_deg": {
+                     *           "max": 101.73816570796455,
+                     *           "min": 21.18617166042886
+                     *         },
+                     *         "area": 1.2818902834560277,
+                     *         "boundary_loops": 1,
+                     *         "certificate": null,
+                     *         "components": 1,
+                     *         "converged": true,
+                     *         "degenerate_triangles": 0,
+                     *         "edge_lengths": {
+                     *           "max": 0.17942816245701437,
+                     *           "mean": 0.1264530607435818,
+                     *           "min": 0.05535453657770467,
+                     *           "std_dev": 0.0206521703259476
+                     *         },
+                     *         "edges_swapped": 0,
+                     *         "euler_characteristic": 1,
+                     *         "extrapolated_area": {
+                     *           "area": 1.2792662070753635,
+                     *           "error_estimate": 0.0006560190951660309
+                     *         },
+                     *         "flipped_triangles": 0,
+                     *         "genus": 0,
+                     *         "history": [
+                     *           {
+                     *             "area": 1.282123243844641,
+                     *             "iteration": 1,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.016856117404700187
+                     *           },
+                     *           {
+                     *             "area": 1.2821211946557756,
+                     *             "iteration": 2,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.002044446117223246
+                     *           }
+                     *         ],
+                     *         "initial_area": 1.2835767943080725,
+                     *         "initial_mesh": "planar",
+                     *         "iterations": 6,
+                     *         "junctions": null,
+                     *         "mean_curvature": {
+                     *           "max": 0.010184372135017295,
+                     *           "mean": 0.004047545512019322,
+                     *           "rms": 0.004747635026083317
+                     *         },
+                     *         "objective": "minimal_area",
+                     *         "objective_value": 1.2818902834560277,
+                     *         "origin": [
+                     *           0.5,
+                     *           0.5,
+                     *           0.5
+                     *         ],
+                     *         "pinches": [],
+                     *         "residual": 3.2554828767319298e-9,
+                     *         "residual_full": 0.008819924990519338,
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "solver": "newton",
+                     *         "spanning": null,
+                     *         "stability": {
+                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "method": "inertia",
+                     *           "morse_index": 0,
+                     *           "stable": true
+                     *         },
+                     *         "stop_reason": "residual",
+                     *         "triangles": 200,
+                     *         "vertices": 121
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["Job"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -4432,6 +5856,7 @@ export interface operations {
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
@@ -4535,8 +5960,48 @@ export interface operations {
     getPattern: {
         parameters: {
             query?: {
-                /** @description Takes precedence over `Accept`. The default is `svg`. With `Accept: application/octet-stream` the file has that type. */
-                format?: "svg" | "dxf";
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
+                profile?: "plain" | "cut" | "sheet-metal";
+                /** @description The default is `svg`. `cut` has `svg` and `dxf`. Every file is in millimetres. Without `format`, `profile` and `split` the format follows `Accept`. */
+                format?: "svg" | "dxf" | "pdf" | "json";
+                /** @description `pieces` gives a ZIP with one file for each piece. */
+                split?: "pieces";
+                /** @description Height of capitals in mm. The default is 5. */
+                text_height?: number;
+                /** @description Whether the angles of the folds are printed. The default is true with `profile=sheet-metal` only. Lines have their angles in all digits in any case. */
+                angles?: "true" | "false";
+                /** @description Distance between notches along each seam in mm. Both pieces at a seam have them at the same places. Without it there are none. */
+                notches?: number;
+                /** @description Distance of the cut from the outline in mm, mitred. */
+                allowance?: number;
+                /** @description The allowance along the first rail of each strip. */
+                allowance_p?: number;
+                /** @description The allowance along the second rail of each strip. */
+                allowance_q?: number;
+                /** @description The allowance at the ends of each strip. */
+                allowance_ends?: number;
+                /** @description Full width of the cut in mm. The cut line lies half of it outside the outline. */
+                kerf?: number;
+                /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
+                cut_at?: string;
+                /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
+                layers?: string;
+                /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */
+                paper?: "a4" | "a3";
+                /** @description Sheet metal: thickness in mm. Required with `profile=sheet-metal`. */
+                thickness?: number;
+                /** @description Sheet metal: inner radius of the bends in mm, at least half the thickness. The default is the thickness. */
+                radius?: number;
+                /** @description Sheet metal: convention of the k-factor. The neutral line is k t from the inner skin (`ansi`, the default) or k t / 2 (`din`). */
+                convention?: "ansi" | "din";
+                /** @description Sheet metal: k-factor. The default is 0.44 with `ansi`, and DIN 6935's 0.65 + log10(radius / thickness) / 2, at most 1, with `din`. */
+                k?: number;
+                /** @description Sheet metal: skin of the sheet that the mesh is. `front` is the side of the normals. The default is `middle`. */
+                skin?: "front" | "middle" | "back";
+                /** @description Sheet metal: largest distance in mm of the facets of a bend from its cylinder. Each bend gets as many hits as that takes. Without it, each bend has one line. */
+                chord_error?: number;
+                /** @description Sheet metal: relief of bends that meet at a point of a rail. `none` (the default), `auto` (a circle of radius plus thickness where the blank would overlap, or as large as the opening there), or the radius of a circle in mm. */
+                relief?: string;
             };
             header?: never;
             path: {
@@ -4557,7 +6022,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": string;
                     "application/octet-stream": string;
+                    "application/pdf": string;
+                    "application/zip": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -4572,7 +6040,10 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": string;
                     "application/octet-stream": string;
+                    "application/pdf": string;
+                    "application/zip": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -4601,6 +6072,162 @@ export interface operations {
                 };
             };
             421: components["responses"]["Misdirected"];
+            422: components["responses"]["Unsuitable"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getRequest: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The request with its kind and every option */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RequestWithKind"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
+            410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getSchedule: {
+        parameters: {
+            query?: {
+                /** @description The table. `format=dxf` needs none. */
+                part?: "members" | "nodes" | "bends" | "cables" | "cable_edges" | "reactions" | "edge_reactions";
+                /** @description `csv` (the default) is the table; `dxf` is the lattice or net in space, with the members on the layers of their kinds and all numbers. */
+                format?: "csv" | "dxf";
+                /** @description Members: length that a node takes from each of its members, in the client's unit. The default is 0. */
+                setback?: number;
+                /** @description Members: width of the members in the client's unit. A setback is at least half of it over the tangent of half the smallest angle at the node. */
+                member_width?: number;
+                /** @description Tolerance of the kinds of members and nodes, in the client's unit. The default is 0.001. */
+                tolerance?: number;
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
+                profile?: "plain" | "cut" | "sheet-metal";
+                /** @description `pieces` gives a ZIP with one file for each piece. */
+                split?: "pieces";
+                /** @description Height of capitals in mm. The default is 5. */
+                text_height?: number;
+                /** @description Whether the angles of the folds are printed. The default is true with `profile=sheet-metal` only. Lines have their angles in all digits in any case. */
+                angles?: "true" | "false";
+                /** @description Distance between notches along each seam in mm. Both pieces at a seam have them at the same places. Without it there are none. */
+                notches?: number;
+                /** @description Distance of the cut from the outline in mm, mitred. */
+                allowance?: number;
+                /** @description The allowance along the first rail of each strip. */
+                allowance_p?: number;
+                /** @description The allowance along the second rail of each strip. */
+                allowance_q?: number;
+                /** @description The allowance at the ends of each strip. */
+                allowance_ends?: number;
+                /** @description Full width of the cut in mm. The cut line lies half of it outside the outline. */
+                kerf?: number;
+                /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
+                cut_at?: string;
+                /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
+                layers?: string;
+                /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */
+                paper?: "a4" | "a3";
+                /** @description Sheet metal: thickness in mm. Required with `profile=sheet-metal`. */
+                thickness?: number;
+                /** @description Sheet metal: inner radius of the bends in mm, at least half the thickness. The default is the thickness. */
+                radius?: number;
+                /** @description Sheet metal: convention of the k-factor. The neutral line is k t from the inner skin (`ansi`, the default) or k t / 2 (`din`). */
+                convention?: "ansi" | "din";
+                /** @description Sheet metal: k-factor. The default is 0.44 with `ansi`, and DIN 6935's 0.65 + log10(radius / thickness) / 2, at most 1, with `din`. */
+                k?: number;
+                /** @description Sheet metal: skin of the sheet that the mesh is. `front` is the side of the normals. The default is `middle`. */
+                skin?: "front" | "middle" | "back";
+                /** @description Sheet metal: largest distance in mm of the facets of a bend from its cylinder. Each bend gets as many hits as that takes. Without it, each bend has one line. */
+                chord_error?: number;
+                /** @description Sheet metal: relief of bends that meet at a point of a rail. `none` (the default), `auto` (a circle of radius plus thickness where the blank would overlap, or as large as the opening there), or the radius of a circle in mm. */
+                relief?: string;
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The table, or the numbered lattice in space */
+            200: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                    "image/vnd.dxf": string;
+                    "text/csv": string;
+                };
+            };
+            /** @description The requested range */
+            206: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                    "image/vnd.dxf": string;
+                    "text/csv": string;
+                };
+            };
+            /** @description `If-None-Match` names the current entity tag */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
+            409: components["responses"]["NoMesh"];
+            410: components["responses"]["Gone"];
+            /** @description The range lies outside the file */
+            416: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            421: components["responses"]["Misdirected"];
+            422: components["responses"]["Unsuitable"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
             503: components["responses"]["Unavailable"];
@@ -4621,10 +6248,31 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "batch_requests": 100,
+                     *       "body_bytes": 33554432,
+                     *       "bytes_kept": 0,
+                     *       "deadline_ms": 600000,
+                     *       "grid_cells": 2000000000,
+                     *       "iterations": 1000000,
+                     *       "jobs_kept": 100000,
+                     *       "open_requests_per_key": 1024,
+                     *       "points": 200000,
+                     *       "queue_length": 1000,
+                     *       "queue_length_per_key": 1000,
+                     *       "retention_s": 604800,
+                     *       "triangles": 2000000,
+                     *       "wait_max_s": 60,
+                     *       "webhooks": false
+                     *     }
+                     */
                     "application/json": components["schemas"]["Limits"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
+            406: components["responses"]["NotAcceptable"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
@@ -4661,7 +6309,113 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.561Z",
+                     *       "finished_at": "2026-11-28T19:39:09.561Z",
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "kind": "minimal_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 6,
+                     *         "objective_value": 1.2818902834560277,
+                     *         "phase": "finished",
+                     *         "residual": 3.2554828767319298e-9
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "statistics": {
+                     *         "angles_deg": {
+                     *           "max": 101.73816570796455,
+                     *           "min": 21.18617166042886
+                     *         },
+                     *         "area": 1.2818902834560277,
+                     *         "boundary_loops": 1,
+                     *         "certificate": null,
+                     *         "components": 1,
+                     *         "converged": true,
+                     *         "degenerate_triangles": 0,
+                     *         "edge_lengths": {
+                     *           "max": 0.17942816245701437,
+                     *           "mean": 0.1264530607435818,
+                     *           "min": 0.05535453657770467,
+                     *           "std_dev": 0.0206521703259476
+                     *         },
+                     *         "edges_swapped": 0,
+                     *         "euler_characteristic": 1,
+                     *         "extrapolated_area": {
+                     *           "area": 1.2792662070753635,
+                     *           "error_estimate": 0.0006560190951660309
+                     *         },
+                     *         "flipped_triangles": 0,
+                     *         "genus": 0,
+                     *         "history": [
+                     *           {
+                     *             "area": 1.282123243844641,
+                     *             "iteration": 1,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.016856117404700187
+                     *           },
+                     *           {
+                     *             "area": 1.2821211946557756,
+                     *             "iteration": 2,
+                     *             "phase": "pinkall_polthier",
+                     *             "residual": 0.002044446117223246
+                     *           }
+                     *         ],
+                     *         "initial_area": 1.2835767943080725,
+                     *         "initial_mesh": "planar",
+                     *         "iterations": 6,
+                     *         "junctions": null,
+                     *         "mean_curvature": {
+                     *           "max": 0.010184372135017295,
+                     *           "mean": 0.004047545512019322,
+                     *           "rms": 0.004747635026083317
+                     *         },
+                     *         "objective": "minimal_area",
+                     *         "objective_value": 1.2818902834560277,
+                     *         "origin": [
+                     *           0.5,
+                     *           0.5,
+                     *           0.5
+                     *         ],
+                     *         "pinches": [],
+                     *         "residual": 3.2554828767319298e-9,
+                     *         "residual_full": 0.008819924990519338,
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "solver": "newton",
+                     *         "spanning": null,
+                     *         "stability": {
+                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "method": "inertia",
+                     *           "morse_index": 0,
+                     *           "stable": true
+                     *         },
+                     *         "stop_reason": "residual",
+                     *         "triangles": 200,
+                     *         "vertices": 121
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["MinimalSurfaceJob"];
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
+                    "application/x-ply": string;
+                    "model/gltf+json": string;
+                    "model/gltf-binary": string;
+                    "model/obj": string;
+                    "model/stl": string;
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -4675,12 +6429,42 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "error": null,
+                     *       "expires_at": null,
+                     *       "finished_at": null,
+                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "kind": "minimal_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 0,
+                     *         "iteration": 0,
+                     *         "objective_value": null,
+                     *         "phase": "queued",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": null,
+                     *       "statistics": null,
+                     *       "status": "queued",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["MinimalSurfaceJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
@@ -4707,10 +6491,52 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "objectives": [
+                     *         {
+                     *           "kind": "ruled_surface",
+                     *           "minimises": "the sum of the triangles' areas",
+                     *           "name": "minimal_area",
+                     *           "options": [
+                     *             {
+                     *               "name": "closed",
+                     *               "needs": []
+                     *             },
+                     *             {
+                     *               "name": "convexity_tolerance_deg",
+                     *               "needs": []
+                     *             }
+                     *           ],
+                     *           "source": "Wang and Tang, section 3.1, definition 3",
+                     *           "unit": "u²"
+                     *         },
+                     *         {
+                     *           "kind": "ruled_surface",
+                     *           "minimises": "the sum over all bridges of 1 - n_p·n_q, the normals at the bridge's ends across its directrices' tangents",
+                     *           "name": "minimal_twist",
+                     *           "options": [
+                     *             {
+                     *               "name": "closed",
+                     *               "needs": []
+                     *             },
+                     *             {
+                     *               "name": "convexity_tolerance_deg",
+                     *               "needs": []
+                     *             }
+                     *           ],
+                     *           "source": "Wang and Tang, section 3.2, eq. 4 and definition 5",
+                     *           "unit": "1"
+                     *         }
+                     *       ]
+                     *     }
+                     */
                     "application/json": components["schemas"]["ObjectiveList"];
                 };
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
+            406: components["responses"]["NotAcceptable"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];
@@ -4747,7 +6573,102 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.529Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.538Z",
+                     *       "finished_at": "2026-11-28T19:39:09.538Z",
+                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
+                     *       "kind": "ruled_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
+                     *         "pattern": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/pattern",
+                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 0,
+                     *         "objective_value": 2.109781157966821,
+                     *         "phase": "finished",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.534Z",
+                     *       "statistics": {
+                     *         "area": 2.109781157966821,
+                     *         "bending_energy": 0.10213068530252087,
+                     *         "bridges": 4,
+                     *         "comparison": null,
+                     *         "convex_bridge_ratio": 0.75,
+                     *         "convex_bridges": 3,
+                     *         "developability_deviation_deg": 3.890900272175983,
+                     *         "direction_decided_by": [
+                     *           null,
+                     *           null
+                     *         ],
+                     *         "flat_pattern": {
+                     *           "edge_length_error_max": 2.1541490816575234e-16,
+                     *           "height": 1.1180315428092353,
+                     *           "self_overlap": false,
+                     *           "width": 2.063041121436692
+                     *         },
+                     *         "largest_fold_deg": 33.712740632456494,
+                     *         "longest_bridge": 1.445683229480096,
+                     *         "mean_curvature_variation": 1.866973881996636,
+                     *         "normal_variation": null,
+                     *         "objective": "minimal_area",
+                     *         "objective_value": 2.109781157966821,
+                     *         "origin": [
+                     *           1,
+                     *           0.5,
+                     *           0.25
+                     *         ],
+                     *         "reversed": [
+                     *           false,
+                     *           false
+                     *         ],
+                     *         "secondary_value": null,
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "shortest_bridge": 1,
+                     *         "strips": [
+                     *           {
+                     *             "area": 2.109781157966821,
+                     *             "bending_energy": 0.10213068530252087,
+                     *             "bridges": 4,
+                     *             "convex_bridge_ratio": 0.75,
+                     *             "convex_bridges": 3,
+                     *             "developability_deviation_deg": 3.890900272175983,
+                     *             "largest_fold_deg": 33.712740632456494,
+                     *             "longest_bridge": 1.445683229480096,
+                     *             "mean_curvature_variation": 1.866973881996636,
+                     *             "normal_variation": null,
+                     *             "objective_value": 2.109781157966821,
+                     *             "secondary_value": null,
+                     *             "shortest_bridge": 1,
+                     *             "total_normal_twist": 0.19616451864500273,
+                     *             "triangles": 3
+                     *           }
+                     *         ],
+                     *         "total_normal_twist": 0.19616451864500273,
+                     *         "triangles": 3,
+                     *         "vertices": 5
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["RuledSurfaceJob"];
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
+                    "application/x-ply": string;
+                    "model/gltf+json": string;
+                    "model/gltf-binary": string;
+                    "model/obj": string;
+                    "model/stl": string;
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -4761,12 +6682,42 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.529Z",
+                     *       "error": null,
+                     *       "expires_at": null,
+                     *       "finished_at": null,
+                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
+                     *       "kind": "ruled_surface",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
+                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
+                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
+                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 0,
+                     *         "iteration": 0,
+                     *         "objective_value": null,
+                     *         "phase": "queued",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": null,
+                     *       "statistics": null,
+                     *       "status": "queued",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["RuledSurfaceJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
@@ -4809,7 +6760,145 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.579Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.594Z",
+                     *       "finished_at": "2026-11-28T19:39:09.594Z",
+                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *       "kind": "tensile_structure",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 8,
+                     *         "objective_value": 73.25113980219366,
+                     *         "phase": "finished",
+                     *         "residual": 3.3106481918620263e-12
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.582Z",
+                     *       "statistics": {
+                     *         "angles_deg": {
+                     *           "max": 108.74950315516689,
+                     *           "min": 30.200608504188242
+                     *         },
+                     *         "area": 83.86687072583445,
+                     *         "balance": {
+                     *           "imbalance": 3.1302650070508044e-17,
+                     *           "loads": [
+                     *             1.6653345369377348e-16,
+                     *             -2.914335439641036e-16,
+                     *             15.663143028827198
+                     *           ],
+                     *           "magnitudes": 31.377233697487366,
+                     *           "reactions": [
+                     *             2.220446049250313e-16,
+                     *             -6.106226635438361e-16,
+                     *             -15.663143028827198
+                     *           ],
+                     *           "residual_force": 1.3078031849261294e-15
+                     *         },
+                     *         "cables": [],
+                     *         "chambers": [
+                     *           {
+                     *             "below": 0,
+                     *             "pressure": 0.2,
+                     *             "volume": 53.07866063661863
+                     *           }
+                     *         ],
+                     *         "contact_angle_deg": null,
+                     *         "converged": true,
+                     *         "degenerate_triangles": 0,
+                     *         "edge_lengths": {
+                     *           "max": 1.325643478989918,
+                     *           "mean": 0.9646664457711338,
+                     *           "min": 0.6388649701292126,
+                     *           "std_dev": 0.19133976771542177
+                     *         },
+                     *         "edge_reactions": [
+                     *           {
+                     *             "boundary": 0,
+                     *             "force": [
+                     *               2.220446049250313e-16,
+                     *               -6.106226635438361e-16,
+                     *               -15.663143028827198
+                     *             ],
+                     *             "force_per_length": {
+                     *               "max": 0.9999281240510719,
+                     *               "min": 0.9997801098739676
+                     *             }
+                     *           }
+                     *         ],
+                     *         "flipped_triangles": 0,
+                     *         "force_unit": "kN",
+                     *         "iterations": 8,
+                     *         "layers": [
+                     *           {
+                     *             "area": 83.86687072583445,
+                     *             "stress": {
+                     *               "deviation": 0.00025027581071457305,
+                     *               "max": 1.0002502758107146,
+                     *               "min": 0.9997497868115942,
+                     *               "weave": null
+                     *             },
+                     *             "triangles": 204
+                     *           }
+                     *         ],
+                     *         "masts": [],
+                     *         "minimum_slope_at": [
+                     *           0.5450906155559777,
+                     *           0.27508187693268726,
+                     *           1.3063727399033813
+                     *         ],
+                     *         "minimum_slope_deg": 3.492860598735987,
+                     *         "objective": "equilibrium",
+                     *         "objective_value": 73.25113980219366,
+                     *         "origin": [
+                     *           0,
+                     *           0,
+                     *           0.6720447404511655
+                     *         ],
+                     *         "ponding": null,
+                     *         "pressure": 0.2,
+                     *         "reactions": [],
+                     *         "residual": 3.3106481918620263e-12,
+                     *         "rings": [],
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "stability": {
+                     *           "lowest_eigenvalue": 0.18440363956193578,
+                     *           "morse_index": 0,
+                     *           "stable": true
+                     *         },
+                     *         "stop_reason": "residual",
+                     *         "stress": {
+                     *           "deviation": 0.00025027581071457305,
+                     *           "max": 1.0002502758107146,
+                     *           "min": 0.9997497868115942,
+                     *           "weave": null
+                     *         },
+                     *         "triangles": 204,
+                     *         "vertices": 127,
+                     *         "volume": 53.07866063661863
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["TensileStructureJob"];
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
+                    "application/x-ply": string;
+                    "model/gltf+json": string;
+                    "model/gltf-binary": string;
+                    "model/obj": string;
+                    "model/stl": string;
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -4823,12 +6912,42 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.579Z",
+                     *       "error": null,
+                     *       "expires_at": null,
+                     *       "finished_at": null,
+                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *       "kind": "tensile_structure",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
+                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
+                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
+                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 0,
+                     *         "iteration": 0,
+                     *         "objective_value": null,
+                     *         "phase": "queued",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": null,
+                     *       "statistics": null,
+                     *       "status": "queued",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["TensileStructureJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
@@ -4871,7 +6990,119 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.567Z",
+                     *       "error": null,
+                     *       "expires_at": "2026-12-05T19:39:09.575Z",
+                     *       "finished_at": "2026-11-28T19:39:09.575Z",
+                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
+                     *       "kind": "uniform_mesh",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
+                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
+                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
+                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 1,
+                     *         "iteration": 0,
+                     *         "objective_value": 169,
+                     *         "phase": "finished",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": "2026-11-28T19:39:09.569Z",
+                     *       "statistics": {
+                     *         "angles_deg": {
+                     *           "max": 110.43137694084453,
+                     *           "min": 32.90224916127893
+                     *         },
+                     *         "converged": true,
+                     *         "distinct_lengths": 189,
+                     *         "edge_lengths": {
+                     *           "max": 3.983596201434587,
+                     *           "mean": 2.723999104532885,
+                     *           "min": 2.011256037972667,
+                     *           "std_dev": 0.43995355192555746
+                     *         },
+                     *         "edges": 461,
+                     *         "equal_edges": 0,
+                     *         "lattice_edges": {
+                     *           "count": 0,
+                     *           "max": 0,
+                     *           "mean": 0,
+                     *           "min": 0,
+                     *           "std_dev": 0
+                     *         },
+                     *         "length_histogram": {
+                     *           "counts": [
+                     *             34,
+                     *             28,
+                     *             25
+                     *           ],
+                     *           "from": 2,
+                     *           "width": 0.1
+                     *         },
+                     *         "length_tolerance": 0.002,
+                     *         "node_lower_bound": 82,
+                     *         "nodes": 169,
+                     *         "objective": "fewest_nodes",
+                     *         "objective_value": 169,
+                     *         "origin": [
+                     *           16,
+                     *           15,
+                     *           0
+                     *         ],
+                     *         "out_of_range": [],
+                     *         "out_of_range_edges": 0,
+                     *         "out_of_range_reasons": {},
+                     *         "self_intersections": 0,
+                     *         "self_intersections_skipped": null,
+                     *         "shared_lengths": [],
+                     *         "stages": [
+                     *           {
+                     *             "all": {
+                     *               "count": 461,
+                     *               "distinct_lengths": 189,
+                     *               "equal_edges": 0,
+                     *               "max": 3.983596201434587,
+                     *               "mean": 2.723999104532885,
+                     *               "min": 2.0112560379726703,
+                     *               "std_dev": 0.4399535519255573
+                     *             },
+                     *             "lattice": {
+                     *               "count": 0,
+                     *               "distinct_lengths": 0,
+                     *               "equal_edges": 0,
+                     *               "max": 0,
+                     *               "mean": 0,
+                     *               "min": 0,
+                     *               "std_dev": 0
+                     *             },
+                     *             "name": "plane"
+                     *           }
+                     *         ],
+                     *         "surface": null,
+                     *         "triangles": 293,
+                     *         "valence_histogram": [
+                     *           0,
+                     *           0,
+                     *           0
+                     *         ]
+                     *       },
+                     *       "status": "succeeded",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["UniformMeshJob"];
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
+                    "application/x-ply": string;
+                    "model/gltf+json": string;
+                    "model/gltf-binary": string;
+                    "model/obj": string;
+                    "model/stl": string;
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -4885,12 +7116,42 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "created_at": "2026-11-28T19:39:09.567Z",
+                     *       "error": null,
+                     *       "expires_at": null,
+                     *       "finished_at": null,
+                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
+                     *       "kind": "uniform_mesh",
+                     *       "label": "an example",
+                     *       "links": {
+                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
+                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
+                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
+                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
+                     *       },
+                     *       "metadata": null,
+                     *       "progress": {
+                     *         "fraction": 0,
+                     *         "iteration": 0,
+                     *         "objective_value": null,
+                     *         "phase": "queued",
+                     *         "residual": null
+                     *       },
+                     *       "started_at": null,
+                     *       "statistics": null,
+                     *       "status": "queued",
+                     *       "warnings": []
+                     *     }
+                     */
                     "application/json": components["schemas"]["UniformMeshJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
+            406: components["responses"]["NotAcceptable"];
             408: components["responses"]["RequestTimeout"];
             409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];

@@ -129,8 +129,8 @@ mod tests {
             assert_eq!(limited.height, 2.0);
         }
         // A text along a side keeps its margin from the side.
-        let spot = inside(triangle, Some(1), "12.5", 100.0).unwrap();
-        let (a, b) = (triangle[1], triangle[2]);
+        let spot = inside(triangle, Some(0), "12.5", 100.0).unwrap();
+        let (a, b) = (triangle[0], triangle[1]);
         let from_side = (b - a).perp_dot(spot.at - a) / a.distance(b);
         assert!((from_side - (0.5 + MARGIN) * spot.height).abs() < 1e-9);
         assert!(spot.direction.x > 0.0);

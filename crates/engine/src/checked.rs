@@ -65,6 +65,10 @@ pub(crate) type Read = (Passed, Vec<u8>);
 #[cfg(feature = "stored")]
 pub(crate) type ReadApart = (Read, serde_json::Map<String, Value>);
 
+/// Reads a request and the members that are set aside from a body, or returns the first reason against it.
+#[cfg(feature = "stored")]
+type ReadTracked = fn(&[u8], &[&str], Find<'_>, &Limits) -> Result<ReadApart, Rejection>;
+
 /// The operations on the types of a kind, as function pointers without type parameters, so that one table can hold
 /// every kind.
 pub(crate) struct Types {
@@ -82,7 +86,7 @@ pub(crate) struct Types {
     pub read: fn(&[u8], &[&str], Find<'_>, &Limits) -> Option<ReadApart>,
     /// Same as `read`, but returns the first reason for which a body is refused. It takes longer.
     #[cfg(feature = "stored")]
-    pub read_tracked: fn(&[u8], &[&str], Find<'_>, &Limits) -> Result<ReadApart, Rejection>,
+    pub read_tracked: ReadTracked,
     /// Reads a request from a JSON value without the members that count as left out. The error is `None` if the type
     /// refuses the value.
     pub read_value: fn(&Value, Find<'_>, &Limits) -> Result<Read, Option<Rejection>>,

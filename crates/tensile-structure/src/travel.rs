@@ -11,7 +11,7 @@
 //! 5. bold steps while the film's tension grows,
 //! 6. bold steps from a start in which the film also pulls free corners, and these corners begin drawn in.
 //!
-//! If all attempts end because the same part closes or the same vertex runs away, this counts as evidence that there is
+//! If all attempts end because the same kind of part closes or runs away, this counts as evidence that there is
 //! no equilibrium. Otherwise the question stays open.
 
 mod ending;
@@ -25,7 +25,7 @@ use ending::Watch;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::settling::{Pace, Settler, energy};
 use plateau_equilibrium::{Body, Determined};
-use plateau_mesh::error::InputError;
+use plateau_mesh::error::{InputError, Step};
 use plateau_mesh::{DVec3, Error, Progress, measure};
 
 /// Number of triangles of the first, coarsest level. With 100 to 300 triangles random structures are found equally
@@ -152,17 +152,18 @@ enum Arrival {
 }
 
 /// Returns the ending of an attempt, or [`Ending::NotFound`] in its place if the earlier ending `known` names another
-/// part that closes or another vertex that runs away. Endings that depend on the start are no evidence.
+/// kind of part that closes or runs away. Endings that depend on the start are no evidence. In a symmetric structure
+/// each attempt may close another of equal corners, so that the number of the part does not count.
 fn agreed(known: Option<&Ending>, ending: Ending) -> Ending {
-    let place = |ending: &Ending| match ending {
-        Ending::RunsAway(_, own) | Ending::Collapses(_, own) => own.as_ref().map(|own| own.place.clone()),
-        Ending::NotFound(_) => None,
+    let part = |own: &Option<InputError>| {
+        let names = own.iter().flat_map(|own| &own.place.0).filter(|step| matches!(step, Step::Field(_)));
+        names.cloned().collect::<Vec<_>>()
     };
     match (known, ending) {
         (
-            Some(Ending::RunsAway(..) | Ending::Collapses(..)),
+            Some(Ending::RunsAway(_, before) | Ending::Collapses(_, before)),
             Ending::RunsAway(detail, own) | Ending::Collapses(detail, own),
-        ) if known.and_then(place) != own.as_ref().map(|own| own.place.clone()) => Ending::NotFound(detail),
+        ) if part(before) != part(&own) => Ending::NotFound(detail),
         (_, ending) => ending,
     }
 }

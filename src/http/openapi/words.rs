@@ -37,6 +37,10 @@ const OPERATIONS: &[(&str, &str)] = &[
         "cancelJob",
         "The job is cancelled at once, although its solver may need a moment to stop. Cancelling twice is the same as once.",
     ),
+    (
+        "getRequest",
+        "The request can be posted again as it is. Members of the job, such as its label, are not part of it.",
+    ),
     ("getCertificate", "A JSON document with the vector fields that prove the bound."),
     (
         "getEvents",

@@ -28,6 +28,13 @@ Cache = Literal['reuse', 'bypass']
 
 - `reuse`: Return a stored result if there is one, and store this one for later requests.
 - `bypass`: Solve again, and do not store the result for later requests."""
+CancelReason = Literal['client', 'superseded', 'disconnected', 'deleted']
+"""Reason for which a job was cancelled.
+
+- `client`: A client cancelled the job or its batch.
+- `superseded`: A newer job of the same series took the job's place.
+- `disconnected`: The client that waited for the job closed its connection.
+- `deleted`: The job was deleted before it had ended. Only the job's last event shows this."""
 Caps = Literal['none', 'flat']
 """The caps at the ends of a closed stack.
 
@@ -97,7 +104,7 @@ Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 - `laplacian_fairing`: Every interior vertex moves at once to the area-weighted mean of its neighbours.
 - `area_minimising`: The vertices move one after the other, each towards the least area of its triangles.
 - `edge_swapping`: Edges are flipped where that lowers the area."""
-ProcessStage = Union["Process", Sequence["Process"]]
+ProcessStage = Union["Process", "Processes"]
 """One process, or several that take turns."""
 RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind", "CableNetRequestWithKind"]
 """A request that names its kind."""
@@ -157,18 +164,21 @@ WeaveHold = Literal['ratio', 'magnitudes']
 from them, with the warning `stress_deviates`."""
 
 
-Along = TypedDict("Along", {"boundary": "NotRequired[int]", "from": "int", "to": "int"})
+Along = TypedDict("Along", {"boundary": "NotRequired[Optional[int]]", "from": "int", "to": "int"})
 """A part of a boundary, in the boundary's direction. Points are counted from 0."""
 
 
 class AngleRange(TypedDict):
     max: float
+    """Largest value."""
     min: float
+    """Smallest value."""
 
 
 class Batch(TypedDict):
     """Requests that were submitted together, and the state of their jobs."""
     counts: BatchCounts
+    """Number of jobs of a batch in each state."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     finished_at: Optional[str]
@@ -178,6 +188,7 @@ class Batch(TypedDict):
     jobs: List[BatchJob]
     """Jobs in the order of the requests. Jobs that were deleted or have expired are left out."""
     links: BatchLinks
+    """Addresses that belong to a batch."""
     status: Status
     """`queued` until the first job starts, then `running` until the last job has ended. The final status is `failed`
     if any job has failed, otherwise `cancelled` if any was cancelled, otherwise `succeeded`."""
@@ -186,29 +197,40 @@ class Batch(TypedDict):
 class BatchCounts(TypedDict):
     """Number of jobs of a batch in each state."""
     cancelled: int
+    """Number of cancelled jobs."""
     failed: int
+    """Number of failed jobs."""
     queued: int
+    """Number of jobs that wait."""
     running: int
+    """Number of jobs that are being solved."""
     succeeded: int
+    """Number of jobs that have succeeded."""
 
 
 class BatchJob(TypedDict):
     """Short form of a job of a batch. Its `self` link leads to the full job, which also links to its flat pattern and its
     certificate."""
     id: str
+    """ULID, which sorts by time of submission."""
     index: int
     """Index of the job's request in the batch, counted from 0."""
     kind: Kind
+    """Kind of a request."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
 
 
 class BatchLinks(TypedDict):
     """Addresses that belong to a batch."""
-    cancel: str
+    cancel: NotRequired[Optional[str]]
+    """Address that cancels the jobs of the batch. Present until every job has ended."""
     meshes: NotRequired[Optional[str]]
-    """Address of all meshes in one file. Absent if the batch has ended without a mesh."""
+    """Address of all meshes in one file. Present once every job has ended and one has succeeded."""
     self: str
+    """Address of the resource itself."""
 
 
 class BatchRequest(TypedDict):
@@ -227,35 +249,39 @@ class Bezier(TypedDict):
 
 class BoundaryPoint(TypedDict):
     """A point of a boundary, counted from 0."""
-    boundary: NotRequired[int]
+    boundary: NotRequired[Optional[int]]
     """Default: `0`."""
     point: int
+    """Number of the point, counted from 0."""
 
 
 class Cable(TypedDict):
     """A cable. Its course is exactly one of `along`, `across` and `points`."""
-    across: NotRequired[Sequence[Point]]
+    across: NotRequired[Optional[Sequence[Point]]]
     """Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
     the last are points of the boundaries or lie on their segments. Cables across the film may share points but must
     not cross. Points within `join_tolerance` of others take their place."""
-    along: NotRequired[Along]
+    along: NotRequired[Optional[Along]]
     """Part of a boundary along which the cable runs. The film's edge hangs on the cable."""
     axial_stiffness: NotRequired[Optional[float]]
     """EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length."""
-    mode: NotRequired[CableMode]
+    mode: NotRequired[Optional[CableMode]]
+    """Quantity of a cable that is held constant."""
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `cable 0`."""
-    points: NotRequired[Sequence[Point]]
+    points: NotRequired[Optional[Sequence[Point]]]
     """Two points between which the cable runs in the air. A point within `join_tolerance` of a boundary's point, one
     of `joints` or the hub of a ring is joined to it; any other point is a support."""
     value: float
     """Value that the mode holds constant: a force, a force per length (`force_density`) or a length."""
-    weight: NotRequired[float]
+    weight: NotRequired[Optional[float]]
     """Weight per length of the found shape. Default: `0.0`."""
 
 
 class CableForce(TypedDict):
     """A cable of the found shape."""
+    axial_stiffness: Optional[float]
+    """Axial stiffness of the request, a force; null without one."""
     force: float
     """Mean force, weighted by length."""
     force_max: float
@@ -263,8 +289,11 @@ class CableForce(TypedDict):
     force_min: float
     """Least force, at the lower end of a segment if the cable is heavy."""
     length: float
+    """Length."""
     mode: str
+    """Quantity that was held constant."""
     name: str
+    """Name."""
     sag: float
     """Largest distance from the chord between the ends."""
     slack: bool
@@ -275,6 +304,8 @@ class CableForce(TypedDict):
 
 class CableNetJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -282,6 +313,7 @@ class CableNetJob(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Literal['cable_net']
@@ -289,14 +321,19 @@ class CableNetJob(TypedDict):
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: Optional[CableNetStatistics]
     """Null until the job has succeeded."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class CableNetRequest(TypedDict):
@@ -304,14 +341,14 @@ class CableNetRequest(TypedDict):
 
     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
     or a strut in compression. Cables are groups of edges with common targets."""
-    cables: NotRequired[Sequence[NetCable]]
+    cables: NotRequired[Optional[Sequence[NetCable]]]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     edges: Sequence[Sequence[int]]
     """Pairs of vertices that a cable joins, counted from 0."""
@@ -319,10 +356,10 @@ class CableNetRequest(TypedDict):
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_force_density: NotRequired[float]
+    least_force_density: NotRequired[Optional[float]]
     """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
-    loads: NotRequired[Sequence[NetLoad]]
+    loads: NotRequired[Optional[Sequence[NetLoad]]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
@@ -334,14 +371,17 @@ class CableNetRequest(TypedDict):
     accepted, older jobs with the same key that have not ended are cancelled."""
     supports: Sequence[int]
     """Vertices that do not move, counted from 0."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
-    units: NotRequired[LengthAndForce]
-    up: NotRequired[UpAxis]
+    units: NotRequired[Optional[LengthAndForce]]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
     vertices: Sequence[Point]
     """Points of the net: supports where they stay, the other vertices where form finding begins."""
-    weights: NotRequired[TargetWeights]
+    weights: NotRequired[Optional[TargetWeights]]
+    """Weights of the terms of the loss."""
 
 
 class CableNetRequestWithKind(TypedDict):
@@ -349,14 +389,14 @@ class CableNetRequestWithKind(TypedDict):
 
     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
     or a strut in compression. Cables are groups of edges with common targets."""
-    cables: NotRequired[List[NetCable]]
+    cables: NotRequired[Optional[List[NetCable]]]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     edges: List[List[int]]
     """Pairs of vertices that a cable joins, counted from 0."""
@@ -364,10 +404,10 @@ class CableNetRequestWithKind(TypedDict):
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_force_density: NotRequired[float]
+    least_force_density: NotRequired[Optional[float]]
     """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
-    loads: NotRequired[List[NetLoad]]
+    loads: NotRequired[Optional[List[NetLoad]]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
@@ -379,32 +419,41 @@ class CableNetRequestWithKind(TypedDict):
     accepted, older jobs with the same key that have not ended are cancelled."""
     supports: List[int]
     """Vertices that do not move, counted from 0."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
-    units: NotRequired[LengthAndForce]
-    up: NotRequired[UpAxis]
+    units: NotRequired[Optional[LengthAndForce]]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
     vertices: List[Point]
     """Points of the net: supports where they stay, the other vertices where form finding begins."""
-    weights: NotRequired[TargetWeights]
+    weights: NotRequired[Optional[TargetWeights]]
+    """Weights of the terms of the loss."""
 
 
 class CableNetStatistics(TypedDict):
     """Statistics of a cable net."""
     balance: ForceBalance
+    """Sums of the forces."""
     cables: List[NetCableResult]
     """Cables in the order of the request, and `other` for edges that no cable lists."""
     converged: bool
+    """Whether the solver has met its own rule."""
     edge_lengths: Spread
+    """Minimum, mean, maximum and standard deviation (of the whole population) of a list of values."""
     edges: int
+    """Number of edges."""
     force_unit: str
     """Unit of the forces."""
     gradient: float
     """Largest derivative of the loss by the logarithm of a force density."""
     iterations: int
+    """Number of iterations."""
     load_path: float
     """Σ |force| · length."""
     objective: str
+    """Name of the objective, as in `GET /v1/objectives`."""
     objective_value: float
     """Loss: the weighted sum of the mean squared relative deviations of the forces and of the lengths from their
     targets, and of the load path relative to its value at the start. 0 if there are no targets and the load path
@@ -416,9 +465,21 @@ class CableNetStatistics(TypedDict):
     residual: float
     """Largest force on a free vertex that is not balanced, over the largest force of an edge."""
     stop_reason: str
+    """Reason for which the solver stopped."""
     triangles: int
     """Always 0: a net has no triangles."""
     vertices: int
+    """Number of vertices."""
+
+
+class CallbackMessage(TypedDict):
+    """Message to a callback URL, with the fields of Standard Webhooks."""
+    data: Dict[str, Any]
+    """The job or the batch, without its statistics."""
+    timestamp: Optional[str]
+    """Time of the end (RFC 3339, UTC)."""
+    type: str
+    """`job.` or `batch.` with the final status, such as `job.succeeded`."""
 
 
 class Callbacks(TypedDict):
@@ -441,6 +502,7 @@ class Certificate(TypedDict):
     gap: Optional[float]
     """The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0."""
     iterations: int
+    """Number of iterations."""
     orientations: int
     """Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
     directions of the boundaries that it leaves free."""
@@ -457,9 +519,9 @@ class Certificate(TypedDict):
 
 class CertifyOptions(TypedDict):
     """Sharpness of the lower bound, and the limit of the search for it."""
-    gap: NotRequired[float]
+    gap: NotRequired[Optional[float]]
     """The search ends once the film's area is at most this fraction above the bound. Default: `0.005`."""
-    seconds: NotRequired[float]
+    seconds: NotRequired[Optional[float]]
     """Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so
     that the same request gives the same result on every machine. Default: `2.0`."""
 
@@ -467,11 +529,11 @@ class CertifyOptions(TypedDict):
 class Chamber(TypedDict):
     """A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
     mean, which stand for the ground. It has exactly one of `pressure` and `volume`."""
-    below: NotRequired[int]
+    below: NotRequired[Optional[int]]
     """Number of the layer, counted from 0. Default: `0`."""
-    pressure: NotRequired[float]
+    pressure: NotRequired[Optional[float]]
     """Pressure above that outside, a force per area."""
-    volume: NotRequired[float]
+    volume: NotRequired[Optional[float]]
     """Volume. The pressure is found."""
 
 
@@ -489,15 +551,21 @@ class CircleGuide(TypedDict):
     axis: Sequence[float]
     """Normal of the circle's plane."""
     centre: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     radius: float
+    """Radius."""
 
 
 class Comparison(TypedDict):
     """Statistics of one objective's optimum."""
     area: float
+    """Area, in square units of the request's unit of length."""
     bending_energy: float
+    """Bending energy of the strip, without a unit."""
     bridges: int
+    """Number of bridges, which are the edges between the rails."""
     convex_bridge_ratio: float
+    """Number of locally convex bridges over the number of bridges."""
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
@@ -506,36 +574,44 @@ class Comparison(TypedDict):
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
+    """Length of the longest bridge."""
     mean_curvature_variation: float
+    """Variation of the mean curvature from bridge to bridge."""
     normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
+    """Name of the objective, as in `GET /v1/objectives`."""
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     secondary_objective: Optional[str]
+    """Objective that decided among strips of equal value."""
     secondary_value: Optional[float]
     """Value of the secondary objective. Null without one."""
     shortest_bridge: float
+    """Length of the shortest bridge."""
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
     triangles: int
+    """Number of triangles."""
 
 
 class Constraints(TypedDict):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
     boundary."""
-    points: NotRequired[Sequence[Point]]
+    points: NotRequired[Optional[Sequence[Point]]]
     """Default: `[]`."""
-    polylines: NotRequired[Sequence[Polyline]]
+    polylines: NotRequired[Optional[Sequence[Polyline]]]
     """Default: `[]`."""
 
 
 class CylinderGuide(TypedDict):
     axis: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     point: Sequence[float]
     """A point of the axis."""
     radius: float
+    """Radius."""
 
 
 class Delivery(TypedDict):
@@ -545,17 +621,21 @@ class Delivery(TypedDict):
     attempt: int
     """Number of the attempt, counted from 1."""
     outcome: DeliveryOutcome
+    """How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
+    attempt will be repeated, and `given_up` if it was the last."""
 
 
 class Domain(TypedDict):
     """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
-    bezier: NotRequired[Bezier]
-    boundaries: NotRequired[Sequence[Polygon]]
+    bezier: NotRequired[Optional[Bezier]]
+    """A tensor-product Bézier patch."""
+    boundaries: NotRequired[Optional[Sequence[Polygon]]]
     """Closed polygons. The domain is the minimal surface that spans them."""
-    holes: NotRequired[Sequence[Polygon]]
+    holes: NotRequired[Optional[Sequence[Polygon]]]
     """Holes of the polygon. Default: `[]`."""
-    nurbs: NotRequired[Nurbs]
-    polygon: NotRequired[Sequence[Point]]
+    nurbs: NotRequired[Optional[Nurbs]]
+    """A NURBS patch."""
+    polygon: NotRequired[Optional[Sequence[Point]]]
     """A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
     plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the
     warning `projected`."""
@@ -564,6 +644,7 @@ class Domain(TypedDict):
 class EdgeReaction(TypedDict):
     """The supports along the fixed parts of a boundary together."""
     boundary: int
+    """Number of the boundary, counted from 0."""
     force: List[float]
     """Force of the supports on the structure."""
     force_per_length: Optional[ForcePerLength]
@@ -583,20 +664,27 @@ class EquilibriumStability(TypedDict):
 class Example(TypedDict):
     """An example request."""
     kind: Kind
+    """Kind of a request."""
     name: str
+    """Name."""
     request: RequestWithKind
     """Request to post to the path of its kind."""
     title: str
+    """Title, for people."""
 
 
 class ExampleList(TypedDict):
     examples: List[ExampleSummary]
+    """The examples."""
 
 
 class ExampleSummary(TypedDict):
     kind: Kind
+    """Kind of a request."""
     name: str
+    """Name."""
     title: str
+    """Title, for people."""
 
 
 class ExtrapolatedArea(TypedDict):
@@ -631,12 +719,17 @@ class FilmStress(TypedDict):
 
 class FlatPatternStatistics(TypedDict):
     """Quality of the strips' flat pattern."""
+    cut_at: Optional[List[int]]
+    """For each strip of a closed surface the number of the bridge at which its pattern is cut: the bridge of least
+    fold, the first among equals. Bridges count from 0 over all strips. Null for open strips, which need no cut."""
     edge_length_error_max: float
     """Largest relative difference between an edge's length in space and in the plane."""
     height: float
+    """Height of the bounding box."""
     self_overlap: bool
     """Whether an unrolled strip overlaps itself."""
     width: float
+    """Width of the bounding box."""
 
 
 class ForceBalance(TypedDict):
@@ -656,7 +749,9 @@ class ForceBalance(TypedDict):
 class ForcePerLength(TypedDict):
     """Forces per length along an edge, a force over the length unit."""
     max: float
+    """Largest value."""
     min: float
+    """Smallest value."""
 
 
 class GivenMesh(TypedDict):
@@ -664,36 +759,49 @@ class GivenMesh(TypedDict):
     without further vertices on their segments, or a film whose sheets meet three by three along edges with three
     triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
     `resolution` has no effect in either case."""
-    glb: NotRequired[str]
+    glb: NotRequired[Optional[str]]
     """The mesh as a binary glTF 2.0 file in base64, instead of `vertices` and `triangles`. The triangles of its
     default scene are read with their nodes' transforms, from metres with y up to the request's unit and axis.
     Points and lines are left out, and equal vertices become one. Vertices within the rounding of the file's 32-bit
     numbers from points of `boundaries` take their places, and boundary vertices between them move onto the segment.
     The file needs no other file and no extension."""
-    triangles: NotRequired[Sequence[Sequence[int]]]
+    triangles: NotRequired[Optional[Sequence[Sequence[int]]]]
     """Vertex indices of each triangle, counted from 0."""
-    vertices: NotRequired[Polygon]
+    vertices: NotRequired[Optional[Polygon]]
+    """The points of a closed polygon in order. The first point is not repeated."""
 
 
 class GroupLengths(TypedDict):
     """Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group."""
     count: int
+    """Number of members."""
     max: float
+    """Largest value."""
     mean: float
+    """Mean value."""
     min: float
+    """Smallest value."""
     std_dev: float
+    """Standard deviation."""
 
 
 class Guide(TypedDict):
     """A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
     unit length."""
     circle: NotRequired[CircleGuide]
+    """A circle."""
     cylinder: NotRequired[CylinderGuide]
+    """A cylinder."""
     line: NotRequired[LineGuide]
+    """A straight line."""
     mesh: NotRequired[MeshGuide]
+    """A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike."""
     plane: NotRequired[PlaneGuide]
+    """A plane."""
     sphere: NotRequired[SphereGuide]
+    """A sphere."""
     torus: NotRequired[TorusGuide]
+    """A torus, such as a ring beam of round tube."""
 
 
 class HistoryRow(TypedDict):
@@ -711,8 +819,11 @@ class HistoryRow(TypedDict):
 class JobError(TypedDict):
     """Reason for a failure: what was wrong with the geometry, and what to try."""
     detail: str
+    """What was wrong and what to try, in words."""
     errors: List[FieldError]
+    """Offending values of the request."""
     title: str
+    """Title, for people."""
     type: str
     """Stable URI reference that identifies the kind of failure."""
 
@@ -720,12 +831,15 @@ class JobError(TypedDict):
 class JobList(TypedDict):
     """One page of jobs, newest first."""
     jobs: List[JobSummary]
+    """The jobs."""
     next_cursor: Optional[str]
     """Value of `?cursor=` for the next page; null on the last page."""
 
 
 class JobSummary(TypedDict):
     """A job of a list."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -733,21 +847,28 @@ class JobSummary(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Kind
+    """Kind of a request."""
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: NotRequired[Dict[str, Any]]
     """Statistics of a job that has succeeded. Absent unless the list was asked for with `statistics=true`. The fields
     depend on the kind."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class JobWarning(TypedDict):
@@ -757,13 +878,14 @@ class JobWarning(TypedDict):
 
     - `apex_inside`: A directrix between two strips is a single point, so that the surface is pinched there: `directrix`.
     - `beyond_support`: An edge or a point has slid beyond the border of its support: `support`, `distance`.
+    - `closing_corner`: The sides of a film nearly touch at a corner between cables: `boundary`, `point`, `angle_deg`, and `force_factor`, by which the forces of these cables would have to grow to open the corner to 5 degrees.
     - `crossing_directrices`: Neighbouring directrices cross or touch: `directrix`, and the points `from` and `to` of that directrix.
     - `edge_length_missed`: The mean edge length differs from the wanted one: `mean_edge_length`, `edge_length`.
     - `empty_triangles`: Triangles of a strip have no area: `strip`, `count`.
     - `far_from_zero`: The mesh is so far from zero that an STL file cannot hold its coordinates and is relative to `origin`.
     - `film`: The film under a lattice has a warning. The detail begins with the code of that warning.
     - `films_cross`: The films of the least topology pass through each other or themselves.
-    - `folds`: Neighbouring triangles of a strip fold back: `strip`, `largest_fold_deg`.
+    - `folds`: Neighbouring triangles of a strip fold back, and its directrices have no such sharp corner: `strip`, `largest_fold_deg`.
     - `held_points`: A single point does not hold a film, however finely it is meshed: `count`.
     - `identical_directrices`: Neighbouring directrices are the same polyline: `directrix`.
     - `joined`: Points of the request were joined to others within the tolerance: `count`, and the largest `distance`.
@@ -801,6 +923,7 @@ class JobWarning(TypedDict):
     - `unclosed_directrices`: Open directrices end where they begin: `count`.
     - `unstable`: The shape is stationary but no minimum: `morse_index`, or its lower bound if it is undecided."""
     detail: str
+    """What was wrong and what to try, in words."""
     values: Dict[str, float]
     """Figures of the detail by name, such as the `distance` of the warning `projected`. Indices count from 0, and
     lengths are in the request's unit."""
@@ -841,17 +964,19 @@ class Junctions(TypedDict):
 class LayerFigures(TypedDict):
     """A layer of the found shape. In the mesh its triangles follow those of the layers before it."""
     area: float
+    """Area, in square units of the request's unit of length."""
     stress: Optional[FilmStress]
     """Null if the forces could not be balanced."""
     triangles: int
+    """Number of triangles."""
 
 
 class LengthAndForce(TypedDict):
     """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
     weight of a cable a force per length, and an axial stiffness a force."""
-    force: NotRequired[ForceUnit]
+    force: NotRequired[Optional[ForceUnit]]
     """Default: `kN`."""
-    length: NotRequired[Units]
+    length: NotRequired[Optional[Units]]
     """Default: `m`."""
 
 
@@ -898,38 +1023,53 @@ class Limits(TypedDict):
 
 class LineGuide(TypedDict):
     direction: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     point: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
 
 
 class LineValues(TypedDict):
     """A number for each line."""
     name: str
+    """Name."""
     unit: str
     """Empty for plain numbers."""
     values: List[float]
+    """Values, in the order of the lines."""
 
 
 class Links(TypedDict):
-    """Addresses that belong to a job."""
-    cancel: str
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
+    batch: NotRequired[Optional[str]]
+    """Address of the batch that the job belongs to."""
+    cancel: NotRequired[Optional[str]]
+    """Address that cancels the job. Present until the job has ended."""
     certificate: NotRequired[Optional[str]]
     """Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal
     surfaces do, if their request has `certify`."""
     events: str
+    """Address of the server-sent events."""
     mesh: NotRequired[Optional[str]]
-    """Address of the mesh. Absent from failed and cancelled jobs."""
+    """Address of the mesh. Present once the job has succeeded."""
     pattern: NotRequired[Optional[str]]
-    """Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do."""
+    """Address of the flat pattern. Present once the job has succeeded and has one: only ruled surfaces do."""
+    request: NotRequired[Optional[str]]
+    """Address of the request as it was accepted. Absent from jobs that ended under a version that dropped requests."""
     self: str
+    """Address of the resource itself."""
+    successor: NotRequired[Optional[str]]
+    """Address of the job that superseded this one."""
 
 
 class Mast(TypedDict):
     """A straight member between two points that may push. A point within `join_tolerance` of a boundary's point, one of
     `joints` or the hub of a ring is joined to it; any other point is a support. At least one end is no support."""
-    mode: NotRequired[MastMode]
+    mode: NotRequired[Optional[MastMode]]
+    """Quantity of a mast that is held constant."""
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `mast 0`."""
     points: Sequence[Point]
+    """The two ends."""
     value: float
     """Value that the mode holds constant: a length, or the force with which the mast pushes."""
 
@@ -939,8 +1079,11 @@ class MastForce(TypedDict):
     force: float
     """Force with which the mast pushes; negative if it pulls."""
     length: float
+    """Length of the mast in the found shape."""
     mode: str
+    """Quantity that was held constant."""
     name: str
+    """Name."""
 
 
 class MeanCurvature(TypedDict):
@@ -956,9 +1099,11 @@ class MeanCurvature(TypedDict):
 class Mesh(TypedDict):
     """A mesh in the axes and the unit of its request."""
     attributes: MeshAttributes
+    """Numbers at the vertices."""
     input_vertices: List[List[int]]
     """For each polyline of the request, the vertices that its points became."""
     lines: List[MeshLines]
+    """Sets of lines beside the triangles, such as boundaries and cables."""
     origin: List[float]
     """Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`."""
     triangle_attributes: NotRequired[Dict[str, List[float]]]
@@ -968,7 +1113,10 @@ class Mesh(TypedDict):
     triangles: List[List[int]]
     """Three indices of vertices for each triangle, counted from 0. A cable net has none."""
     unit: Units
+    """Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
+    unit."""
     up: UpAxis
+    """Axis of the client's coordinates that points up."""
     vertices: List[Point]
     """The request's own points come first, in their order."""
 
@@ -987,6 +1135,7 @@ class MeshGuide(TypedDict):
     triangles: Sequence[Sequence[int]]
     """Vertex indices of each triangle, counted from 0."""
     vertices: Polygon
+    """The points of a closed polygon in order. The first point is not repeated."""
 
 
 class MeshLines(TypedDict):
@@ -1006,35 +1155,49 @@ class MinimalStatistics(TypedDict):
     """Statistics of a minimal surface. Lengths are in the request's unit, areas in its square, curvatures in its inverse,
     and angles in degrees."""
     angles_deg: AngleRange
+    """Angles of the triangles, in degrees."""
     area: float
+    """Area, in square units of the request's unit of length."""
     boundary_loops: int
+    """Number of closed loops of boundary edges."""
     certificate: Optional[Certificate]
     """Proven lower bound of the area. Null without `certify`."""
     components: int
+    """Number of connected parts."""
     converged: bool
     """Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
     `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
     `least_squares_tolerance` for `minimal_mean_curvature`."""
     degenerate_triangles: int
+    """Number of triangles without an area, up to rounding."""
     edge_lengths: Spread
+    """Minimum, mean, maximum and standard deviation (of the whole population) of a list of values."""
     edges_swapped: int
+    """Number of edges that were flipped."""
     euler_characteristic: int
+    """Vertices - edges + triangles."""
     extrapolated_area: Optional[ExtrapolatedArea]
     """Null if the boundary's points do not allow a second resolution, and for unstable surfaces."""
     flipped_triangles: int
+    """Number of triangles that are turned over against their neighbours."""
     genus: Optional[int]
     """Null for films with junctions, for which it is not defined."""
     history: List[HistoryRow]
+    """Iterations of the solver."""
     initial_area: float
     """Area of the initial mesh."""
     initial_mesh: str
     """Initial mesh that was built."""
     iterations: int
+    """Number of iterations."""
     junctions: Optional[Junctions]
     """Null unless the initial mesh of the film has edges with three triangles."""
     mean_curvature: MeanCurvature
+    """Mean curvature over the vertices that are free to move, in 1/unit."""
     objective: str
+    """Name of the objective, as in `GET /v1/objectives`."""
     objective_value: float
+    """Value of the objective."""
     origin: List[float]
     """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     pinches: List[Pinch]
@@ -1058,11 +1221,15 @@ class MinimalStatistics(TypedDict):
     stop_reason: str
     """Rule or limit that ended the solver."""
     triangles: int
+    """Number of triangles."""
     vertices: int
+    """Number of vertices."""
 
 
 class MinimalSurfaceJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -1070,6 +1237,7 @@ class MinimalSurfaceJob(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Literal['minimal_surface']
@@ -1077,44 +1245,54 @@ class MinimalSurfaceJob(TypedDict):
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: Optional[MinimalStatistics]
     """Null until the job has succeeded."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class MinimalSurfaceRequest(TypedDict):
     """Boundary polygons, and options for the surface that spans them."""
-    area_tolerance: NotRequired[float]
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
+    area_tolerance: NotRequired[Optional[float]]
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`. Only with `objective: minimal_area` and `solver` `vertex_relaxation` or `pinkall_polthier`."""
     boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point."""
-    boundary_curvature: NotRequired[bool]
+    boundary_curvature: NotRequired[Optional[bool]]
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
-    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
-    boundary_sampling: NotRequired[BoundarySampling]
-    cache: NotRequired[Cache]
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
+    boundary_sampling: NotRequired[Optional[BoundarySampling]]
+    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    certify: NotRequired[Certify]
+    certify: NotRequired[Optional[Certify]]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
-    constraints: NotRequired[Constraints]
-    degenerate_angle_deg: NotRequired[float]
+    bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
+    constraints: NotRequired[Optional[Constraints]]
+    """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+    points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+    boundary."""
+    degenerate_angle_deg: NotRequired[Optional[float]]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-    angle. 0 removes none. Default: `1.0`."""
+    angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     fairing_tolerance: NotRequired[Optional[float]]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
-    `area_tolerance`."""
-    initial_mesh: NotRequired[InitialMesh]
+    `area_tolerance`. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    initial_mesh: NotRequired[Optional[InitialMesh]]
+    """Mesh that the solver starts from: built by the service, or supplied by the client."""
     join_tolerance: NotRequired[Optional[float]]
     """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
     request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
@@ -1123,67 +1301,75 @@ class MinimalSurfaceRequest(TypedDict):
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_squares_tolerance: NotRequired[float]
+    least_squares_tolerance: NotRequired[Optional[float]]
     """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
-    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
-    linear_solver: NotRequired[LinearSolver]
-    """Method by which `pinkall_polthier` solves its linear systems."""
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`. Only with `objective: minimal_mean_curvature`."""
+    linear_solver: NotRequired[Optional[LinearSolver]]
+    """Method by which `pinkall_polthier` solves its linear systems. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of iterations. Null means the solver's default."""
+    """Maximum number of iterations. Null means the solver's default. Only with `objective` `minimal_area` or `minimal_mean_curvature`."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: NotRequired[MinimalSurfaceObjective]
-    on_unstable: NotRequired[OnUnstable]
+    objective: NotRequired[Optional[MinimalSurfaceObjective]]
+    """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
+    on_unstable: NotRequired[Optional[OnUnstable]]
+    """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: NotRequired[Optional[Sequence[ProcessStage]]]
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages."""
-    resolution: NotRequired[Resolution]
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
-    seed: NotRequired[int]
-    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
-    solver: NotRequired[Solver]
-    """Method that minimises the area."""
+    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    resolution: NotRequired[Optional[Resolution]]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    seed: NotRequired[Optional[int]]
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`."""
+    solver: NotRequired[Optional[Solver]]
+    """Method that minimises the area. Only with `objective: minimal_area`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
-    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
-    topology: NotRequired[Topology]
-    units: NotRequired[Units]
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`. Only with `objective: minimal_area`."""
+    topology: NotRequired[Optional[Topology]]
+    """Only with `objective: minimal_area` and `solver` `auto`, `pinkall_polthier` or `newton`."""
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
 class MinimalSurfaceRequestWithKind(TypedDict):
     """Boundary polygons, and options for the surface that spans them."""
-    area_tolerance: NotRequired[float]
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
+    area_tolerance: NotRequired[Optional[float]]
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`. Only with `objective: minimal_area` and `solver` `vertex_relaxation` or `pinkall_polthier`."""
     boundaries: List[Polygon]
     """Closed polygons that do not repeat their first point."""
-    boundary_curvature: NotRequired[bool]
+    boundary_curvature: NotRequired[Optional[bool]]
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
-    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
-    boundary_sampling: NotRequired[BoundarySampling]
-    cache: NotRequired[Cache]
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
+    boundary_sampling: NotRequired[Optional[BoundarySampling]]
+    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    certify: NotRequired[Certify]
+    certify: NotRequired[Optional[Certify]]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
-    constraints: NotRequired[Constraints]
-    degenerate_angle_deg: NotRequired[float]
+    bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
+    constraints: NotRequired[Optional[Constraints]]
+    """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+    points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+    boundary."""
+    degenerate_angle_deg: NotRequired[Optional[float]]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-    angle. 0 removes none. Default: `1.0`."""
+    angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     fairing_tolerance: NotRequired[Optional[float]]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
-    `area_tolerance`."""
-    initial_mesh: NotRequired[InitialMesh]
+    `area_tolerance`. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    initial_mesh: NotRequired[Optional[InitialMesh]]
+    """Mesh that the solver starts from: built by the service, or supplied by the client."""
     join_tolerance: NotRequired[Optional[float]]
     """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
     request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
@@ -1192,36 +1378,39 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_squares_tolerance: NotRequired[float]
+    least_squares_tolerance: NotRequired[Optional[float]]
     """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
-    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
-    linear_solver: NotRequired[LinearSolver]
-    """Method by which `pinkall_polthier` solves its linear systems."""
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`. Only with `objective: minimal_mean_curvature`."""
+    linear_solver: NotRequired[Optional[LinearSolver]]
+    """Method by which `pinkall_polthier` solves its linear systems. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of iterations. Null means the solver's default."""
+    """Maximum number of iterations. Null means the solver's default. Only with `objective` `minimal_area` or `minimal_mean_curvature`."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: NotRequired[MinimalSurfaceObjective]
-    on_unstable: NotRequired[OnUnstable]
+    objective: NotRequired[Optional[MinimalSurfaceObjective]]
+    """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
+    on_unstable: NotRequired[Optional[OnUnstable]]
+    """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: NotRequired[Optional[List[ProcessStage]]]
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages."""
-    resolution: NotRequired[Resolution]
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
-    seed: NotRequired[int]
-    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
-    solver: NotRequired[Solver]
-    """Method that minimises the area."""
+    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    resolution: NotRequired[Optional[Resolution]]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    seed: NotRequired[Optional[int]]
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`."""
+    solver: NotRequired[Optional[Solver]]
+    """Method that minimises the area. Only with `objective: minimal_area`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
-    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
-    topology: NotRequired[Topology]
-    units: NotRequired[Units]
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`. Only with `objective: minimal_area`."""
+    topology: NotRequired[Optional[Topology]]
+    """Only with `objective: minimal_area` and `solver` `auto`, `pinkall_polthier` or `newton`."""
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
@@ -1230,7 +1419,7 @@ class NetCable(TypedDict):
     axial_stiffness: NotRequired[Optional[float]]
     """EA, a force. It gives the unstressed length."""
     edges: NotRequired[Optional[Sequence[int]]]
-    """Numbers of its edges, counted from 0. Null means all edges that no other cable lists."""
+    """Numbers of its edges, counted from 0. Null means all edges that no other cable lists. An empty list is refused."""
     force: NotRequired[Optional[float]]
     """Force that each edge is to have: positive in a cable, negative in a strut."""
     force_density: NotRequired[Optional[float]]
@@ -1240,27 +1429,34 @@ class NetCable(TypedDict):
     """Length that each edge is to have in the found shape."""
     name: NotRequired[Optional[str]]
     """Name in statistics and files. Null means its number, as in `cable 0`."""
-    strut: NotRequired[bool]
+    strut: NotRequired[Optional[bool]]
     """Whether the edges are struts, which push. A negative `force` or `force_density` says it too."""
 
 
 class NetCableResult(TypedDict):
     """A cable of the found net: all its edges together."""
+    axial_stiffness: Optional[float]
+    """Axial stiffness of the request, a force; null without one."""
     edge_lengths: ValueRange
+    """Smallest and largest value."""
     edges: int
     """Number of its edges."""
     force: float
     """Mean force, weighted by length. Forces of struts are negative."""
     force_densities: ValueRange
+    """Smallest and largest value."""
     force_deviation: Optional[float]
     """Largest |force / target - 1|; null without a target."""
     force_max: float
+    """Largest force."""
     force_min: float
+    """Smallest force."""
     length: float
     """Sum of the edges' lengths."""
     length_deviation: Optional[float]
     """Largest |length / target - 1|; null without a target."""
     name: str
+    """Name."""
     slack_edges: int
     """Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension."""
     unstressed_length: Optional[float]
@@ -1273,7 +1469,7 @@ class NetLoad(TypedDict):
     force: Sequence[float]
     """Force on each of the vertices."""
     vertices: NotRequired[Optional[Sequence[int]]]
-    """Vertices on which the load acts. Null means all vertices that are no supports."""
+    """Vertices on which the load acts. Null means all vertices that are no supports. An empty list is refused."""
 
 
 class NetReaction(TypedDict):
@@ -1281,6 +1477,7 @@ class NetReaction(TypedDict):
     force: List[float]
     """Force of the support on the net."""
     vertex: int
+    """Number of the vertex, counted from 0."""
 
 
 class Nurbs(TypedDict):
@@ -1300,11 +1497,14 @@ class Nurbs(TypedDict):
 class Objective(TypedDict):
     """One objective of one kind of request."""
     kind: Kind
+    """Kind of a request."""
     minimises: str
     """Quantity that is minimised or maximised, as a formula in words and symbols."""
     name: str
-    options: List[str]
-    """Names of the request's fields that change the solution."""
+    """Name."""
+    options: List[ObjectiveOption]
+    """Members of the request that can change the result with this objective, each with the choices that it needs. A
+    request with a member that does not act is refused."""
     source: str
     """Author, section and equation."""
     unit: str
@@ -1313,12 +1513,25 @@ class Objective(TypedDict):
 
 class ObjectiveList(TypedDict):
     objectives: List[Objective]
+    """The objectives."""
+
+
+class ObjectiveOption(TypedDict):
+    """An option of an objective in the catalogue."""
+    name: str
+    """Name of the request's member."""
+    needs: List[Dict[str, List[str]]]
+    """Alternatives, of which one must hold for the option to act. Each names members of the request with the values
+    that they may have; `true` and `false` are texts here, and `given` stands for the client's own initial mesh. The
+    list is empty if the option always acts."""
 
 
 class OutOfRange(TypedDict):
     """A member outside the range from the edge length to its double."""
     length: float
+    """Length of the member."""
     vertices: List[int]
+    """Numbers of its two ends, counted from 0."""
     why: str
     """Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`."""
 
@@ -1326,6 +1539,7 @@ class OutOfRange(TypedDict):
 class Pinch(TypedDict):
     """A change of topology."""
     iteration: int
+    """Number of the iteration, counted from 1."""
     place: List[float]
     """Place of the change in the request's unit and axes."""
     what: str
@@ -1335,7 +1549,9 @@ class Pinch(TypedDict):
 
 class PlaneGuide(TypedDict):
     normal: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     point: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
 
 
 class Ponding(TypedDict):
@@ -1353,8 +1569,9 @@ class Ponding(TypedDict):
 class Problem(TypedDict):
     """A problem document, RFC 9457."""
     detail: str
-    errors: NotRequired[List[FieldError]]
-    """Offending values of the body, at most 50."""
+    """What was wrong and what to try, in words."""
+    errors: NotRequired[List[WrongValue]]
+    """Offending values of the body or of the query, at most 50."""
     errors_omitted: NotRequired[bool]
     """True if there were more errors than are listed."""
     instance: str
@@ -1362,8 +1579,31 @@ class Problem(TypedDict):
     status: int
     """HTTP status of the response."""
     title: str
+    """Title, for people."""
     type: str
     """Stable URI reference that identifies the kind of problem."""
+
+
+class ProblemKind(TypedDict):
+    """A kind of problem."""
+    status: Optional[int]
+    """HTTP status of the response. Null for the error of a failed job."""
+    title: str
+    """Title, for people."""
+    type: str
+    """Stable URI reference, which problem documents and the errors of failed jobs have as their `type`. A GET of it
+    answers with a text for people."""
+
+
+class ProblemList(TypedDict):
+    problems: List[ProblemKind]
+    """The kinds, those of problem documents first."""
+
+
+class Processes(TypedDict):
+    """Processes that take turns in one stage."""
+    together: Sequence[Process]
+    """The processes in the order of each turn."""
 
 
 class Progress(TypedDict):
@@ -1371,15 +1611,19 @@ class Progress(TypedDict):
     fraction: float
     """Fraction of the work that is done, from 0 to 1. It never falls within one attempt."""
     iteration: int
+    """Number of the iteration, counted from 1."""
     objective_value: Optional[float]
+    """Value of the objective after the iteration, if the solver knows it."""
     phase: str
     """Name of the solver's current phase."""
     residual: Optional[float]
+    """Residual after the iteration, if the solver knows it."""
 
 
 class RadialDirection(TypedDict):
     """The weft runs around an axis and the warp away from it. The axis must not pass through the film."""
     axis: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     point: Sequence[float]
     """A point of the axis."""
 
@@ -1399,15 +1643,17 @@ class Ring(TypedDict):
     axis: Sequence[float]
     """Direction in which the ring moves. It needs no unit length."""
     boundary: int
-    force: NotRequired[float]
+    """Number of the boundary, counted from 0."""
+    force: NotRequired[Optional[float]]
     """Force on the ring along the axis, from outside. Default: `0.0`."""
-    hub: NotRequired[Sequence[float]]
+    hub: NotRequired[Optional[Sequence[float]]]
     """Point in the air that moves with the ring. Masts and cables may end there."""
 
 
 class RingPosition(TypedDict):
     """A ring of the found shape."""
     boundary: int
+    """Number of the boundary, counted from 0."""
     travel: float
     """Distance that the ring has moved along its axis."""
 
@@ -1415,11 +1661,15 @@ class RingPosition(TypedDict):
 class RuledStatistics(TypedDict):
     """Statistics of a ruled surface."""
     area: float
+    """Area, in square units of the request's unit of length."""
     bending_energy: float
+    """Bending energy of the strip, without a unit."""
     bridges: int
+    """Number of bridges, which are the edges between the rails."""
     comparison: Optional[List[Comparison]]
     """Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`."""
     convex_bridge_ratio: float
+    """Number of locally convex bridges over the number of bridges."""
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
@@ -1428,12 +1678,14 @@ class RuledStatistics(TypedDict):
     direction_decided_by: List[Optional[str]]
     """For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
     `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`."""
-    flat_pattern: Optional[FlatPatternStatistics]
-    """Null for closed strips, which cannot be unrolled."""
+    flat_pattern: FlatPatternStatistics
+    """Quality of the strips' flat pattern."""
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
+    """Length of the longest bridge."""
     mean_curvature_variation: float
+    """Variation of the mean curvature from bridge to bridge."""
     normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
@@ -1452,17 +1704,21 @@ class RuledStatistics(TypedDict):
     self_intersections_skipped: Optional[str]
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shortest_bridge: float
+    """Length of the shortest bridge."""
     strips: List[StripStatistics]
     """Statistics of each strip, in order. Caps belong to none."""
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
     triangles: int
+    """Number of triangles."""
     vertices: int
     """Number of vertices of the mesh."""
 
 
 class RuledSurfaceJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -1470,6 +1726,7 @@ class RuledSurfaceJob(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Literal['ruled_surface']
@@ -1477,36 +1734,41 @@ class RuledSurfaceJob(TypedDict):
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: Optional[RuledStatistics]
     """Null until the job has succeeded."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class RuledSurfaceRequest(TypedDict):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
-    all_objectives: NotRequired[bool]
+    all_objectives: NotRequired[Optional[bool]]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    caps: NotRequired[Caps]
+    caps: NotRequired[Optional[Caps]]
     """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
-    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
-    closed: NotRequired[bool]
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`. Only with `closed: true`."""
+    closed: NotRequired[Optional[bool]]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
-    convexity_tolerance_deg: NotRequired[float]
+    convexity_tolerance_deg: NotRequired[Optional[float]]
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
-    direction: NotRequired[Direction]
+    direction: NotRequired[Optional[Direction]]
     """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
     one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
@@ -1524,44 +1786,44 @@ class RuledSurfaceRequest(TypedDict):
     normals: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
-    objective: NotRequired[Goal]
+    objective: NotRequired[Optional[Goal]]
     """One of the named objectives, or a weighted sum of them."""
     sampling: NotRequired[Optional[Sampling]]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
-    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
-    units: NotRequired[Units]
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
 class RuledSurfaceRequestWithKind(TypedDict):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
-    all_objectives: NotRequired[bool]
+    all_objectives: NotRequired[Optional[bool]]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    caps: NotRequired[Caps]
+    caps: NotRequired[Optional[Caps]]
     """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
-    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
-    closed: NotRequired[bool]
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`. Only with `closed: true`."""
+    closed: NotRequired[Optional[bool]]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
-    convexity_tolerance_deg: NotRequired[float]
+    convexity_tolerance_deg: NotRequired[Optional[float]]
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
-    direction: NotRequired[Direction]
+    direction: NotRequired[Optional[Direction]]
     """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
     one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
@@ -1579,21 +1841,21 @@ class RuledSurfaceRequestWithKind(TypedDict):
     normals: NotRequired[Optional[List[List[Point]]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
-    objective: NotRequired[Goal]
+    objective: NotRequired[Optional[Goal]]
     """One of the named objectives, or a weighted sum of them."""
     sampling: NotRequired[Optional[Sampling]]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
-    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: NotRequired[Optional[List[List[Point]]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
-    units: NotRequired[Units]
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
@@ -1601,6 +1863,8 @@ class Sampling(TypedDict):
     """Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
     nearest sample."""
     by: SamplingRule
+    """`parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
+    polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`."""
     samples: NotRequired[Optional[int]]
     """Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
     then keeps all points that the tolerance requires."""
@@ -1621,16 +1885,19 @@ class SharedLengths(TypedDict):
 
 class SlidingSupport(TypedDict):
     """A support without friction. What slides is exactly one of `along`, `boundary` and `point`."""
-    along: NotRequired[Along]
+    along: NotRequired[Optional[Along]]
     """Part of a boundary, without its two ends."""
-    boundary: NotRequired[int]
+    boundary: NotRequired[Optional[int]]
     """Number of a boundary that slides as a whole."""
     contact_angle_deg: NotRequired[Optional[float]]
     """Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
     surface's normal points: a plane's `normal`, outside a sphere or cylinder. Null means 90. A given angle needs an
     edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight."""
     on: Guide
-    point: NotRequired[BoundaryPoint]
+    """A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+    unit length."""
+    point: NotRequired[Optional[BoundaryPoint]]
+    """A point of a boundary, counted from 0."""
 
 
 class Spanning(TypedDict):
@@ -1658,11 +1925,14 @@ class SpanningTopology(TypedDict):
     """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this
     boundary. Null if nothing is proven."""
     stability: Optional[Stability]
+    """Second variation of area under normal motion."""
 
 
 class SphereGuide(TypedDict):
     centre: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     radius: float
+    """Radius."""
 
 
 class Spread(TypedDict):
@@ -1693,6 +1963,7 @@ class Stability(TypedDict):
 class Stage(TypedDict):
     """One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1."""
     all: StageGroup
+    """One group of members at one stage."""
     lattice: Optional[StageGroup]
     """Null for the auxiliary triangulation."""
     name: str
@@ -1703,14 +1974,19 @@ class Stage(TypedDict):
 class StageGroup(TypedDict):
     """One group of members at one stage."""
     count: int
+    """Number of members."""
     distinct_lengths: int
     """Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one."""
     equal_edges: int
     """Number of members within the tolerance of the edge length."""
     max: float
+    """Largest value."""
     mean: float
+    """Mean value."""
     min: float
+    """Smallest value."""
     std_dev: float
+    """Standard deviation."""
 
 
 class StressRange(TypedDict):
@@ -1727,9 +2003,13 @@ class StripStatistics(TypedDict):
     """Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
     square, and angles in degrees."""
     area: float
+    """Area, in square units of the request's unit of length."""
     bending_energy: float
+    """Bending energy of the strip, without a unit."""
     bridges: int
+    """Number of bridges, which are the edges between the rails."""
     convex_bridge_ratio: float
+    """Number of locally convex bridges over the number of bridges."""
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
@@ -1738,7 +2018,9 @@ class StripStatistics(TypedDict):
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
+    """Length of the longest bridge."""
     mean_curvature_variation: float
+    """Variation of the mean curvature from bridge to bridge."""
     normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective_value: float
@@ -1746,9 +2028,11 @@ class StripStatistics(TypedDict):
     secondary_value: Optional[float]
     """Value of the secondary objective. Null without one."""
     shortest_bridge: float
+    """Length of the shortest bridge."""
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
     triangles: int
+    """Number of triangles."""
 
 
 class SupportReaction(TypedDict):
@@ -1760,6 +2044,7 @@ class SupportReaction(TypedDict):
     point: Optional[int]
     """Number of the boundary's point."""
     vertex: int
+    """Number of the vertex, counted from 0."""
 
 
 class SurfaceFit(TypedDict):
@@ -1779,25 +2064,28 @@ class SurfaceFit(TypedDict):
 
 class TargetWeights(TypedDict):
     """Weights of the terms of the loss."""
-    force: NotRequired[float]
+    force: NotRequired[Optional[float]]
     """Weight of the mean of (force / target - 1)² over the edges with a target force. Default: `1.0`."""
-    length: NotRequired[float]
+    length: NotRequired[Optional[float]]
     """Weight of the mean of (length / target - 1)² over the edges with a target length. Default: `1.0`."""
-    load_path: NotRequired[float]
+    load_path: NotRequired[Optional[float]]
     """Weight of the load path Σ force · length, as a fraction of its value at the start. Default: `0.0`."""
 
 
 class TensileFilm(TypedDict):
     """The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`."""
-    direction: NotRequired[WarpDirection]
-    hold: NotRequired[WeaveHold]
-    tension: NotRequired[float]
+    direction: NotRequired[Optional[WarpDirection]]
+    """Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
+    onto the film. Directions need no unit length."""
+    hold: NotRequired[Optional[WeaveHold]]
+    """Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`."""
+    tension: NotRequired[Optional[float]]
     """Isotropic tension, a force per length."""
-    warp: NotRequired[float]
+    warp: NotRequired[Optional[float]]
     """Stress along the warp, a force per length."""
-    weft: NotRequired[float]
+    weft: NotRequired[Optional[float]]
     """Stress along the weft, at right angles to the warp, a force per length."""
-    weight: NotRequired[float]
+    weight: NotRequired[Optional[float]]
     """Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
     the height by the weight. Default: `0.0`."""
 
@@ -1805,33 +2093,42 @@ class TensileFilm(TypedDict):
 class TensileStatistics(TypedDict):
     """Statistics of a tensile structure."""
     angles_deg: AngleRange
+    """Angles of the triangles, in degrees."""
     area: float
     """Area of all layers."""
     balance: Optional[ForceBalance]
     """Null if the forces could not be balanced."""
     cables: List[CableForce]
+    """The cables with their forces."""
     chambers: List[ChamberState]
     """The chambers. The space below a single film with a pressure is one."""
     contact_angle_deg: Optional[AngleRange]
     """Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their
     left. Null without such an edge."""
     converged: bool
+    """Whether the solver has met its own rule."""
     degenerate_triangles: int
+    """Number of triangles without an area, up to rounding."""
     edge_lengths: Spread
+    """Minimum, mean, maximum and standard deviation (of the whole population) of a list of values."""
     edge_reactions: List[EdgeReaction]
     """Supports along the fixed parts of the boundaries."""
     flipped_triangles: int
+    """Number of triangles that are turned over against their neighbours."""
     force_unit: str
     """Unit of the forces."""
     iterations: int
+    """Number of iterations."""
     layers: List[LayerFigures]
     """The layers. A single film is one."""
     masts: List[MastForce]
+    """The masts with their forces."""
     minimum_slope_at: List[float]
     """Centroid of the triangle with the smallest slope."""
     minimum_slope_deg: float
     """Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0."""
     objective: str
+    """Name of the objective, as in `GET /v1/objectives`."""
     objective_value: float
     """Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area."""
     origin: List[float]
@@ -1843,7 +2140,9 @@ class TensileStatistics(TypedDict):
     reactions: List[SupportReaction]
     """Supports at the ends of cables."""
     residual: float
+    """Residual, without a unit."""
     rings: List[RingPosition]
+    """The rings with their places."""
     self_intersections: Optional[int]
     """Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at."""
     self_intersections_skipped: Optional[str]
@@ -1851,16 +2150,21 @@ class TensileStatistics(TypedDict):
     stability: Optional[EquilibriumStability]
     """Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum."""
     stop_reason: str
+    """Reason for which the solver stopped."""
     stress: Optional[FilmStress]
     """Stresses of all layers. Null if the forces could not be balanced."""
     triangles: int
+    """Number of triangles."""
     vertices: int
+    """Number of vertices."""
     volume: Optional[float]
     """Volume of the first of `chambers`. Null without a pressure."""
 
 
 class TensileStructureJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -1868,6 +2172,7 @@ class TensileStructureJob(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Literal['tensile_structure']
@@ -1875,14 +2180,19 @@ class TensileStructureJob(TypedDict):
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: Optional[TensileStatistics]
     """Null until the job has succeeded."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class TensileStructureRequest(TypedDict):
@@ -1892,21 +2202,21 @@ class TensileStructureRequest(TypedDict):
     `free_points`."""
     boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point: the edges of the film before form finding."""
-    cables: NotRequired[Sequence[Cable]]
+    cables: NotRequired[Optional[Sequence[Cable]]]
     """Cables along the boundaries and in the air."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    chambers: NotRequired[Sequence[Chamber]]
+    chambers: NotRequired[Optional[Sequence[Chamber]]]
     """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     `pressure` and `volume`."""
-    film: NotRequired[TensileFilm]
+    film: NotRequired[Optional[TensileFilm]]
     """The film. Required unless there are `layers`."""
-    free_points: NotRequired[Sequence[BoundaryPoint]]
+    free_points: NotRequired[Optional[Sequence[BoundaryPoint]]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     join_tolerance: NotRequired[Optional[float]]
@@ -1914,16 +2224,16 @@ class TensileStructureRequest(TypedDict):
     points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
     is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
     of the largest coordinate."""
-    joints: NotRequired[Sequence[Point]]
+    joints: NotRequired[Optional[Sequence[Point]]]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: NotRequired[Optional[TensileStructureKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    layers: NotRequired[Sequence[TensileFilm]]
+    layers: NotRequired[Optional[Sequence[TensileFilm]]]
     """Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`."""
-    masts: NotRequired[Sequence[Mast]]
+    masts: NotRequired[Optional[Sequence[Mast]]]
     """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
@@ -1932,21 +2242,23 @@ class TensileStructureRequest(TypedDict):
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
-    resolution: NotRequired[Resolution]
+    resolution: NotRequired[Optional[Resolution]]
     """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
     are more."""
-    rings: NotRequired[Sequence[Ring]]
+    rings: NotRequired[Optional[Sequence[Ring]]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    supports: NotRequired[Sequence[SlidingSupport]]
+    supports: NotRequired[Optional[Sequence[SlidingSupport]]]
     """Supports on which points or edges of the film slide without friction."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
     supports) at which the shape counts as found. Default: `1e-8`."""
-    units: NotRequired[LengthAndForce]
-    up: NotRequired[UpAxis]
+    units: NotRequired[Optional[LengthAndForce]]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
@@ -1960,21 +2272,21 @@ class TensileStructureRequestWithKind(TypedDict):
     `free_points`."""
     boundaries: List[Polygon]
     """Closed polygons that do not repeat their first point: the edges of the film before form finding."""
-    cables: NotRequired[List[Cable]]
+    cables: NotRequired[Optional[List[Cable]]]
     """Cables along the boundaries and in the air."""
-    cache: NotRequired[Cache]
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    chambers: NotRequired[List[Chamber]]
+    chambers: NotRequired[Optional[List[Chamber]]]
     """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     `pressure` and `volume`."""
-    film: NotRequired[TensileFilm]
+    film: NotRequired[Optional[TensileFilm]]
     """The film. Required unless there are `layers`."""
-    free_points: NotRequired[List[BoundaryPoint]]
+    free_points: NotRequired[Optional[List[BoundaryPoint]]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     join_tolerance: NotRequired[Optional[float]]
@@ -1982,16 +2294,16 @@ class TensileStructureRequestWithKind(TypedDict):
     points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
     is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
     of the largest coordinate."""
-    joints: NotRequired[List[Point]]
+    joints: NotRequired[Optional[List[Point]]]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: Literal['tensile_structure']
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
-    layers: NotRequired[List[TensileFilm]]
+    layers: NotRequired[Optional[List[TensileFilm]]]
     """Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`."""
-    masts: NotRequired[List[Mast]]
+    masts: NotRequired[Optional[List[Mast]]]
     """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
@@ -2000,21 +2312,23 @@ class TensileStructureRequestWithKind(TypedDict):
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
-    resolution: NotRequired[Resolution]
+    resolution: NotRequired[Optional[Resolution]]
     """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
     are more."""
-    rings: NotRequired[List[Ring]]
+    rings: NotRequired[Optional[List[Ring]]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    supports: NotRequired[List[SlidingSupport]]
+    supports: NotRequired[Optional[List[SlidingSupport]]]
     """Supports on which points or edges of the film slide without friction."""
-    tolerance: NotRequired[float]
+    tolerance: NotRequired[Optional[float]]
     """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
     supports) at which the shape counts as found. Default: `1e-8`."""
-    units: NotRequired[LengthAndForce]
-    up: NotRequired[UpAxis]
+    units: NotRequired[Optional[LengthAndForce]]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
@@ -2024,7 +2338,9 @@ class TensileStructureRequestWithKind(TypedDict):
 class TorusGuide(TypedDict):
     """A torus, such as a ring beam of round tube."""
     axis: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     centre: Point
+    """A point or vector `[x, y, z]` in the client's axes and unit."""
     radius: float
     """Radius of the circle inside the tube."""
     tube_radius: float
@@ -2033,6 +2349,8 @@ class TorusGuide(TypedDict):
 
 class UniformMeshJob(TypedDict):
     """A job: an accepted request and its state."""
+    cancelled_because: Optional[CancelReason]
+    """Why the job was cancelled. Null unless it was."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -2040,6 +2358,7 @@ class UniformMeshJob(TypedDict):
     expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
     finished_at: Optional[str]
+    """Time of the end (RFC 3339, UTC). Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
     kind: Literal['uniform_mesh']
@@ -2047,28 +2366,34 @@ class UniformMeshJob(TypedDict):
     label: Optional[str]
     """Name of the job for people, if the request gave one."""
     links: Links
+    """Addresses that belong to a job. Each can be followed now: an address without a resource is absent."""
     metadata: Optional[Dict[str, Any]]
     """Fields of the client, if the request gave some."""
     progress: Progress
+    """Progress of a job."""
     started_at: Optional[str]
+    """Time at which the solver began (RFC 3339, UTC). Null until then."""
     statistics: Optional[UniformStatistics]
     """Null until the job has succeeded."""
     status: Status
+    """State of a job. `succeeded`, `failed` and `cancelled` are final."""
     warnings: List[JobWarning]
+    """Warnings about a result that is there."""
 
 
 class UniformMeshRequest(TypedDict):
     """A domain and the edge length of its mesh."""
-    auxiliary_grid: NotRequired[Sequence[int]]
-    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
-    cache: NotRequired[Cache]
+    auxiliary_grid: NotRequired[Optional[Sequence[int]]]
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. Only with `domain` `bezier` or `nurbs`."""
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     domain: Domain
+    """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
     edge_length: float
     """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
     members."""
@@ -2080,37 +2405,39 @@ class UniformMeshRequest(TypedDict):
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
-    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    """Largest number of different member lengths. It is used only with `optimise: lengths`. Only with `optimise: lengths`."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: NotRequired[UniformMeshObjective]
-    optimise: NotRequired[Optimise]
-    """Aim of moving the nodes."""
-    optimise_nodes: NotRequired[bool]
-    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
-    rim: NotRequired[Rim]
-    """Lengths that members outside the lattice group may take while the nodes move."""
+    objective: NotRequired[Optional[UniformMeshObjective]]
+    """Quantity that is optimised."""
+    optimise: NotRequired[Optional[Optimise]]
+    """Aim of moving the nodes. Only with `optimise_nodes: true`."""
+    optimise_nodes: NotRequired[Optional[bool]]
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. Only with `domain` `bezier`, `nurbs` or `boundaries`."""
+    rim: NotRequired[Optional[Rim]]
+    """Lengths that members outside the lattice group may take while the nodes move. Only with `domain` `bezier`, `nurbs` or `boundaries` and `optimise_nodes: true`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    units: NotRequired[Units]
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
 class UniformMeshRequestWithKind(TypedDict):
     """A domain and the edge length of its mesh."""
-    auxiliary_grid: NotRequired[List[int]]
-    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
-    cache: NotRequired[Cache]
+    auxiliary_grid: NotRequired[Optional[List[int]]]
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. Only with `domain` `bezier` or `nurbs`."""
+    cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: NotRequired[bool]
+    cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     domain: Domain
+    """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
     edge_length: float
     """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
     members."""
@@ -2122,47 +2449,55 @@ class UniformMeshRequestWithKind(TypedDict):
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
-    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    """Largest number of different member lengths. It is used only with `optimise: lengths`. Only with `optimise: lengths`."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: NotRequired[UniformMeshObjective]
-    optimise: NotRequired[Optimise]
-    """Aim of moving the nodes."""
-    optimise_nodes: NotRequired[bool]
-    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
-    rim: NotRequired[Rim]
-    """Lengths that members outside the lattice group may take while the nodes move."""
+    objective: NotRequired[Optional[UniformMeshObjective]]
+    """Quantity that is optimised."""
+    optimise: NotRequired[Optional[Optimise]]
+    """Aim of moving the nodes. Only with `optimise_nodes: true`."""
+    optimise_nodes: NotRequired[Optional[bool]]
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. Only with `domain` `bezier`, `nurbs` or `boundaries`."""
+    rim: NotRequired[Optional[Rim]]
+    """Lengths that members outside the lattice group may take while the nodes move. Only with `domain` `bezier`, `nurbs` or `boundaries` and `optimise_nodes: true`."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    units: NotRequired[Units]
+    units: NotRequired[Optional[Units]]
     """Unit of the coordinates. Default: `m`."""
-    up: NotRequired[UpAxis]
+    up: NotRequired[Optional[UpAxis]]
     """Axis that points up. Default: `z`."""
 
 
 class UniformStatistics(TypedDict):
     """Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees."""
     angles_deg: AngleRange
+    """Angles of the triangles, in degrees."""
     converged: bool
     """False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the
     area is off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged`
     says by how much."""
     distinct_lengths: int
+    """Number of different lengths of members."""
     edge_lengths: Spread
+    """Minimum, mean, maximum and standard deviation (of the whole population) of a list of values."""
     edges: int
+    """Number of edges."""
     equal_edges: int
     """Number of members within the tolerance of the edge length."""
     lattice_edges: GroupLengths
     """Lengths of the members of the lattice."""
     length_histogram: LengthHistogram
+    """Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin."""
     length_tolerance: float
     """Tolerance of `equal_edges` and `distinct_lengths`."""
     node_lower_bound: Optional[int]
     """For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
     Null for curved domains."""
     nodes: int
+    """Number of nodes."""
     objective: str
+    """Name of the objective, as in `GET /v1/objectives`."""
     objective_value: int
     """Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`."""
     origin: List[float]
@@ -2170,6 +2505,7 @@ class UniformStatistics(TypedDict):
     out_of_range: List[OutOfRange]
     """The first 200 members that are out of range."""
     out_of_range_edges: int
+    """Number of members whose length is outside the range of the objective."""
     out_of_range_reasons: Dict[str, int]
     """Number of members that are out of range, for each reason."""
     self_intersections: Optional[int]
@@ -2184,6 +2520,7 @@ class UniformStatistics(TypedDict):
     surface: Optional[SurfaceFit]
     """Curved domains: the mesh beside its surface. Null for polygons."""
     triangles: int
+    """Number of triangles."""
     valence_histogram: List[int]
     """Entry k is the number of nodes with k members."""
 
@@ -2191,7 +2528,9 @@ class UniformStatistics(TypedDict):
 class ValueRange(TypedDict):
     """Smallest and largest value."""
     max: float
+    """Largest value."""
     min: float
+    """Smallest value."""
 
 
 class WarpDirection(TypedDict):
@@ -2202,6 +2541,7 @@ class WarpDirection(TypedDict):
     parallel: NotRequired[Sequence[float]]
     """Vector along which the warp runs."""
     radial: NotRequired[RadialDirection]
+    """The weft runs around an axis and the warp away from it. The axis must not pass through the film."""
 
 
 class WeaveStress(TypedDict):
@@ -2225,45 +2565,56 @@ class WeaveStress(TypedDict):
 
 class WeightedSum(TypedDict):
     """The sum of the named objectives times their weights."""
-    normalise: NotRequired[bool]
+    normalise: NotRequired[Optional[bool]]
     """Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`."""
     weights: Weights
+    """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
 
 
 class Weights(TypedDict):
     """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
-    minimal_area: NotRequired[float]
+    minimal_area: NotRequired[Optional[float]]
     """Default: `0.0`."""
-    minimal_bending_energy: NotRequired[float]
+    minimal_bending_energy: NotRequired[Optional[float]]
     """Default: `0.0`."""
-    minimal_mean_curvature_variation: NotRequired[float]
+    minimal_mean_curvature_variation: NotRequired[Optional[float]]
     """Default: `0.0`."""
-    minimal_normal_variation: NotRequired[float]
+    minimal_normal_variation: NotRequired[Optional[float]]
     """Default: `0.0`."""
-    minimal_twist: NotRequired[float]
+    minimal_twist: NotRequired[Optional[float]]
     """Default: `0.0`."""
+
+
+class WrongValue(TypedDict):
+    """An offending value of a request. Values are never echoed."""
+    detail: str
+    """Description of the error."""
+    parameter: NotRequired[Optional[str]]
+    """Name of the offending parameter, if it is in the query."""
+    pointer: NotRequired[Optional[str]]
+    """JSON Pointer (RFC 6901) to the offending value, if it is in the body."""
 
 
 class RuledSurfaceOptions(TypedDict, total=False):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
-    all_objectives: bool
+    all_objectives: Optional[bool]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
-    cache: Cache
+    cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: bool
+    cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    caps: Caps
+    caps: Optional[Caps]
     """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by
-    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
-    closed: bool
+    at most a thousandth of its size is projected onto it for the cap, with the warning `projected`. Only with `closed: true`."""
+    closed: Optional[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
-    convexity_tolerance_deg: float
+    convexity_tolerance_deg: Optional[float]
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
-    direction: Direction
+    direction: Optional[Direction]
     """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
     one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
@@ -2277,99 +2628,107 @@ class RuledSurfaceOptions(TypedDict, total=False):
     normals: Optional[Sequence[Sequence[Point]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
-    objective: Goal
+    objective: Optional[Goal]
     """One of the named objectives, or a weighted sum of them."""
     sampling: Optional[Sampling]
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: Optional[SecondaryObjective]
-    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. Only with `objective: maximal_convexity`."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: Optional[Sequence[Sequence[Point]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
-    units: Units
+    units: Optional[Units]
     """Unit of the coordinates. Default: `m`."""
-    up: UpAxis
+    up: Optional[UpAxis]
     """Axis that points up. Default: `z`."""
 
 
 class MinimalSurfaceOptions(TypedDict, total=False):
     """Boundary polygons, and options for the surface that spans them."""
-    area_tolerance: float
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
-    boundary_curvature: bool
+    area_tolerance: Optional[float]
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`. Only with `objective: minimal_area` and `solver` `vertex_relaxation` or `pinkall_polthier`."""
+    boundary_curvature: Optional[bool]
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
-    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
-    boundary_sampling: BoundarySampling
-    cache: Cache
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
+    boundary_sampling: Optional[BoundarySampling]
+    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: bool
+    cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    certify: Certify
+    certify: Optional[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
-    constraints: Constraints
-    degenerate_angle_deg: float
+    bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
+    constraints: Optional[Constraints]
+    """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
+    points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
+    boundary."""
+    degenerate_angle_deg: Optional[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-    angle. 0 removes none. Default: `1.0`."""
+    angle. 0 removes none. Default: `1.0`. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     fairing_tolerance: Optional[float]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
-    `area_tolerance`."""
-    initial_mesh: InitialMesh
+    `area_tolerance`. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    initial_mesh: Optional[InitialMesh]
+    """Mesh that the solver starts from: built by the service, or supplied by the client."""
     join_tolerance: Optional[float]
     """Distance up to which points of `constraints` are joined to points of the boundaries and to each other, in the
     request's unit. Null means 1e-6 of the request's size, which is the largest distance of a point from the mean
     of all points. It counts as at least 8 units in the last place of the largest coordinate."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_squares_tolerance: float
+    least_squares_tolerance: Optional[float]
     """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
-    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
-    linear_solver: LinearSolver
-    """Method by which `pinkall_polthier` solves its linear systems."""
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`. Only with `objective: minimal_mean_curvature`."""
+    linear_solver: Optional[LinearSolver]
+    """Method by which `pinkall_polthier` solves its linear systems. Only with `objective: minimal_area` and `solver: pinkall_polthier`, or `objective: minimal_area` and `topology: free`."""
     max_iterations: Optional[int]
-    """Maximum number of iterations. Null means the solver's default."""
+    """Maximum number of iterations. Null means the solver's default. Only with `objective` `minimal_area` or `minimal_mean_curvature`."""
     metadata: Optional[Dict[str, Any]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: MinimalSurfaceObjective
-    on_unstable: OnUnstable
+    objective: Optional[MinimalSurfaceObjective]
+    """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
+    on_unstable: Optional[OnUnstable]
+    """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: Optional[Sequence[ProcessStage]]
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages."""
-    resolution: Resolution
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
-    seed: int
-    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
-    solver: Solver
-    """Method that minimises the area."""
+    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    resolution: Optional[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    seed: Optional[int]
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`."""
+    solver: Optional[Solver]
+    """Method that minimises the area. Only with `objective: minimal_area`."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    tolerance: float
+    tolerance: Optional[float]
     """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
-    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
-    topology: Topology
-    units: Units
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`. Only with `objective: minimal_area`."""
+    topology: Optional[Topology]
+    """Only with `objective: minimal_area` and `solver` `auto`, `pinkall_polthier` or `newton`."""
+    units: Optional[Units]
     """Unit of the coordinates. Default: `m`."""
-    up: UpAxis
+    up: Optional[UpAxis]
     """Axis that points up. Default: `z`."""
 
 
 class UniformMeshOptions(TypedDict, total=False):
     """A domain and the edge length of its mesh."""
-    auxiliary_grid: Sequence[int]
-    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
-    cache: Cache
+    auxiliary_grid: Optional[Sequence[int]]
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. Only with `domain` `bezier` or `nurbs`."""
+    cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: bool
+    cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
@@ -2377,22 +2736,23 @@ class UniformMeshOptions(TypedDict, total=False):
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: Optional[int]
-    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    """Largest number of different member lengths. It is used only with `optimise: lengths`. Only with `optimise: lengths`."""
     metadata: Optional[Dict[str, Any]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
-    objective: UniformMeshObjective
-    optimise: Optimise
-    """Aim of moving the nodes."""
-    optimise_nodes: bool
-    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
-    rim: Rim
-    """Lengths that members outside the lattice group may take while the nodes move."""
+    objective: Optional[UniformMeshObjective]
+    """Quantity that is optimised."""
+    optimise: Optional[Optimise]
+    """Aim of moving the nodes. Only with `optimise_nodes: true`."""
+    optimise_nodes: Optional[bool]
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. Only with `domain` `bezier`, `nurbs` or `boundaries`."""
+    rim: Optional[Rim]
+    """Lengths that members outside the lattice group may take while the nodes move. Only with `domain` `bezier`, `nurbs` or `boundaries` and `optimise_nodes: true`."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    units: Units
+    units: Optional[Units]
     """Unit of the coordinates. Default: `m`."""
-    up: UpAxis
+    up: Optional[UpAxis]
     """Axis that points up. Default: `z`."""
 
 
@@ -2401,19 +2761,19 @@ class TensileStructureOptions(TypedDict, total=False):
 
     Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
     `free_points`."""
-    cables: Sequence[Cable]
+    cables: Optional[Sequence[Cable]]
     """Cables along the boundaries and in the air."""
-    cache: Cache
+    cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: bool
+    cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    chambers: Sequence[Chamber]
+    chambers: Optional[Sequence[Chamber]]
     """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     `pressure` and `volume`."""
-    free_points: Sequence[BoundaryPoint]
+    free_points: Optional[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     join_tolerance: Optional[float]
@@ -2421,11 +2781,11 @@ class TensileStructureOptions(TypedDict, total=False):
     points of the boundaries and to each other, in the request's unit. Null means 1e-6 of the request's size, which
     is the largest distance of a point from the mean of all points. It counts as at least 8 units in the last place
     of the largest coordinate."""
-    joints: Sequence[Point]
+    joints: Optional[Sequence[Point]]
     """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
-    masts: Sequence[Mast]
+    masts: Optional[Sequence[Mast]]
     """Straight members that may push."""
     max_iterations: Optional[int]
     """Maximum number of linear solves. Null means 400."""
@@ -2434,21 +2794,23 @@ class TensileStructureOptions(TypedDict, total=False):
     pressure: Optional[float]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
-    resolution: Resolution
+    resolution: Optional[Resolution]
     """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those
     are more."""
-    rings: Sequence[Ring]
+    rings: Optional[Sequence[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    supports: Sequence[SlidingSupport]
+    supports: Optional[Sequence[SlidingSupport]]
     """Supports on which points or edges of the film slide without friction."""
-    tolerance: float
+    tolerance: Optional[float]
     """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
     supports) at which the shape counts as found. Default: `1e-8`."""
-    units: LengthAndForce
-    up: UpAxis
+    units: Optional[LengthAndForce]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: Optional[UpAxis]
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: Optional[float]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
@@ -2460,21 +2822,21 @@ class CableNetOptions(TypedDict, total=False):
 
     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension,
     or a strut in compression. Cables are groups of edges with common targets."""
-    cables: Sequence[NetCable]
+    cables: Optional[Sequence[NetCable]]
     """Groups of edges with their targets. Edges that no cable lists have no target."""
-    cache: Cache
+    cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
-    cancel_on_disconnect: bool
+    cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
-    least_force_density: float
+    least_force_density: Optional[float]
     """Lower bound of the magnitudes of the force densities that are found, a force per length. If it is above 0, every
     cable stays in tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
-    loads: Sequence[NetLoad]
+    loads: Optional[Sequence[NetLoad]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: Optional[int]
     """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time; 1000 with
@@ -2484,9 +2846,12 @@ class CableNetOptions(TypedDict, total=False):
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
-    tolerance: float
+    tolerance: Optional[float]
     """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
-    units: LengthAndForce
-    up: UpAxis
+    units: Optional[LengthAndForce]
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    up: Optional[UpAxis]
     """Axis that points up. Default: `z`."""
-    weights: TargetWeights
+    weights: Optional[TargetWeights]
+    """Weights of the terms of the loss."""

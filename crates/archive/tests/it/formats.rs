@@ -505,7 +505,7 @@ fn obj_has_the_line_sets_and_each_text_on_one_line() {
     let text = String::from_utf8(MeshFormat::Obj.encode(&sample::full()).unwrap()).unwrap();
     assert!(text.starts_with("# plateau test\n# unit cm, z up\nv "), "{text}");
     assert!(
-        text.contains("\no boundaries\nl 1 2 3 4 1\no bridges\nl 1 5\nl 2 5\no members_lattice\nl 3 5\nl 4 5\n"),
+        text.contains("\no boundaries\nl 1 2 3 4 1\no bridges\nl 1 5\nl 2 5\no members lattice\nl 3 5\nl 4 5\n"),
         "{text}"
     );
     let known = ["#", "v", "o", "f", "l"];

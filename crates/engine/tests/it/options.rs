@@ -318,7 +318,7 @@ fn the_catalogue_lists_the_options_of_each_objective() {
         ["minimal_area", "minimal_dirichlet_energy", "minimal_mean_curvature"].map(names);
     assert_eq!(
         dirichlet.keys().copied().collect::<Vec<_>>(),
-        ["boundary_sampling", "constraints", "initial_mesh", "resolution", "seed"]
+        ["boundary_sampling", "constraints", "initial_mesh", "join_tolerance", "resolution", "seed"]
     );
     assert!(curvature["least_squares_tolerance"].is_empty() && !curvature.contains_key("solver"));
     assert!(!area.contains_key("least_squares_tolerance"));

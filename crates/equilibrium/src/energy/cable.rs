@@ -522,7 +522,7 @@ mod tests {
             let at: Vec<DVec3> = (0..=count).map(point).collect();
             let cable = Cable::new((0..count).map(|k| [k, k + 1]).collect(), Law::Multiplier);
             let sag = 1.0 - 0.75f64.sqrt();
-            assert!((cable.sag(&at) / sag - 1.0).abs() < 1e-3, "{count} segments: {} for {sag}", cable.sag(&at));
+            assert!((cable.sag(&at) / sag - 1.0).abs() < 2e-3, "{count} segments: {} for {sag}", cable.sag(&at));
         }
     }
 

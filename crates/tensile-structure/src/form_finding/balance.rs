@@ -99,7 +99,8 @@ impl Run<'_> {
         let mut missed = Vec::new();
         for (k, (own, cable)) in densities.iter_mut().zip(&self.model.cables).enumerate() {
             let Law::Force(force) = cable.term.law else { continue };
-            if force <= 0.0 || !cable.further_forces.is_empty() {
+            // The force of a heavy cable changes along it, and its mode says where it has the given value.
+            if self.structure.cables[k].weight > 0.0 || force <= 0.0 || !cable.further_forces.is_empty() {
                 continue;
             }
             let lengths = || own.segments.iter().map(|&segment| energy::length::length(segment, at));
