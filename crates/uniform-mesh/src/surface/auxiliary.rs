@@ -109,9 +109,6 @@ pub(crate) struct Auxiliary {
     pub topology: Topology,
     /// A patch and the parameters of the auxiliary vertices. `None` for a film.
     patch: Option<(Nurbs, Vec<DVec2>)>,
-    /// The vertices to which whole sides of a patch collapse, such as the apex of a cone. An apex has no parameter of
-    /// its own along its side, whose axis (0 for u, 1 for v) is listed with it: it takes that of the vertices beside it.
-    apices: Vec<(u32, usize)>,
     /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
     sides: Vec<Vec<Vec<u32>>>,
     /// Corners of a film: the auxiliary vertex, and its position in the caller's coordinates.
@@ -127,9 +124,8 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// Makes the auxiliary triangulation of a patch, over `options.auxiliary_grid` rectangles. A side that collapses to a
-    /// point is a single vertex. Returns `None` if the patch collapses elsewhere or closes on itself, because it cannot
-    /// be laid into the plane then.
+    /// Makes the auxiliary triangulation of a patch, over `options.auxiliary_grid` rectangles. Returns `None` if the
+    /// patch collapses somewhere or closes on itself, because it cannot be laid into the plane then.
     pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
         let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
@@ -147,48 +143,31 @@ impl Auxiliary {
                 ]
             })
             .collect();
-        let size = vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
+        let mesh = Mesh::new(vertices, triangles);
+        let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
+        let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
+        let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
         let tiny = 1e-9 * size;
-        let mut sides: Vec<Vec<u32>> = vec![
+        if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
+            return None;
+        }
+        let closed = (0..=nv).all(|j| apart(vertex(0, j), vertex(nu, j)) <= tiny)
+            || (0..=nu).all(|i| apart(vertex(i, 0), vertex(i, nv)) <= tiny);
+        if closed {
+            return None;
+        }
+        let sides = vec![
             (0..=nu).map(|i| vertex(i, 0)).collect(),
             (0..=nv).map(|j| vertex(nu, j)).collect(),
             (0..=nu).rev().map(|i| vertex(i, nv)).collect(),
             (0..=nv).rev().map(|j| vertex(0, j)).collect(),
         ];
-        let is_point =
-            |side: &[u32]| side.iter().all(|&v| vertices[v as usize].distance(vertices[side[0] as usize]) <= tiny);
-        let collapsed: Vec<bool> = sides.iter().map(|side| is_point(side)).collect();
-        let run_alike = |a: usize, b: usize| {
-            let places = |side: usize| sides[side].iter().map(|&v| vertices[v as usize]);
-            places(a).zip(places(b).rev()).all(|(a, b)| a.distance(b) <= tiny)
-        };
-        if run_alike(0, 2) || run_alike(1, 3) || (0..4).any(|side| collapsed[side] && collapsed[(side + 1) % 4]) {
-            return None;
-        }
-        let (mesh, parameters, apices) = if collapsed.contains(&true) {
-            let points = (0..4).filter(|&side| collapsed[side]).map(|side| (sides[side].clone(), side % 2));
-            let merged = Merged::of(&vertices, &parameters, &triangles, points);
-            for side in &mut sides {
-                side.iter_mut().for_each(|v| *v = merged.number[*v as usize]);
-            }
-            let mut kept = collapsed.iter().map(|is_point| !is_point);
-            sides.retain(|_| kept.next() == Some(true));
-            (Mesh::new(merged.vertices, merged.triangles), merged.parameters, merged.apices)
-        } else {
-            (Mesh::new(vertices, triangles), parameters, Vec::new())
-        };
-        let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
-        let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
-        if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
-            return None;
-        }
         Some(Self {
             centre: *centre,
             unit: *unit,
             mesh,
             topology,
             patch: Some((patch.clone(), parameters)),
-            apices,
             sides: vec![sides],
             exact: Vec::new(),
             inputs: Vec::new(),
@@ -249,7 +228,7 @@ impl Auxiliary {
             code => Warning { values: w.values, ..Warning::new(WarningCode::Film, format!("{code}: {}", w.detail)) },
         };
         let warnings = film.warnings.into_iter().map(said).collect();
-        Ok(Self { centre, unit, mesh, topology, patch: None, apices: Vec::new(), sides, exact, inputs, warnings })
+        Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
     }
 
     /// The vertices at which sides meet.
@@ -263,9 +242,6 @@ impl Auxiliary {
     /// [`Error::NoResult`] if a film has no plane embedding without flipped triangles.
     pub fn start(&self) -> Result<Vec<DVec2>, Error> {
         let Some((_, parameters)) = &self.patch else { return flatten::start(&self.mesh, &self.topology) };
-        if !self.apices.is_empty() {
-            return Ok(self.start_beside_apices(parameters));
-        }
         let [along_u, across] = [0, 1].map(|first| {
             // The lengths of opposite sides are averaged.
             let length = |side: &Vec<u32>| -> f64 {
@@ -275,50 +251,6 @@ impl Auxiliary {
             0.5 * (length(&self.sides[0][first]) + length(&self.sides[0][first + 2]))
         });
         Ok(parameters.iter().map(|p| DVec2::new(p.x * along_u, p.y * across)).collect())
-    }
-
-    /// Returns the plane mesh from which the flattening of a patch with apices starts: its lines of vertices across the
-    /// way to the apices, as straight lines of their own length in their order, about one axis. No triangle is flipped,
-    /// because each has two corners on one of two neighbouring lines.
-    fn start_beside_apices(&self, parameters: &[DVec2]) -> Vec<DVec2> {
-        // The axis along the collapsed sides. All apices of a patch have the same one.
-        let along = self.apices[0].1;
-        let mut order: Vec<u32> = (0..parameters.len() as u32).collect();
-        let key = |v: u32| [parameters[v as usize][1 - along], parameters[v as usize][along]];
-        order.sort_by(|&a, &b| {
-            let ([line, place], [other_line, other_place]) = (key(a), key(b));
-            line.total_cmp(&other_line).then(place.total_cmp(&other_place))
-        });
-        let position = |v: u32| self.mesh.vertices[v as usize];
-        let between = |a: &[u32], b: &[u32]| -> f64 {
-            let count = a.len().max(b.len());
-            let at = |line: &[u32], k: usize| position(line[k.min(line.len() - 1)]);
-            (0..count).map(|k| at(a, k).distance(at(b, k))).sum::<f64>() / count as f64
-        };
-        let mut plane = vec![DVec2::ZERO; parameters.len()];
-        let (mut height, mut before) = (0.0, None::<&[u32]>);
-        for line in order.chunk_by(|&a, &b| key(a)[0] == key(b)[0]) {
-            let length: f64 = line.windows(2).map(|pair| position(pair[0]).distance(position(pair[1]))).sum();
-            height += before.map_or(0.0, |before| between(before, line));
-            before = Some(line);
-            let mut way = -0.5 * length;
-            for (k, &v) in line.iter().enumerate() {
-                way += if k > 0 { position(line[k - 1]).distance(position(v)) } else { 0.0 };
-                let mut place = DVec2::ZERO;
-                (place[along], place[1 - along]) = (way, height);
-                plane[v as usize] = place;
-            }
-        }
-        plane
-    }
-
-    /// Returns the parameters of a vertex of a patch, seen from a vertex beside it.
-    fn parameter_beside(&self, parameters: &[DVec2], v: u32, beside: u32) -> DVec2 {
-        let mut parameter = parameters[v as usize];
-        if let Some(&(_, axis)) = self.apices.iter().find(|(apex, _)| *apex == v) {
-            parameter[axis] = parameters[beside as usize][axis];
-        }
-        parameter
     }
 
     /// Returns the surface on which the nodes move after the flattening.
@@ -333,17 +265,7 @@ impl Auxiliary {
     pub fn carry_back(&self, p: DVec2, plane: &[DVec2], locator: &Locator) -> DVec2 {
         let (t, weights) = locator.find(p, plane, &self.mesh.triangles);
         let of: &[DVec2] = self.patch.as_ref().map_or(plane, |(_, parameters)| parameters);
-        let corners = self.mesh.triangles[t as usize];
-        let mut found: DVec2 = corners.iter().zip(weights).map(|(&v, w)| of[v as usize] * w).sum();
-        if let Some(&(apex, axis)) = self.apices.iter().find(|(apex, _)| corners.contains(apex)) {
-            // On the ray from the apex through the point the parameter along the collapsed side is constant.
-            let others = || corners.iter().zip(weights).filter(|(v, _)| **v != apex);
-            let total: f64 = others().map(|(_, w)| w).sum();
-            if total > 0.0 {
-                found[axis] = others().map(|(&v, w)| of[v as usize][axis] * w).sum::<f64>() / total;
-            }
-        }
-        found
+        self.mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| of[v as usize] * w).sum()
     }
 
     /// Divides the flattened boundary into nodes. The corners come first.
@@ -359,14 +281,12 @@ impl Auxiliary {
     ) -> Result<Boundary, Interruption> {
         let mut boundary = Boundary::default();
         let mut node_of = vec![None; self.mesh.vertices.len()];
-        let parameter = |v: u32, beside: u32| match &self.patch {
-            Some((_, parameters)) => self.parameter_beside(parameters, v, beside),
-            None => plane[v as usize],
-        };
+        let parameter =
+            |v: u32| self.patch.as_ref().map_or(plane[v as usize], |(_, parameters)| parameters[v as usize]);
         for &corner in self.sides.iter().flatten().map(|side| &side[0]) {
             node_of[corner as usize] = Some(boundary.outline.nodes.len() as u32);
             boundary.outline.nodes.push(plane[corner as usize]);
-            boundary.parameters.push(parameter(corner, corner));
+            boundary.parameters.push(parameter(corner));
             boundary.positions.push(self.mesh.vertices[corner as usize]);
         }
         boundary.corners = boundary.outline.nodes.len();
@@ -414,57 +334,6 @@ impl Auxiliary {
     }
 }
 
-/// A grid of vertices after groups of them have become single vertices.
-struct Merged {
-    vertices: Vec<DVec3>,
-    parameters: Vec<DVec2>,
-    triangles: Vec<[u32; 3]>,
-    /// The vertices that stand for groups, each with the axis along which its group ran.
-    apices: Vec<(u32, usize)>,
-    /// For each vertex of the grid its number.
-    number: Vec<u32>,
-}
-
-impl Merged {
-    /// Makes each group of vertices a single vertex, at the middle of the group's parameters. Triangles between two
-    /// vertices of a group are left out.
-    fn of(
-        vertices: &[DVec3],
-        parameters: &[DVec2],
-        triangles: &[[u32; 3]],
-        groups: impl Iterator<Item = (Vec<u32>, usize)>,
-    ) -> Self {
-        let mut stands_for: Vec<u32> = (0..vertices.len() as u32).collect();
-        let mut first_and_axis = Vec::new();
-        let mut moved = parameters.to_vec();
-        for (group, axis) in groups {
-            group.iter().for_each(|&v| stands_for[v as usize] = group[0]);
-            moved[group[0] as usize][axis] = 0.5;
-            first_and_axis.push((group[0], axis));
-        }
-        let mut found = Self {
-            vertices: Vec::new(),
-            parameters: Vec::new(),
-            triangles: Vec::new(),
-            apices: Vec::new(),
-            number: Vec::new(),
-        };
-        let mut of_first = vec![0; vertices.len()];
-        for (v, (&position, &parameter)) in vertices.iter().zip(&moved).enumerate() {
-            if stands_for[v] as usize == v {
-                of_first[v] = found.vertices.len() as u32;
-                found.vertices.push(position);
-                found.parameters.push(parameter);
-            }
-        }
-        found.number = stands_for.iter().map(|&first| of_first[first as usize]).collect();
-        let renamed = triangles.iter().map(|corners| corners.map(|v| found.number[v as usize]));
-        found.triangles = renamed.filter(|[a, b, c]| a != b && b != c && c != a).collect();
-        found.apices = first_and_axis.into_iter().map(|(v, axis)| (found.number[v as usize], axis)).collect();
-        found
-    }
-}
-
 /// The boundary's nodes in the plane, in the parameters and on the surface.
 #[derive(Debug, Default)]
 pub(crate) struct Boundary {
@@ -490,8 +359,7 @@ struct Line {
 }
 
 impl Line {
-    /// `parameter` gives the parameters of a vertex, seen from the next vertex of the side.
-    fn new(side: &[u32], plane: &[DVec2], parameter: impl Fn(u32, u32) -> DVec2, surface: &Surface) -> Self {
+    fn new(side: &[u32], plane: &[DVec2], parameter: impl Fn(u32) -> DVec2, surface: &Surface) -> Self {
         let mut samples: Vec<(f64, DVec2, DVec2)> = Vec::with_capacity(SAMPLES * side.len());
         let (mut way, mut last) = (0.0, None::<DVec3>);
         let segments = side.len() - 1;
@@ -500,7 +368,7 @@ impl Line {
             let part = part as f64 / SAMPLES as f64;
             let (a, b) = (side[segment], side[segment + 1]);
             let p = between(plane[a as usize], plane[b as usize], part);
-            let q = between(parameter(a, b), parameter(b, a), part);
+            let q = between(parameter(a), parameter(b), part);
             let here = surface.evaluate(q)[0];
             way += last.map_or(0.0, |last| last.distance(here));
             last = Some(here);
