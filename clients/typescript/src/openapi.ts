@@ -424,7 +424,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The request as it was accepted, kept as long as its job */
+        /**
+         * The request as it was accepted, kept as long as its job
+         * @description The request can be posted again as it is. Members of the job, such as its label, are not part of it.
+         */
         get: operations["getRequest"];
         put?: never;
         post?: never;
@@ -4434,39 +4437,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:39:09.615Z",
-                     *       "finished_at": "2026-11-28T19:39:09.615Z",
-                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "created_at": "2026-11-28T20:23:43.642Z",
+                     *       "finished_at": "2026-11-28T20:23:43.642Z",
+                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
+                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
+                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
-                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
-                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
+                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4494,39 +4498,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:39:09.615Z",
-                     *       "finished_at": "2026-11-28T19:39:09.615Z",
-                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "created_at": "2026-11-28T20:23:43.642Z",
+                     *       "finished_at": "2026-11-28T20:23:43.642Z",
+                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
+                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
+                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
-                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
-                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
+                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4581,39 +4586,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:39:09.615Z",
-                     *       "finished_at": "2026-11-28T19:39:09.615Z",
-                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "created_at": "2026-11-28T20:23:43.642Z",
+                     *       "finished_at": "2026-11-28T20:23:43.642Z",
+                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
+                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
+                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
-                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
-                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
+                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4780,39 +4786,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T19:39:09.615Z",
-                     *       "finished_at": "2026-11-28T19:39:09.615Z",
-                     *       "id": "01M8HTPADF2MPW4VNM63MH7HYR",
+                     *       "created_at": "2026-11-28T20:23:43.642Z",
+                     *       "finished_at": "2026-11-28T20:23:43.642Z",
+                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HTPADFNV399K5M880Q3288",
+                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFNV399K5M880Q3288/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFNV399K5M880Q3288"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
+                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HTPADFGV761N0TNSD5QFEJ",
+                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/cancel",
-                     *             "events": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/events",
-                     *             "mesh": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ/mesh",
-                     *             "self": "/v1/jobs/01M8HTPADFGV761N0TNSD5QFEJ"
+                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
+                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "cancel": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/cancel",
-                     *         "meshes": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR/meshes",
-                     *         "self": "/v1/batches/01M8HTPADF2MPW4VNM63MH7HYR"
+                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
+                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4942,18 +4949,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.601Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.629Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.609Z",
-                     *       "finished_at": "2026-11-28T19:39:09.609Z",
-                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *       "expires_at": "2026-12-05T20:23:43.634Z",
+                     *       "finished_at": "2026-11-28T20:23:43.634Z",
+                     *       "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *         "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
+                     *         "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -4963,7 +4971,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.051711199014824e-16
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.605Z",
+                     *       "started_at": "2026-11-28T20:23:43.631Z",
                      *       "statistics": {
                      *         "balance": {
                      *           "imbalance": 8.322848724585886e-17,
@@ -4982,6 +4990,7 @@ export interface operations {
                      *         },
                      *         "cables": [
                      *           {
+                     *             "axial_stiffness": null,
                      *             "edge_lengths": {
                      *               "max": 3.352428760181686,
                      *               "min": 3.352428760181686
@@ -5002,6 +5011,7 @@ export interface operations {
                      *             "unstressed_length": null
                      *           },
                      *           {
+                     *             "axial_stiffness": null,
                      *             "edge_lengths": {
                      *               "max": 3.5835029074546845,
                      *               "min": 3.5835029074546845
@@ -5090,18 +5100,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.601Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.629Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *       "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *         "cancel": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/cancel",
+                     *         "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
+                     *         "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
+                     *         "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5283,18 +5294,19 @@ export interface operations {
                      * @example {
                      *       "jobs": [
                      *         {
-                     *           "created_at": "2026-11-28T19:39:09.601Z",
+                     *           "cancelled_because": null,
+                     *           "created_at": "2026-11-28T20:23:43.629Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T19:39:09.609Z",
-                     *           "finished_at": "2026-11-28T19:39:09.609Z",
-                     *           "id": "01M8HTPAD1NQX70NAJ2994JGWB",
+                     *           "expires_at": "2026-12-05T20:23:43.634Z",
+                     *           "finished_at": "2026-11-28T20:23:43.634Z",
+                     *           "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
                      *           "kind": "cable_net",
                      *           "label": "an example",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/cancel",
-                     *             "events": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/events",
-                     *             "mesh": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB/mesh",
-                     *             "self": "/v1/jobs/01M8HTPAD1NQX70NAJ2994JGWB"
+                     *             "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
+                     *             "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5304,38 +5316,39 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.051711199014824e-16
                      *           },
-                     *           "started_at": "2026-11-28T19:39:09.605Z",
+                     *           "started_at": "2026-11-28T20:23:43.631Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         },
                      *         {
-                     *           "created_at": "2026-11-28T19:39:09.579Z",
+                     *           "cancelled_because": null,
+                     *           "created_at": "2026-11-28T20:23:43.609Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T19:39:09.594Z",
-                     *           "finished_at": "2026-11-28T19:39:09.594Z",
-                     *           "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *           "expires_at": "2026-12-05T20:23:43.624Z",
+                     *           "finished_at": "2026-11-28T20:23:43.624Z",
+                     *           "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
                      *           "kind": "tensile_structure",
                      *           "label": "an example",
                      *           "links": {
-                     *             "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
-                     *             "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
-                     *             "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
-                     *             "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *             "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
+                     *             "mesh": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/mesh",
+                     *             "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
+                     *             "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
                      *             "fraction": 1,
                      *             "iteration": 8,
-                     *             "objective_value": 73.25113980219366,
+                     *             "objective_value": 73.25113859851072,
                      *             "phase": "finished",
                      *             "residual": 3.3106481918620263e-12
                      *           },
-                     *           "started_at": "2026-11-28T19:39:09.582Z",
+                     *           "started_at": "2026-11-28T20:23:43.611Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         }
                      *       ],
-                     *       "next_cursor": "01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *       "next_cursor": "01M8HX7XQRV3GR0F7FSHNED6KW"
                      *     }
                      */
                     "application/json": components["schemas"]["JobList"];
@@ -5376,18 +5389,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.576Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.561Z",
-                     *       "finished_at": "2026-11-28T19:39:09.561Z",
-                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "expires_at": "2026-12-05T20:23:43.586Z",
+                     *       "finished_at": "2026-11-28T20:23:43.586Z",
+                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
+                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5397,7 +5411,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "started_at": "2026-11-28T20:23:43.578Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -5629,18 +5643,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.576Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.561Z",
-                     *       "finished_at": "2026-11-28T19:39:09.561Z",
-                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "expires_at": "2026-12-05T20:23:43.586Z",
+                     *       "finished_at": "2026-11-28T20:23:43.586Z",
+                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
+                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5650,7 +5665,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "started_at": "2026-11-28T20:23:43.578Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -6096,6 +6111,43 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    /**
+                     * @example {
+                     *       "boundaries": [
+                     *         [
+                     *           [
+                     *             0,
+                     *             0,
+                     *             0
+                     *           ],
+                     *           [
+                     *             1,
+                     *             0,
+                     *             1
+                     *           ],
+                     *           [
+                     *             1,
+                     *             1,
+                     *             0
+                     *           ],
+                     *           [
+                     *             0,
+                     *             1,
+                     *             1
+                     *           ]
+                     *         ]
+                     *       ],
+                     *       "fairing_tolerance": null,
+                     *       "kind": "minimal_surface",
+                     *       "max_iterations": null,
+                     *       "processes": null,
+                     *       "resolution": {
+                     *         "triangles": 200
+                     *       },
+                     *       "units": "m",
+                     *       "up": "z"
+                     *     }
+                     */
                     "application/json": components["schemas"]["RequestWithKind"];
                 };
             };
@@ -6252,7 +6304,7 @@ export interface operations {
                      * @example {
                      *       "batch_requests": 100,
                      *       "body_bytes": 33554432,
-                     *       "bytes_kept": 0,
+                     *       "bytes_kept": 21474836480,
                      *       "deadline_ms": 600000,
                      *       "grid_cells": 2000000000,
                      *       "iterations": 1000000,
@@ -6311,18 +6363,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.576Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.561Z",
-                     *       "finished_at": "2026-11-28T19:39:09.561Z",
-                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "expires_at": "2026-12-05T20:23:43.586Z",
+                     *       "finished_at": "2026-11-28T20:23:43.586Z",
+                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
+                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6332,7 +6385,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.549Z",
+                     *       "started_at": "2026-11-28T20:23:43.578Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -6431,18 +6484,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.544Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.576Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HTPAB76V0Z8S5A2EAKFV8Q",
+                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAB76V0Z8S5A2EAKFV8Q"
+                     *         "cancel": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/cancel",
+                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
+                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
+                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6575,19 +6629,20 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.529Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.540Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.538Z",
-                     *       "finished_at": "2026-11-28T19:39:09.538Z",
-                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
+                     *       "expires_at": "2026-12-05T20:23:43.572Z",
+                     *       "finished_at": "2026-11-28T20:23:43.572Z",
+                     *       "id": "01M8HX7XNK138WAVMR1YWHMYA9",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
-                     *         "pattern": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/pattern",
-                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
+                     *         "events": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/mesh",
+                     *         "pattern": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/pattern",
+                     *         "request": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/request",
+                     *         "self": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6597,7 +6652,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.534Z",
+                     *       "started_at": "2026-11-28T20:23:43.553Z",
                      *       "statistics": {
                      *         "area": 2.109781157966821,
                      *         "bending_energy": 0.10213068530252087,
@@ -6611,6 +6666,7 @@ export interface operations {
                      *           null
                      *         ],
                      *         "flat_pattern": {
+                     *           "cut_at": null,
                      *           "edge_length_error_max": 2.1541490816575234e-16,
                      *           "height": 1.1180315428092353,
                      *           "self_overlap": false,
@@ -6684,18 +6740,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.529Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.540Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HTPAAST36A9DVPV85VR5A7",
+                     *       "id": "01M8HX7XNK138WAVMR1YWHMYA9",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/cancel",
-                     *         "events": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/events",
-                     *         "mesh": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7/mesh",
-                     *         "self": "/v1/jobs/01M8HTPAAST36A9DVPV85VR5A7"
+                     *         "cancel": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/cancel",
+                     *         "events": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/events",
+                     *         "request": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/request",
+                     *         "self": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6762,28 +6819,29 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.579Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.609Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.594Z",
-                     *       "finished_at": "2026-11-28T19:39:09.594Z",
-                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *       "expires_at": "2026-12-05T20:23:43.624Z",
+                     *       "finished_at": "2026-11-28T20:23:43.624Z",
+                     *       "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
-                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
-                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
-                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *         "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
+                     *         "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
                      *         "fraction": 1,
                      *         "iteration": 8,
-                     *         "objective_value": 73.25113980219366,
+                     *         "objective_value": 73.25113859851072,
                      *         "phase": "finished",
                      *         "residual": 3.3106481918620263e-12
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.582Z",
+                     *       "started_at": "2026-11-28T20:23:43.611Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 108.74950315516689,
@@ -6859,7 +6917,7 @@ export interface operations {
                      *         ],
                      *         "minimum_slope_deg": 3.492860598735987,
                      *         "objective": "equilibrium",
-                     *         "objective_value": 73.25113980219366,
+                     *         "objective_value": 73.25113859851072,
                      *         "origin": [
                      *           0,
                      *           0,
@@ -6914,18 +6972,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.579Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.609Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HTPACBX4ESZZHXPWRVPHPM",
+                     *       "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/cancel",
-                     *         "events": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/events",
-                     *         "mesh": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM/mesh",
-                     *         "self": "/v1/jobs/01M8HTPACBX4ESZZHXPWRVPHPM"
+                     *         "cancel": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/cancel",
+                     *         "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
+                     *         "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
+                     *         "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6992,18 +7051,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.567Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.595Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T19:39:09.575Z",
-                     *       "finished_at": "2026-11-28T19:39:09.575Z",
-                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
+                     *       "expires_at": "2026-12-05T20:23:43.604Z",
+                     *       "finished_at": "2026-11-28T20:23:43.604Z",
+                     *       "id": "01M8HX7XQBQSZ82PXWZRB4B67M",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
-                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
-                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
-                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
+                     *         "events": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/events",
+                     *         "mesh": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/mesh",
+                     *         "request": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/request",
+                     *         "self": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7013,7 +7073,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T19:39:09.569Z",
+                     *       "started_at": "2026-11-28T20:23:43.597Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 110.43137694084453,
@@ -7118,18 +7178,19 @@ export interface operations {
                 content: {
                     /**
                      * @example {
-                     *       "created_at": "2026-11-28T19:39:09.567Z",
+                     *       "cancelled_because": null,
+                     *       "created_at": "2026-11-28T20:23:43.595Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HTPABZAHV739MJY0FX1H55",
+                     *       "id": "01M8HX7XQBQSZ82PXWZRB4B67M",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/cancel",
-                     *         "events": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/events",
-                     *         "mesh": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55/mesh",
-                     *         "self": "/v1/jobs/01M8HTPABZAHV739MJY0FX1H55"
+                     *         "cancel": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/cancel",
+                     *         "events": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/events",
+                     *         "request": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/request",
+                     *         "self": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M"
                      *       },
                      *       "metadata": null,
                      *       "progress": {

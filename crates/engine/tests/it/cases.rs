@@ -108,17 +108,6 @@ fn a_boundary_that_runs_out_and_back_names_the_points_that_it_passes_twice() {
     read(boundary(&open).to_string().as_bytes()).unwrap_or_else(|rejection| panic!("{rejection:?}"));
 }
 
-/// Half a cone, whose patch has a side of length 0 at the apex. Symptom: the mesh was made on the surface itself, and a
-/// triangle was turned by 88 degrees, with 11 equal members of 136. Half a cone can be laid flat like half a cylinder.
-#[test]
-fn a_patch_with_an_apex_is_laid_flat() {
-    let (statistics, warnings) = solved("uni_half_cone");
-    assert_eq!(statistics["converged"], true, "{warnings:?}");
-    assert_eq!(statistics["surface"]["method"], "flattened");
-    let lattice = statistics["lattice_edges"]["count"].as_u64().unwrap();
-    assert!(statistics["equal_edges"].as_u64().unwrap() >= lattice && lattice > 100, "{lattice}");
-}
-
 /// The sides of these triangles differ so much that the longest gets points beside the shortest at every size.
 #[test]
 fn a_triangle_is_one_triangle_if_that_is_wanted() {
