@@ -31,7 +31,7 @@ def test_the_commands_run_as_they_are_printed(tmp_path: Path, monkeypatch: pytes
         server.stop()
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stderr == ""
-    _, submitted, keyed, waited, events, _, _, cancelled, superseded, batch, hook, refused = done.stdout.split(
+    _, submitted, keyed, waited, events, _, _, cancelled, superseded, batch, hook, kept, refused = done.stdout.split(
         "=== next"
     )
     assert re.fullmatch(r"http://[\d.:]+/v1/jobs/\w{26}", submitted.strip())
@@ -39,6 +39,7 @@ def test_the_commands_run_as_they_are_printed(tmp_path: Path, monkeypatch: pytes
     assert '"status":"succeeded"' in waited and "event: status" in events and '"status":"succeeded"' in events
     assert '"status":"cancelled"' in cancelled and superseded.count('"kind":"minimal_surface"') == 3
     assert '"succeeded":2' in batch and '"links"' in hook
+    assert '"jobs":[' in kept and '"boundaries":[' in kept
     assert '"pointer":"/boundaries/0"' in refused and '"pointer":"/units"' in refused and "\n422\n" in refused
     folder = Path(done.stdout.split()[-1])
     assert folder.parent == tmp_path

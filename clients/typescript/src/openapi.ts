@@ -444,7 +444,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Members, nodes, bends, cables or supports as CSV, or the numbered members as DXF */
+        /**
+         * Members, nodes, bends, cables or supports as CSV, or the numbered members as DXF
+         * @description Which parts a job has follows from its kind; 404 names them.
+         */
         get: operations["getSchedule"];
         put?: never;
         post?: never;

@@ -230,7 +230,7 @@ test('slips are explained before they are sent', async () => {
   }
   assert.match(await refused(nowhere.minimalSurface([[TENT]])), /^\/boundaries\/0: has a level of brackets too many: it must be a list of points/);
   assert.match(await refused(nowhere.ruledSurface(TENT)), /^\/directrices: lacks a level of brackets/);
-  assert.match(await refused(nowhere.minimalSurface([TENT, [TENT]])), /^\/boundaries\/1: expected points/);
+  assert.match(await refused(nowhere.minimalSurface([TENT, [TENT]])), /^\/boundaries\/1: has a level of brackets too many/);
   const force = '/units: must be an object with the units of lengths and forces, such as {"length": "mm", "force": "kN"}';
   assert.equal(await refused(nowhere.tensileStructure([TENT], { tension: 1 }, { units: 'mm' })), force);
   const net = { kind: 'cable_net', vertices: TENT, edges: [[0, 1]], supports: [0], units: 'mm' };

@@ -41,6 +41,7 @@ const OPERATIONS: &[(&str, &str)] = &[
         "getRequest",
         "The request can be posted again as it is. Members of the job, such as its label, are not part of it.",
     ),
+    ("getSchedule", "Which parts a job has follows from its kind; 404 names them."),
     ("getCertificate", "A JSON document with the vector fields that prove the bound."),
     (
         "getEvents",

@@ -204,7 +204,7 @@ def problem(response: httpx.Response) -> errors.ProblemError:
         status=status,
         type=found.get("type", "about:blank"),
         errors=[
-            errors.FieldError(item.get("pointer") or item.get("parameter", ""), item["detail"])
+            errors.FieldError(item.get("pointer") or item.get("parameter") or "", item["detail"])
             for item in found.get("errors", [])
         ],
         errors_omitted=found.get("errors_omitted", False),
