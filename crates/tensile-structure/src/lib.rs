@@ -108,8 +108,8 @@ const TOO_COARSE: f64 = 1.15;
 /// Upper bound of the number of triangles of the finer mesh, as a multiple of the number of the coarse mesh.
 const MOST_FINER: f64 = 4.0;
 
-/// Smallest number of triangles of the coarse mesh for each boundary point. The coarse mesh has all points, and a mesh
-/// with fewer triangles has hardly any vertex inside.
+/// Number of triangles for each boundary point of the coarse mesh from which a second search starts. The coarse mesh has
+/// all points, and a mesh with fewer triangles has hardly any vertex inside.
 const COARSE_TRIANGLES_PER_POINT: f64 = 3.0;
 
 /// Finds the shape on the initial mesh. The film may become much larger than its boundaries suggest, and the edges of
@@ -133,13 +133,31 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
-/// Finds the shape on a sequence of meshes that become finer, the first of which is coarse. Each mesh is remeshed while
-/// the structure moves.
+/// Finds the shape on a sequence of meshes that become finer. If none is found from the usual coarse mesh, and the
+/// boundary has so many points that this mesh has hardly any vertex inside, the search starts again from a finer one.
 fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
+    let points: usize = structure.boundaries.iter().map(Vec::len).sum();
+    let denser = COARSE_TRIANGLES_PER_POINT * points as f64;
+    if denser <= travel::COARSE {
+        return travel_from(travel::COARSE, structure, options, exec);
+    }
+    match exec.part([0.0, 0.5], |exec| travel_from(travel::COARSE, structure, options, exec)) {
+        Ok((model, found)) if found.is_shape() || !found.gave_up() => Ok((model, found)),
+        Err(Error::Interrupted(reason)) => Err(Error::Interrupted(reason)),
+        _ => exec.part([0.5, 1.0], |exec| travel_from(denser, structure, options, exec)),
+    }
+}
+
+/// Finds the shape on a sequence of meshes, the first of which has this number of triangles. Each mesh is remeshed while
+/// the structure moves.
+fn travel_from(
+    coarse: f64,
+    structure: &Structure,
+    options: &Options,
+    exec: &Execution,
+) -> Result<(Model, Found), Error> {
     let count =
         plateau_minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options)).triangles;
-    let points: usize = structure.boundaries.iter().map(Vec::len).sum();
-    let coarse = travel::COARSE.max(COARSE_TRIANGLES_PER_POINT * points as f64);
     let (start, share) = if count > coarse {
         let resolution = Resolution::Triangles(coarse as usize);
         (Options { resolution, ..*options }, (coarse / count).sqrt())

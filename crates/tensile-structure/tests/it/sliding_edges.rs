@@ -156,7 +156,7 @@ fn a_catenoid_meets_a_ring_beam_of_round_tube_at_a_right_angle() {
     let errors = results.map(|(result, off)| [result.statistics.area - (share(to) - share(from)), off]);
     println!("{errors:?}");
     for k in 0..2 {
-        assert!((errors[0][k] / errors[2][k]).abs().log2() > 3.5, "{k}: {errors:?}");
+        assert!((errors[0][k] / errors[2][k]).abs().log2() > 3.8, "{k}: {errors:?}");
     }
 }
 
