@@ -7,7 +7,7 @@ use plateau_engine::blocks::{Input, Type};
 use plateau_engine::common::Point;
 use plateau_opennurbs::curve::Curve;
 use plateau_opennurbs::{Mesh, Object};
-use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -63,14 +63,46 @@ impl<'de> Deserialize<'de> for Items {
             fn visit_map<A: MapAccess<'de>>(self, mut branches: A) -> Result<Items, A::Error> {
                 let mut items = Vec::new();
                 while branches.next_key::<IgnoredAny>()?.is_some() {
-                    let branch = branches.next_value::<Vec<Option<Item>>>()?;
-                    items.extend(branch.into_iter().map(|item| item.unwrap_or(Item { data: None })));
+                    branches.next_value_seed(Branch(&mut items))?;
                 }
                 Ok(Items(items))
             }
         }
 
         deserializer.deserialize_any(Branches)
+    }
+}
+
+/// Largest number of values of an input. An input of so many values is no design, and the values of a message are held in
+/// memory before they are read.
+const MOST_ITEMS: usize = 1 << 20;
+
+/// Adds the values of a branch to those of the branches before it.
+struct Branch<'i>(&'i mut Vec<Item>);
+
+impl<'de> DeserializeSeed<'de> for Branch<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Branch<'_> {
+    type Value = ();
+
+    fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("a list such as [{\"type\", \"data\"}]")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<(), A::Error> {
+        while let Some(item) = items.next_element::<Option<Item>>()? {
+            if self.0.len() == MOST_ITEMS {
+                return Err(de::Error::custom(format_args!("an input has more than {MOST_ITEMS} values")));
+            }
+            self.0.push(item.unwrap_or(Item { data: None }));
+        }
+        Ok(())
     }
 }
 

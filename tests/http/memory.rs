@@ -122,6 +122,7 @@ async fn no_body_takes_many_times_its_length_in_memory() {
             batches,
             filled(r#"{"requests":[{"kind":"minimal_surface","metadata":{"#, &members, "}}]}"),
         ),
+        ("items of Hops", hops, filled(r#"{"values":[{"ParamName":"","InnerTree":{"a":["#, &same("{}"), "]}}]}")),
         ("values of Hops", hops, filled(r#"{"values":["#, &same(r#"{"ParamName":""}"#), "]}")),
     ];
     // The first request makes the schemas.
