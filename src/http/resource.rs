@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use std::sync::Arc;
 use url::form_urlencoded;
 
-/// What an operation accepts besides its body, by its entry in the API document.
+/// Query parameters and media types that an operation accepts, by its entry in the API document.
 #[derive(Debug)]
 struct Accepts {
     /// Names of the query parameters.

@@ -68,7 +68,7 @@ pub(super) enum AttemptEnd {
     HandedBack,
 }
 
-/// What a solver leaves behind.
+/// Result of a solver that has ended.
 enum Left {
     Outcome(Outcome),
     /// The solver was told to stop, so there is no outcome.
