@@ -10,8 +10,8 @@ use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::{Layer, SubscriberExt};
 use tracing_subscriber::util::SubscriberInitExt;
 
-/// Libraries that log the bodies of requests or the values of statements at the level debug. Logs must not contain them,
-/// so these libraries never log below the level info.
+/// Libraries that log the bodies of requests or the values of statements at the level debug. Logs must not contain
+/// them, so these libraries never log below the level info.
 const TALKATIVE: [&str; 3] = ["rmcp", "tokio_postgres", "postgres"];
 
 /// Reads the levels of the parts of the program.

@@ -73,8 +73,8 @@ impl<'de> Deserialize<'de> for Items {
     }
 }
 
-/// Largest number of values of an input. An input of so many values is no design, and the values of a message are held in
-/// memory before they are read.
+/// Largest number of values of an input. An input of so many values is no design, and the values of a message are held
+/// in memory before they are read.
 const MOST_ITEMS: usize = 1 << 20;
 
 /// Adds the values of a branch to those of the branches before it.

@@ -118,8 +118,8 @@ fn paths() -> Value {
     Value::Object(paths)
 }
 
-/// Returns the message that the server sends to the callback URL of a job or a batch. It is a callback of the operations
-/// and no webhook of the document, because openapi-generator writes invalid Python for a webhook.
+/// Returns the message that the server sends to the callback URL of a job or a batch. It is a callback of the
+/// operations and no webhook of the document, because openapi-generator writes invalid Python for a webhook.
 fn ended() -> Value {
     let example = json!({ "type": "job.succeeded", "timestamp": "2026-11-28T12:00:00.000Z", "data": {
         "id": "01KB5Y3F7Q8M2ZC4V9XJ6T1RDA", "kind": "minimal_surface", "status": "succeeded",

@@ -64,9 +64,9 @@ impl Jobs {
 }
 
 impl Events {
-    /// Waits for the next event. The final event of a job that is deleted says so. Returns `None` after the final event,
-    /// when a finished job has been removed, and when this server shuts down. After a shutdown the client reconnects with
-    /// the last identifier that it has seen.
+    /// Waits for the next event. The final event of a job that is deleted says so. Returns `None` after the final
+    /// event, when a finished job has been removed, and when this server shuts down. After a shutdown the client
+    /// reconnects with the last identifier that it has seen.
     pub async fn next(&mut self) -> Option<Event> {
         loop {
             if let Some(event) = self.pending.pop_front() {

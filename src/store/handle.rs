@@ -128,8 +128,8 @@ impl Store {
         }
     }
 
-    /// Returns `Ok` if the database answers and takes new jobs and results. If nothing was written lately, tries a write.
-    /// After a submission that the database did not take, tries to store a job and takes it back.
+    /// Returns `Ok` if the database answers and takes new jobs and results. If nothing was written lately, tries a
+    /// write. After a submission that the database did not take, tries to store a job and takes it back.
     pub async fn check(&self) -> Result<()> {
         self.read(|tx| tx.exists("SELECT 1", &[])).await?;
         if let Engine::Sqlite(database) = &self.inner.engine {
@@ -148,8 +148,8 @@ impl Store {
         }
     }
 
-    /// Writes a row of its own, to test whether the database takes writes. A transaction without a change would not reach
-    /// the disk.
+    /// Writes a row of its own, to test whether the database takes writes. A transaction without a change would not
+    /// reach the disk.
     pub(super) async fn write_row(&self) -> Result<()> {
         let instance = self.inner.instance.clone();
         self.write(move |tx| leaders::take(tx, "probe", &instance, Duration::ZERO).map(drop)).await

@@ -1,5 +1,5 @@
-//! The place of PostgreSQL in a build without the feature `postgres`. No value of these types exists, so that the compiler
-//! removes what would use one.
+//! The place of PostgreSQL in a build without the feature `postgres`. No value of these types exists, so that the
+//! compiler removes what would use one.
 
 use std::convert::Infallible;
 use std::sync::Arc;

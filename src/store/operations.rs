@@ -356,8 +356,8 @@ impl Store {
         retention::sweep(self, recovered).await
     }
 
-    /// Puts jobs whose lease has run out back into the queue, or fails them. Fails jobs that no worker could read for too
-    /// long. A lease that may have run out because of
+    /// Puts jobs whose lease has run out back into the queue, or fails them. Fails jobs that no worker could read for
+    /// too long. A lease that may have run out because of
     /// an outage of the database is left alone until its worker has had time to renew it. Returns the number of jobs
     /// that were recovered, and whether a job waits. Every process calls this more often than half of a lease, because
     /// a long pause looks like an outage.

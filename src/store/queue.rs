@@ -4,12 +4,12 @@
 //! lowest `turn` is claimed first, and among equal turns the older job. A new job's turn is the larger of two numbers:
 //! the turn that is being served, and the last turn of its owner's waiting and running jobs plus one. The turn that is
 //! being served is the latest one of the running jobs, or the first one of the waiting jobs if that is lower or no job
-//! runs. An owner who queues a thousand jobs gets a thousand turns in a row. While the first of them runs, the single job
-//! of another owner gets the same turn as that job, so it is served next. With one owner this is first come, first
+//! runs. An owner who queues a thousand jobs gets a thousand turns in a row. While the first of them runs, the single
+//! job of another owner gets the same turn as that job, so it is served next. With one owner this is first come, first
 //! served.
 //!
-//! A worker may change this order by [`Preference`]: it knows how many jobs of each owner run in its process, and for how
-//! long they ran.
+//! A worker may change this order by [`Preference`]: it knows how many jobs of each owner run in its process, and for
+//! how long they ran.
 
 use super::tx::{Row, Tx};
 use super::{Result, StoreError, StoreOptions, limit, milliseconds};

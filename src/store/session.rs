@@ -282,7 +282,8 @@ impl From<tokio_postgres::Error> for StoreError {
             Some("53100") => Self::NoSpace(text),
             // 40001 is serialization_failure, 40P01 is deadlock_detected, and 23505 is unique_violation.
             Some("40001" | "40P01" | "23505") => Self::Contended(text),
-            // 25006 is read_only_sql_transaction, the answer of a standby server or of a database that was made read-only.
+            // 25006 is read_only_sql_transaction, the answer of a standby server or of a database that was made
+            // read-only.
             Some("25006") => Self::Unavailable(text),
             // These classes are connection exceptions, insufficient resources, operator intervention, system errors and
             // damaged data.

@@ -29,7 +29,8 @@ async fn ruled_surfaces_have_a_flat_pattern_closed_ones_too() {
     let pieces = json["pieces"].as_array().unwrap();
     let named = |start: &str| pieces.iter().filter(|piece| piece["name"].as_str().unwrap().starts_with(start)).count();
     assert_eq!(named("strip"), strips);
-    // The bridge that the statistics name gives the pattern without `cut_at`, and the next bridge gives another pattern.
+    // The bridge that the statistics name gives the pattern without `cut_at`, and the next bridge gives another
+    // pattern.
     let first = cut_at[0].as_u64().unwrap();
     let same: Value = app.get(&format!("{pattern}?format=json&cut_at={first}")).await.json().await.unwrap();
     assert_eq!(same, json);

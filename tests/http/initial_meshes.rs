@@ -64,8 +64,8 @@ async fn the_clients_own_mesh_is_checked_and_used() {
     assert_eq!(refused(&app, &wrong).await, ["/initial_mesh"]);
 }
 
-/// Returns a request with the mesh of a job as its initial mesh, in a GLB file. Options without effect on such a mesh are
-/// left out.
+/// Returns a request with the mesh of a job as its initial mesh, in a GLB file. Options without effect on such a mesh
+/// are left out.
 async fn with_the_mesh_of(app: &TestApp, job: &Value, request: &Value) -> Value {
     let url = format!("{}?format=glb", job["links"]["mesh"].as_str().unwrap());
     let file = app.get(&url).await.bytes().await.unwrap();

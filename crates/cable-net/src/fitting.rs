@@ -89,7 +89,8 @@ const LARGEST_ACCELERATION: f64 = 0.75;
 /// Maximum number of steps if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
 /// The default of [`Options::tolerance`]. Where the targets leave a cable little force, a descent with a smaller
-/// tolerance goes on until the cable is slack, although its loss hardly falls. The net at this tolerance is then better.
+/// tolerance goes on until the cable is slack, although its loss hardly falls. The net at this tolerance is then
+/// better.
 const USUAL_TOLERANCE: f64 = 1e-4;
 /// Maximum number of rounds in which the densities of the start are multiplied by the targets. With 13 every target of
 /// the nets of `benches/cable_net.rs`, from 10 to 158 cells a side, is missed by less than 20 %. More rounds improve

@@ -226,8 +226,8 @@ fn deviations(net: &Net, options: &Options, forces: &[f64], lengths: &[f64]) -> 
 }
 
 /// An edge with a target of force that is shorter than this shows that the net draws together towards its targets.
-/// Fraction of the edge's length in the given net. A hoop of twelve edges keeps 4e-4 of its length at a force 0.03 % below
-/// the largest possible one, and 3e-8 at a force 0.2 % above it.
+/// Fraction of the edge's length in the given net. A hoop of twelve edges keeps 4e-4 of its length at a force 0.03 %
+/// below the largest possible one, and 3e-8 at a force 0.2 % above it.
 const VANISHING: f64 = 1e-4;
 
 /// Refuses a net some of whose edges lose their length as it approaches its targets, because no net meets such targets.

@@ -175,7 +175,8 @@ fn read<R: DeserializeOwned + Serialize + Optioned>(
     checks: impl Fn(&R) -> Result<Passed, Rejection>,
 ) -> Option<ReadApart> {
     let Parted { read, names, aside } = strict::read::<R>(body, aside).ok()?;
-    // A member that is null or an empty list counts as left out, which only a request that is read from a value can tell.
+    // A member that is null or an empty list counts as left out, which only a request that is read from a value can
+    // tell.
     let idle = idle_members(&read, &Given::Names(&names));
     idle.is_empty().then_some(())?;
     Some((written(&read, &checks).ok()?, aside))

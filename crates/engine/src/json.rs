@@ -24,8 +24,8 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     outcome.map_err(|error| unparsed(body, &error, || stopped_at(body)))
 }
 
-/// Returns the rejection of a body that cannot be parsed. `stopped_at` returns the JSON Pointer of the value at which the
-/// parser stopped.
+/// Returns the rejection of a body that cannot be parsed. `stopped_at` returns the JSON Pointer of the value at which
+/// the parser stopped.
 pub(super) fn unparsed(body: &[u8], error: &serde_json::Error, stopped_at: impl Fn() -> String) -> Rejection {
     let text = error.to_string();
     let invalid = |detail: String| Rejection::Invalid(vec![FieldError::new(stopped_at(), detail)]);

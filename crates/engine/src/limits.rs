@@ -62,7 +62,8 @@ pub fn refuse_too_much_as_values(body: &[u8]) -> Result<(), Rejection> {
 fn values_bytes(body: &[u8]) -> usize {
     /// An element of a list, and half of it for the list's spare capacity.
     const ELEMENT: usize = 48;
-    /// A member of an object besides its name: its part of a node of the map, which is half full if the names are sorted.
+    /// A member of an object besides its name: its part of a node of the map, which is half full if the names are
+    /// sorted.
     const MEMBER: usize = 120;
     /// The least allocation of a text.
     const TEXT: usize = 16;

@@ -105,8 +105,8 @@ pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     FieldError::new(json::pointer(error.path()), FORM).into()
 }
 
-/// Visitor of an object that puts the members named in `aside` into `taken`, makes a `T` from the others, and puts their
-/// names into `names`.
+/// Visitor of an object that puts the members named in `aside` into `taken`, makes a `T` from the others, and puts
+/// their names into `names`.
 struct Parts<'a, T> {
     aside: &'a [&'a str],
     names: &'a mut Vec<String>,

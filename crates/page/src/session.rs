@@ -197,8 +197,8 @@ impl Session {
     }
 
     /// Makes a file of the last result: its mesh in a format of [`MeshFormat`], or its flat pattern in one of
-    /// [`plateau_drawing::Format`]. Returns `None` if there is no result or only a preview of one, or if the format is unknown or
-    /// cannot have this result.
+    /// [`plateau_drawing::Format`]. Returns `None` if there is no result or only a preview of one, or if the format is
+    /// unknown or cannot have this result.
     #[must_use]
     pub fn file(&self, format: &str) -> Option<Vec<u8>> {
         let archive = self.archive().filter(|_| self.moved.is_none())?;

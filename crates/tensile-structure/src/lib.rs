@@ -108,8 +108,8 @@ const TOO_COARSE: f64 = 1.15;
 /// Upper bound of the number of triangles of the finer mesh, as a multiple of the number of the coarse mesh.
 const MOST_FINER: f64 = 4.0;
 
-/// Number of triangles for each boundary point of the coarse mesh from which a second search starts. The coarse mesh has
-/// all points, and a mesh with fewer triangles has hardly any vertex inside.
+/// Number of triangles for each boundary point of the coarse mesh from which a second search starts. The coarse mesh
+/// has all points, and a mesh with fewer triangles has hardly any vertex inside.
 const COARSE_TRIANGLES_PER_POINT: f64 = 3.0;
 
 /// Finds the shape on the initial mesh. The film may become much larger than its boundaries suggest, and the edges of
@@ -148,8 +148,8 @@ fn travel(structure: &Structure, options: &Options, exec: &Execution) -> Result<
     }
 }
 
-/// Finds the shape on a sequence of meshes, the first of which has this number of triangles. Each mesh is remeshed while
-/// the structure moves.
+/// Finds the shape on a sequence of meshes, the first of which has this number of triangles. Each mesh is remeshed
+/// while the structure moves.
 fn travel_from(
     coarse: f64,
     structure: &Structure,

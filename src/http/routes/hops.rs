@@ -181,8 +181,8 @@ impl Run<'_> {
     }
 }
 
-/// The types of failed jobs that show a defect of the server instead of a fault of the request. Hops is answered with the
-/// status 500.
+/// The types of failed jobs that show a defect of the server instead of a fault of the request. Hops is answered with
+/// the status 500.
 const DEFECTS: [&str; 6] =
     ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "unresponsive", "worker-lost"];
 

@@ -56,8 +56,8 @@ fn plane_strips_with_the_most_convex_bridges_are_returned_flat() {
     }
 }
 
-/// The directions at the bridge in the middle span 181.5 degrees, so that they reach beyond a half-plane by 0.75 degrees
-/// on either side. Symptom: the audit measured with 1 degree on one side only, and withheld the strip.
+/// The directions at the bridge in the middle span 181.5 degrees, so that they reach beyond a half-plane by 0.75
+/// degrees on either side. Symptom: the audit measured with 1 degree on one side only, and withheld the strip.
 #[test]
 fn solver_and_audit_allow_directions_beyond_the_half_plane_on_both_sides() {
     let request = serde_json::json!({

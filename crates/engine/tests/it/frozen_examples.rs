@@ -17,8 +17,8 @@
 //! conflict in a rebase do the same from the other side's file:
 //! `git checkout --ours crates/engine/tests/frozen_examples.txt` takes the file of the branch that is rebased upon.
 //!
-//! The sines are those of the crate libm, so that the C library of a machine changes nothing. The kernels of faer follow
-//! the vector instructions of the processor and round differently on another one.
+//! The sines are those of the crate libm, so that the C library of a machine changes nothing. The kernels of faer
+//! follow the vector instructions of the processor and round differently on another one.
 
 use crate::skips::skipped;
 use crate::{read, root};

@@ -1,5 +1,5 @@
-//! Every option of every kind is sent with every choice of objective, solver, topology, initial mesh and domain. It must
-//! give another result than the request without it, or be refused at its own place.
+//! Every option of every kind is sent with every choice of objective, solver, topology, initial mesh and domain. It
+//! must give another result than the request without it, or be refused at its own place.
 //!
 //! The first tier tries the choices that begin each list; `PLATEAU_FULL=1` tries all of them.
 

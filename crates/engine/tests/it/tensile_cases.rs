@@ -69,8 +69,8 @@ fn has_area(name: &str, area: f64, within: f64) {
     assert!((own / area - 1.0).abs() < within, "{name}: {own} for {area}");
 }
 
-/// Input: a sail between four points with cables of 14. Symptom: up to 2,000 triangles it was stable and converged, with
-/// corners of 0.3 degrees. Its cables turn by 6.40, and four corners allow 2π.
+/// Input: a sail between four points with cables of 14. Symptom: up to 2,000 triangles it was stable and converged,
+/// with corners of 0.3 degrees. Its cables turn by 6.40, and four corners allow 2π.
 #[test]
 fn a_sail_that_cannot_exist_is_refused_at_every_resolution() {
     let sail = |force: f64, triangles: usize| {

@@ -105,8 +105,9 @@ impl Cable {
     }
 
     /// Returns the largest distance of the cable from the chord between its two ends. Next to the vertex farthest from
-    /// the chord, the cable is followed by the parabola through this vertex and its two neighbours, because the vertices
-    /// themselves miss the middle of a cable with an odd number n of segments: their sag is too small by 1 / n².
+    /// the chord, the cable is followed by the parabola through this vertex and its two neighbours, because the
+    /// vertices themselves miss the middle of a cable with an odd number n of segments: their sag is too small by 1 /
+    /// n².
     #[must_use]
     pub fn sag(&self, at: &[DVec3]) -> f64 {
         self.crest(at).map_or(0.0, |crest| crest.height)

@@ -71,9 +71,9 @@ impl<V: Lanes> PathCost<V> for PlainCost<V> {
     }
 }
 
-/// The cost of maximal convexity: the number of concave bridges, the secondary objective over these bridges, the bending
-/// energy over all bridges, and twice the area. Costs are ordered by their fields, the first one first. Counts are whole
-/// numbers far below 2^53.
+/// The cost of maximal convexity: the number of concave bridges, the secondary objective over these bridges, the
+/// bending energy over all bridges, and twice the area. Costs are ordered by their fields, the first one first. Counts
+/// are whole numbers far below 2^53.
 #[derive(Clone, Copy)]
 pub(crate) struct CoupledCost<V> {
     count: V,

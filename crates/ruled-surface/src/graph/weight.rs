@@ -99,9 +99,9 @@ pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &BridgeTriangle<V>, rig
     V::select(left.sound & right.sound, energy, zero)
 }
 
-/// Whether two triangles at a bridge are plane neighbours up to `rounding`, the largest distance by which rounding of the
-/// input moves a coordinate. A corner that moves by r turns a triangle by r over its altitude, so r (|N_l| + |N_r|) bounds
-/// the change of the volume N_l·b_r that the two triangles span. The factor 4 leaves room for all four corners.
+/// Whether two triangles at a bridge are plane neighbours up to `rounding`, the largest distance by which rounding of
+/// the input moves a coordinate. A corner that moves by r turns a triangle by r over its altitude, so r (|N_l| + |N_r|)
+/// bounds the change of the volume N_l·b_r that the two triangles span. The factor 4 leaves room for all four corners.
 #[inline(always)]
 pub(crate) fn is_flat<V: Lanes>(left: &BridgeTriangle<V>, right: &BridgeTriangle<V>, rounding: V) -> V::Mask {
     let zero = rounding.constant(0.0);

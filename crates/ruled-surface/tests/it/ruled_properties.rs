@@ -334,7 +334,8 @@ fn of_bridges(points: &[DVec3], bridges: &[[u32; 2]], closed: bool, cuts: &[u32]
 }
 
 /// The frustum from radius 1 to 3 and height 4 unrolls to a sector with the angle 2π sin β, between the slants 1/sin β
-/// and 3/sin β, where tan β = ½. A pyramid of n sides has the sector of its own edges: n times the apex angle of a side.
+/// and 3/sin β, where tan β = ½. A pyramid of n sides has the sector of its own edges: n times the apex angle of a
+/// side.
 #[test]
 fn a_closed_frustum_unrolls_to_the_sector_of_its_cone() {
     let sine = 1.0 / 5f64.sqrt();
