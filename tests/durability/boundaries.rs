@@ -18,6 +18,8 @@ use std::time::{Duration, Instant};
 /// Time for which a fault waits for its statement. Some statements are rare, such as those of a submission that is
 /// repeated.
 const RARE: Duration = Duration::from_millis(1500);
+/// Time for which a fault waits for a statement of an operation that has not been disturbed yet.
+const NEEDED: Duration = Duration::from_secs(20);
 /// Time for which the load runs while its statements are recorded.
 const WATCHED: Duration = Duration::from_secs(4);
 
@@ -52,6 +54,9 @@ async fn files_and_rows_are_equal(url: &str, results: &Path, files: impl AsyncFn
     let found = std::fs::read_dir(results).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     assert_eq!(found.collect::<BTreeSet<_>>(), files().await.into_iter().collect::<BTreeSet<_>>());
 }
+
+/// The operations of which each must be disturbed, as [`operation`] names them.
+const OPERATIONS: [&str; 5] = ["submit", "claim", "renew", "progress", "finish"];
 
 /// Returns the name of the operation to which a statement belongs, for the report.
 fn operation(boundary: &Boundary) -> &'static str {
@@ -94,7 +99,8 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
         for fault in [Fault::CutBefore, Fault::CutAfter] {
             let fired = proxy.disturb_at(boundary.clone(), fault, 1);
             let begun = Instant::now();
-            while !fired.yet() && begun.elapsed() < RARE {
+            let patience = if happened.contains_key(operation(boundary)) { RARE } else { NEEDED };
+            while !fired.yet() && begun.elapsed() < patience {
                 tokio::time::sleep(Duration::from_millis(5)).await;
             }
             proxy.calm();
@@ -107,7 +113,7 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
     }
     let accepted = load.finish().await;
     println!("{} boundaries; cuts by operation: {happened:?}; {missed} did not come", boundaries.len());
-    for name in ["submit", "claim", "renew", "progress", "finish"] {
+    for name in OPERATIONS {
         assert!(happened.contains_key(name), "no statement of {name} was cut: {happened:?}");
     }
     every_job_ended_once(&server, &accepted, "connections cut").await;
@@ -147,11 +153,11 @@ fn set_fault(cluster: &Cluster, fault: &str, boundary: &Boundary) -> PathBuf {
 }
 
 /// Sets a fault and waits until it has happened. Returns false if its statement did not come.
-async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
+async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary, patience: Duration) -> bool {
     let file = set_fault(cluster, fault, boundary);
     let begun = Instant::now();
     while file.exists() {
-        if begun.elapsed() > RARE {
+        if begun.elapsed() > patience {
             // The fault may happen at this moment, and its file is then already gone.
             return std::fs::remove_file(&file).is_err();
         }
@@ -169,22 +175,28 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
     load.some_are_accepted().await;
     std::fs::write(cluster.hold.folder.join("statements"), []).unwrap();
     tokio::time::sleep(WATCHED).await;
+    // A busy machine needs longer until each operation has been seen.
+    let all_seen = async || OPERATIONS.iter().all(|name| recorded(&cluster).iter().any(|at| operation(at) == *name));
+    until("each operation is seen", all_seen).await;
     let boundaries = recorded(&cluster);
     std::fs::remove_file(cluster.hold.folder.join("statements")).unwrap();
     let (mut happened, mut missed, mut deaths) = (BTreeMap::<&str, usize>::new(), 0, 0);
-    let mut commits = BTreeSet::new();
+    let (mut commits, mut met) = (BTreeSet::new(), BTreeSet::new());
     for (number, boundary) in boundaries.iter().enumerate() {
         let is_commit = boundary.statement == "COMMIT";
-        // Writes that share a transaction make many boundaries. A short run takes one COMMIT of each operation.
+        // Writes that share a transaction make many boundaries. A short run takes the first of each operation and its
+        // first COMMIT, because a write that always shares its transaction has no COMMIT of its own.
         let is_first_commit = is_commit && commits.insert(operation(boundary));
-        if number % step() != 0 && !is_first_commit {
+        let is_first = met.insert(operation(boundary));
+        if number % step() != 0 && !is_first_commit && !is_first {
             continue;
         }
         // The process dies only at a COMMIT, because a death at any other statement leaves the database unchanged.
         let faults: &[&str] =
             if is_commit { &["fail_before", "fail_after", "die_before", "die_after"] } else { &["fail_before"] };
         for fault in faults {
-            if happens(&cluster, fault, boundary).await {
+            let patience = if happened.contains_key(operation(boundary)) { RARE } else { NEEDED };
+            if happens(&cluster, fault, boundary, patience).await {
                 *happened.entry(operation(boundary)).or_default() += 1;
             } else {
                 missed += 1;
@@ -203,7 +215,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
         "{} boundaries; faults by operation: {happened:?}, {deaths} deaths; {missed} did not come",
         boundaries.len()
     );
-    for name in ["submit", "claim", "renew", "progress", "finish"] {
+    for name in OPERATIONS {
         assert!(happened.contains_key(name), "no statement of {name} failed: {happened:?}");
     }
     every_job_ended_once(&server, &accepted, "faults of SQLite").await;
