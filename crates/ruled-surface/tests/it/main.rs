@@ -17,3 +17,8 @@ mod ruled_properties;
 mod ruled_surface;
 #[path = "../../../../tests/skips/mod.rs"]
 mod skips;
+
+/// Returns true if more cases are to be run than in the first tier of `scripts/test`.
+fn is_full() -> bool {
+    ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some())
+}

@@ -49,7 +49,8 @@ fn a_strip_in_a_process_of_its_own() {
 
 #[test]
 fn strips_of_all_objectives_take_less_memory_than_the_estimate() {
-    for case in ["1000", "1000 closed normals", "4000 normals", "4000 closed", "8000"] {
+    let cases = ["1000 closed normals", "4000 normals", "1000", "4000 closed", "8000"];
+    for case in &cases[..if crate::is_full() { cases.len() } else { 2 }] {
         let mut child = Command::new(std::env::current_exe().unwrap());
         child.args(["--exact", "--nocapture", "memory::a_strip_in_a_process_of_its_own"]).env(CASE, case);
         let output = child.output().unwrap();

@@ -492,17 +492,10 @@ fn a_half_catenoid_holds_up_to_the_height_of_0_66274_radii() {
             result.statistics.converged && result.statistics.stability.is_some_and(|s| s.stable == Some(true))
         })
     };
-    let limit = |count: usize| {
-        let (mut held, mut broken) = (0.6, 0.75);
-        while broken - held > 2e-4 {
-            let height = 0.5 * (held + broken);
-            *(if holds(count, height) { &mut held } else { &mut broken }) = height;
-        }
-        0.5 * (held + broken)
-    };
-    let (coarse, fine) = (limit(48), limit(96));
-    println!("{coarse} {fine}");
-    assert!((fine - 0.66274).abs() < 1e-3 && (coarse - 0.66274).abs() < 2.5e-3, "{coarse} {fine}");
+    for (count, error) in [(48, 2.5e-3), (96, 1e-3)] {
+        assert!(holds(count, 0.66274 - error), "{count} points, below the limit");
+        assert!(!holds(count, 0.66274 + error), "{count} points, above the limit");
+    }
 }
 
 #[test]

@@ -114,8 +114,10 @@ fn closed_patches_and_poles_are_meshed() {
         ("tube", revolved(4, 1, &[0.0, 0.0, 1.0, 1.0], &wall, &[1.0, 1.0]), 2.0, 0, 2, 300.0 * TAU),
         ("torus", revolved(4, 2, &knots, &ring, &weights), 1.0, 0, 0, 120.0 * TAU * TAU),
     ];
-    for (name, patch, edge_length, euler, loops, area) in cases {
-        for objective in Objective::ALL {
+    for (number, (name, patch, edge_length, euler, loops, area)) in cases.into_iter().enumerate() {
+        // The first tier takes one objective for each patch.
+        let objectives = if crate::is_full() { &Objective::ALL[..] } else { &Objective::ALL[number % 2..][..1] };
+        for &objective in objectives {
             let result = run(&Domain::Nurbs(patch.clone()), edge_length, objective).unwrap();
             check(&result, edge_length);
             let fit = result.statistics.surface.unwrap();

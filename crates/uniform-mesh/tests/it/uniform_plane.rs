@@ -170,7 +170,7 @@ proptest! {
 #[test]
 fn larger_admissible_polygons_with_split_sides() {
     let mut random = SplitMix64::new(7);
-    for seed in 0..60 {
+    for seed in 0..u64::from(cases(60)) {
         let scale = random.between(2.0, 20.0);
         let outline: Vec<DVec2> = admissible(seed).iter().map(|p| *p * scale).collect();
         for objective in Objective::ALL {
