@@ -1,5 +1,11 @@
 // The parts of the page that the first film does not need. They are loaded after that film, or when somebody asks for them.
 
+import css from './later.css' with { type: 'text' };
+
+const looks = new CSSStyleSheet();
+looks.replaceSync(css);
+document.adoptedStyleSheets.push(looks);
+
 export { OBJECTIVES } from './objectives';
 export { applyRequest, take, unitChanged } from './app/importing';
 export { showRecent } from './app/recent';

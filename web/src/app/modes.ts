@@ -3,6 +3,7 @@
 import { $ } from '../dom';
 import type { Compare } from '../panels/compare';
 import type { Flat } from '../panels/flat';
+import { fileName } from '../text';
 import { ask } from './busy';
 import { showDock } from './drawing';
 import { showProblem } from './problems';
@@ -41,7 +42,7 @@ export function setMode(next: Mode): void {
     const names = server.objectives.filter((each) => each.kind === 'ruled_surface').map((each) => each.name);
     void compare!.open(doc().request, host.frame, names, failing());
   }
-  if (next === 'flat' && session.shown) flat!.show(session.shown.job).catch(failing());
+  if (next === 'flat') showPattern();
   showDock();
   stage.invalidate();
 }
@@ -56,7 +57,20 @@ export function fitAll(): void {
 export function offerModes(strip: boolean, pattern: boolean): void {
   $('modes').hidden = !strip;
   document.querySelector<HTMLButtonElement>('[data-mode="flat"]')!.hidden = !pattern;
-  if (session.mode !== 'flat' || !session.shown) return;
-  if (pattern) flat!.show(session.shown.job).catch(failing());
+  if (session.mode !== 'flat') return;
+  if (pattern) showPattern();
   else setMode('model');
+}
+
+/** Shows the pattern of the result, if the pattern is looked at. */
+export function showPattern(): void {
+  const { shown, mode } = session;
+  if (shown && mode === 'flat') void flat!.show({ job: shown.job, request: shown.request, name: fileName(doc().title) ?? 'strip' }, failing());
+}
+
+/** Prints the flat pattern; whether it is what fills the stage. */
+export function printPattern(): boolean {
+  if (session.mode !== 'flat') return false;
+  void flat!.print();
+  return true;
 }

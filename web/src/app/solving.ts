@@ -11,6 +11,7 @@ import { duration, number } from '../text';
 import { ask, whileBusy } from './busy';
 import { keep, keepNow, rememberJob } from './keeping';
 import type { Asked, Source } from './life';
+import { showPattern } from './modes';
 import { say } from './notes';
 import { hideProblem, showProblem } from './problems';
 import { nameJob, show, showStale, toleranceOf } from './result';
@@ -221,6 +222,7 @@ async function hand(asked: Asked): Promise<void> {
     if (!isShown()) return;
     shown!.job = job;
     nameJob(job);
+    showPattern();
     keep();
   } catch (error) {
     // A service that refuses now or is busy keeps nothing either. The result stays, and the next one is handed on again.

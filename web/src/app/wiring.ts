@@ -11,7 +11,7 @@ import { changed, isLive, load, redo, showRequest, startBlank, undo } from './do
 import { foundCable, hint, showDock, showPoint, widen } from './drawing';
 import { whileBusy } from './busy';
 import { keep, keepNow } from './keeping';
-import { fitAll, setMode } from './modes';
+import { fitAll, printPattern, setMode } from './modes';
 import { label, say, showPanel, toast } from './notes';
 import { openLink } from './opening';
 import { showQuantity } from './result';
@@ -257,6 +257,7 @@ function shortcut(event: KeyboardEvent): void {
   const key = event.key.toLowerCase();
   if (control && !typing && key === 'z') (event.shiftKey ? redo : undo)();
   else if (control && !typing && key === 'y') redo();
+  else if (control && key === 'p' && printPattern()) { /* The service's PDF takes the place of the page. */ }
   else if (tools.drawing && event.key === 'Enter' && !target.matches('button, summary, a')) tools.finishDrawing();
   else if (tools.drawing && event.key === 'Escape') tools.stopDrawing();
   else if (tools.cabling && event.key === 'Escape') tools.stopCabling();

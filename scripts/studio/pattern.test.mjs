@@ -1,0 +1,108 @@
+// The flat pattern on the whole stage: the service's drawing with names, folds, angles, sizes and scale bar, by profile, and
+// printed as the service's PDF instead of the page.
+
+import assert from 'node:assert/strict';
+import { showPanel, solved, test, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+/** Waits for an answer of the pattern whose query has these values. */
+const answer = (page, values) => page.waitForResponse((response) => {
+  const { pathname, searchParams } = new URL(response.url());
+  return pathname.endsWith('/pattern') && Object.entries(values).every(([name, value]) => searchParams.get(name) === value);
+});
+const job = async (page) => (await fetch(`${studio.url}/v1/jobs/${await page.evaluate(() => window.studio.shown().job)}`)).json();
+
+async function openFlat(page, example) {
+  await studio.open(example);
+  const [drawing] = await Promise.all([answer(page, { format: 'svg' }), page.click('[data-mode="flat"]')]);
+  await page.waitForFunction(() => document.querySelector('#flat-image').complete && document.querySelector('#flat-image').naturalWidth > 0);
+  return drawing;
+}
+
+test.quick('the pattern is the service\'s drawing with names, angles, sizes and a scale bar, which can be read', async () => {
+  const { page } = studio;
+  const drawing = await openFlat(page, 'wavy-strip');
+  const text = await drawing.text();
+  const { statistics } = await job(page);
+  const { width, height } = statistics.flat_pattern;
+  for (const part of ['>strip 1<', `>${(1000 * width).toFixed(2)} mm<`, `>${(1000 * height).toFixed(2)} mm<`, 'class="scale_bar"', 'class="fold_mountain"', 'class="fold_valley"', `>${statistics.largest_fold_deg.toFixed(2)}<`]) {
+    assert.ok(text.includes(part), part);
+  }
+  const said = await page.textContent('#pattern-size');
+  assert.equal(said, `1 piece · ${Number(width.toPrecision(4))} × ${Number(height.toPrecision(4))} m · 137 folds, the largest of ${Number(statistics.largest_fold_deg.toPrecision(3))}°`);
+  // The drawing fills the room between the bars, and its text is as large as small print.
+  const [image, stage, bar] = await Promise.all(['#flat-image', '#stage', '#flat-bar'].map((selector) => page.locator(selector).boundingBox()));
+  assert.ok(image.x >= stage.x && image.x + image.width <= stage.x + stage.width && image.y > stage.y && image.y + image.height <= bar.y, 'nothing of it is hidden');
+  assert.ok(image.width > 0.6 * stage.width || image.height > 0.6 * (bar.y - stage.y - 60), `${image.width} × ${image.height}`);
+  const wide = Number(/width="([\d.]+)mm"/.exec(text)[1]);
+  const letters = (Number(new URL(drawing.url()).searchParams.get('text_height')) * image.width) / wide;
+  assert.ok(letters > 5 && letters < 16, `capitals of ${letters} pixels`);
+});
+
+test.quick('Print and Ctrl P open the PDF of the service, true to scale, and the page itself is not printed', async () => {
+  const { page } = studio;
+  await page.addInitScript(() => {
+    window.printed = 0;
+    window.opened = [];
+    window.print = () => { window.printed += 1; };
+    window.open = (url) => { window.opened.push(url); return window; };
+  });
+  await openFlat(page, 'two-rails');
+  for (const [press, paper] of [[() => page.click('#pattern-print'), null], [() => page.keyboard.press('Control+p'), 'a3']]) {
+    if (paper) await page.selectOption('#pattern-paper', paper);
+    const [pdf] = await Promise.all([answer(page, { format: 'pdf', profile: 'plain', paper }), press()]);
+    assert.equal((await pdf.body()).subarray(0, 5).toString('latin1'), '%PDF-');
+    await page.waitForFunction((n) => window.opened.length === n, paper ? 2 : 1);
+  }
+  assert.ok((await page.evaluate(() => window.opened)).every((url) => url.startsWith('blob:')));
+  assert.equal(await page.evaluate(() => window.printed), 0);
+  // A strip larger than a page is printed reduced, as the drawing alone.
+  await page.selectOption('#pattern-paper', '');
+  await page.evaluate(() => window.studio.openExample('wavy-strip'));
+  await page.waitForFunction(() => document.querySelector('#pattern-paper').value === 'fit');
+  await page.click('#pattern-print');
+  assert.equal(await page.evaluate(() => window.printed), 1);
+  await page.emulateMedia({ media: 'print' });
+  for (const id of ['header', '#setup', '#results', '#dock', '#bar', '#flat-bar', '#view']) assert.equal(await page.locator(id).first().isVisible(), false, id);
+  assert.equal(await page.isVisible('#flat-image'), true);
+});
+
+test('sheet metal is drawn with its thickness, and values that cannot be made are said beside the fields', async () => {
+  const { page } = studio;
+  await openFlat(page, 'two-rails');
+  const [metal] = await Promise.all([answer(page, { profile: 'sheet-metal', thickness: '1', format: 'svg' }), page.selectOption('#pattern-profile', 'sheet-metal')]);
+  assert.match(await metal.text(), /class="bend_(up|down)"/);
+  await page.fill('#pattern-radius', '0,1');
+  await page.keyboard.press('Tab');
+  await page.locator('#pattern-fault').waitFor();
+  assert.match(await page.textContent('#pattern-fault'), /radius: must be at least half the thickness/);
+  assert.equal(await page.isVisible('#problem'), false);
+  assert.equal(await page.isVisible('#flat-image'), true, 'the last drawing stays');
+  await page.fill('#pattern-radius', '3');
+  await Promise.all([answer(page, { radius: '3' }), page.keyboard.press('Tab')]);
+  await page.locator('#pattern-fault').waitFor({ state: 'hidden' });
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('#flat-bar [data-format="zip"]')]);
+  assert.match(file.suggestedFilename(), /-pattern\.zip$/);
+});
+
+test('a result of the page has the page\'s pattern until the service has it too', async () => {
+  const { page } = studio;
+  await openFlat(page, 'two-rails');
+  await page.click('[data-mode="model"]');
+  // The service takes nothing over for now.
+  await page.route('**/v1/ruled-surfaces', (route) => route.abort());
+  await showPanel(page, 'setup');
+  await page.locator('#view').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('PageUp');
+  await solved(page);
+  assert.match(await page.evaluate(() => window.studio.shown().job), /^page-/);
+  await page.click('[data-mode="flat"]');
+  await page.waitForFunction(() => !document.querySelector('#flat').hidden);
+  assert.equal(await page.isVisible('#pattern-profile'), false, 'no choice that only the service has');
+  assert.equal(await page.isVisible('#flat-image'), true);
+  await page.unroute('**/v1/ruled-surfaces');
+  await page.locator('#pattern-profile').waitFor();
+  assert.equal((await job(page)).status, 'succeeded');
+  assert.equal(await page.isVisible('#unkept'), false);
+});
