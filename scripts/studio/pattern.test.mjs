@@ -59,6 +59,8 @@ test.quick('Print and Ctrl P open the PDF of the service, true to scale, and the
   // A strip larger than a page is printed reduced, as the drawing alone.
   await page.selectOption('#pattern-paper', '');
   await page.evaluate(() => window.studio.openExample('wavy-strip'));
+  await solved(page);
+  await page.click('[data-mode="flat"]');
   await page.waitForFunction(() => document.querySelector('#pattern-paper').value === 'fit');
   await page.click('#pattern-print');
   assert.equal(await page.evaluate(() => window.printed), 1);
