@@ -2,7 +2,7 @@
 // each, and panels that cut nothing off and hide nothing of the model.
 
 import assert from 'node:assert/strict';
-import { atRest, drag, onStage, points, showPanel, solved, test, useStudio } from './harness.mjs';
+import { apply, atRest, drag, onStage, points, showPanel, solved, test, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -99,6 +99,16 @@ test('cables are drawn as the curves that they are, and where they were given as
   assert.ok(orange > 50, 'the dashes are seen');
   assert.ok(orange < 1500, `${orange} pixels: thin dashes`);
   assert.ok(teal < 600, `${teal} pixels of the boundary's colour: the rims of the points`);
+});
+
+test('an edge that is held is drawn once', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await apply(page, { kind: 'tensile_structure', boundaries: [[[0, 0, 0], [10, 0, 3], [10, 10, 0], [0, 10, 3]]], film: { tension: 1 }, resolution: { triangles: 300 } });
+  await solved(page);
+  await atRest(page);
+  assert.equal(await count(page, [180, 86, 31]), 0, 'no other colour shines through the line of the boundary');
+  assert.ok(await count(page, [10, 108, 126]) > 800, 'the boundary is seen');
 });
 
 test('no choice is cut off, and the legend leaves the model free', async () => {

@@ -8,7 +8,9 @@ document.adoptedStyleSheets.push(looks);
 
 export { OBJECTIVES } from './objectives';
 export { applyRequest, take, unitChanged } from './app/importing';
+export { hintOfRig, placeRig, showRigs } from './app/rigging';
 export { showRecent } from './app/recent';
+export { follow } from './model/rigging';
 export { cableTable } from './panels/cables';
 export { Compare } from './panels/compare';
 export { Flat } from './panels/flat';

@@ -4,18 +4,18 @@ import { ConnectionFailed, type ExampleSummary, type Kind, NotFound, type Object
 import { hasKey, plateau, published } from '../api';
 import { $, el } from '../dom';
 import { useCatalogue } from '../model/applies';
-import { isWhole, KINDS } from '../model/request';
+import { isWhole, KINDS, type Vec3 } from '../model/request';
 import type { OpenApi } from '../panels/form';
 import { useTrees } from '../stage/surface';
 import { ask, opening, whileBusy } from './busy';
 import { load, showForm, startBlank } from './document';
-import { showDock } from './drawing';
+import { rigs, showDock } from './drawing';
 import { keep, type Kept, kept, placeWorld } from './keeping';
 import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
 import { hideProblem, KEY_REFUSED, showProblem } from './problems';
 import { showReport } from './result';
-import { doc, embedded, history, later, server, session } from './session';
+import { doc, embedded, history, host, later, server, session } from './session';
 import { resumeJob, solve } from './solving';
 
 /** What a first visit sees: a canopy on a ring that rises and falls. */
@@ -105,6 +105,8 @@ async function learn(begun: Promise<void>): Promise<void> {
   Object.assign(server, { openapi, objectives, examples });
   useCatalogue(objectives);
   later.parts = parts;
+  Object.assign(host, { moved: (from: Vec3, to: Vec3) => parts.follow(doc().request, from, to), rig: parts.placeRig });
+  Object.assign(rigs, { show: parts.showRigs, hint: parts.hintOfRig });
   showReport();
   useTrees(parts.trees);
   showKinds(parts.schemaOf);

@@ -90,16 +90,18 @@ function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
   return later.parts!.cableTable(doc().request, cablesOf(doc().request), {
     modes: cableModes(),
     found: foundCable,
-    edit: (index, change) => {
-      const done = history.edit(({ request }) => {
-        const cable = cablesOf(request)[index];
-        if (cable) change(cable, request);
-      });
-      if (!done) return;
+    foundMast: (index) => (session.shown?.job.statistics as { masts?: { length: number; force: number }[] } | undefined)?.masts?.[index],
+    edit: (change) => {
+      if (!history.edit(({ request }) => change(request))) return;
       changed({ option: true });
       later.parts!.disable(form, formHost);
     },
     choose: (index) => tools.chooseCable(index),
+    chooseMast: (index) => {
+      const line = host.lines.findIndex(({ path: [list, i] }) => list === 'masts' && i === index);
+      tools.stopCabling();
+      if (line >= 0) tools.select([{ line, point: [...host.lines[line]!.only!][0]! }]);
+    },
     hangAll: mayNotHang(doc().request) ? null : () => { if (history.edit(({ request }) => hangAll(request))) changed({ edited: true }); },
   });
 }

@@ -20,6 +20,9 @@ export function redraw(dragging = false): void {
   tools.refresh();
 }
 
+/** What can be placed on a tensile structure. main.ts names the functions, which come after the first film. */
+export const rigs = { show: (): void => {}, hint: (): string => '' };
+
 /** The cable that the stage shows as the chosen one. */
 let drawnCable = -1;
 
@@ -27,11 +30,12 @@ let drawnCable = -1;
 function drawLines(): void {
   drawnCable = tools.cable;
   const { request, kind } = doc();
-  const course = ({ along }: ReturnType<typeof cablesOf>[number]): Vec3[] =>
-    (along ? stretch(request, along).map((point) => coordinates(at(request, ['boundaries', along.boundary ?? 0, point])) ?? [0, 0, 0]) : []);
+  const course = ({ along, across, points }: Partial<ReturnType<typeof cablesOf>[number]>): Vec3[] =>
+    (along ? stretch(request, along).map((point) => at(request, ['boundaries', along.boundary ?? 0, point])) : [across ?? points ?? []].flat()).map((point) => coordinates(point) ?? [0, 0, 0]);
+  const masts = kind === 'tensile_structure' && !session.viewing && Array.isArray(request.masts) ? request.masts as { points: Vec3[] }[] : [];
   const cables = kind === 'tensile_structure' && !session.viewing ? cablesOf(request) : [];
   const segments = new Set(cables.flatMap(({ along }) => (along ? stretch(request, along).slice(0, -1).map((point) => `${along.boundary ?? 0}/${point}`) : [])));
-  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses: cables.map(course), segments, chosen: tools.cable });
+  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses: [...cables, ...masts].map(course), segments, chosen: tools.cable });
 }
 
 /** What a cable can hold constant, of the server's document. */
@@ -62,12 +66,14 @@ export function showDock(): void {
   $('measure').setAttribute('aria-pressed', String(tools.measuring));
   $('cabling').hidden = !tools.mayCable;
   $('cabling').setAttribute('aria-pressed', String(tools.cabling));
+  rigs.show();
   $('cable').hidden = !cable;
-  $('point').hidden = drawing || selection.length === 0;
-  $('hint').hidden = introduced || drawing || selection.length > 0 || cable !== undefined;
+  const points = selection.length > 0 && !tools.cabling;
+  $('point').hidden = drawing || !points;
+  $('hint').hidden = introduced || drawing || points || cable !== undefined;
   if (cable) showCable(doc().request, cable, tools.cable, cableModes());
   if (drawing) showLine();
-  else if (selection.length > 0) showPoint();
+  else if (points) showPoint();
   else $('hint').textContent = hint();
 }
 
@@ -78,8 +84,7 @@ export function hint(): string {
   if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
   if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
   if (tools.measuring) return 'Click a point, a place of the surface or of the ground, and then another: the distance stands between them. Escape ends.';
-  if (tools.cabling && byTouch) return 'Tap an edge to hang it on a cable, or a point and then another for a cable along several edges.';
-  if (tools.cabling) return 'Click an edge of the boundary to hang it on a cable, or a point and then another for a cable along several edges.';
+  if (tools.cabling) return rigs.hint();
   if (session.mode === 'flat') return `The strip unrolled into the plane, to scale. Drag to move it, ${byTouch ? 'pinch' : 'wheel'} to zoom.`;
   if (host.lines.length === 0) return 'Nothing is drawn yet. Press Draw, open a file, or drop one here.';
   if (doc().kind === 'cable_net') return 'Drag a support to move it. The net is given by its request: its vertices, edges and targets.';
@@ -144,6 +149,8 @@ export function showPoint(): void {
   }
   const onlyMoves = selection.some((ref) => host.lines[ref.line]?.only);
   $<HTMLButtonElement>('insert-point').disabled = !only || onlyMoves;
-  for (const id of ['delete-point', 'remove-line']) $<HTMLButtonElement>(id).disabled = onlyMoves;
-  $('cable-from-point').hidden = !only || !tools.mayCable;
+  $<HTMLButtonElement>('remove-line').disabled = onlyMoves;
+  // A mast or a stay is deleted by its foot.
+  $<HTMLButtonElement>('delete-point').disabled = onlyMoves && !(only && tools.mayCable);
+  $('cable-from-point').hidden = !only || !tools.mayCable || onlyMoves;
 }

@@ -84,6 +84,6 @@ stage.model.add(surface.group, sketch.group);
 /** What the tools tell the page; main.ts says who listens. */
 export const host: Host = {
   history, stage, sketch, surface, lines: [], frame: new Frame([0, 0, 0], doc().request), faulty: new Set(), fixed: embedded,
-  changed() {}, selectionChanged() {}, label() {}, read() {}, readLine() {}, announce() {},
+  changed() {}, selectionChanged() {}, moved() {}, rig() {}, label() {}, read() {}, readLine() {}, announce() {},
 };
 export const tools = new Tools(host);

@@ -4,7 +4,7 @@
 import { coordinates, type Request, type Vec3 } from './request';
 
 interface Along { boundary?: number; from: number; to: number }
-export interface Cable { name?: string | null; along?: Along | null; mode?: string; value: number; axial_stiffness?: number | null; weight?: number }
+export interface Cable { name?: string | null; along?: Along | null; across?: Vec3[] | null; points?: Vec3[] | null; mode?: string; value: number; axial_stiffness?: number | null; weight?: number }
 interface BoundaryPoint { boundary?: number; point: number }
 interface Support { along?: Along | null; boundary?: number | null; point?: BoundaryPoint | null }
 

@@ -52,7 +52,18 @@ export function linesOf(kind: Kind, request: Request): Line[] {
     if (Array.isArray(list)) list.forEach((points, i) => one(`${name} ${i + 1}`, [...path, i], points, closed, planar));
   };
   if (kind === 'ruled_surface') many('rail', ['directrices'], request.directrices, request.closed === true);
-  if (kind === 'tensile_structure') many('boundary', ['boundaries'], request.boundaries, true);
+  if (kind === 'tensile_structure') {
+    many('boundary', ['boundaries'], request.boundaries, true);
+    // Masts and cables in the air are moved by the ends that are supports.
+    const members = (list: unknown): { name?: unknown; points?: unknown; hub?: unknown }[] => (Array.isArray(list) ? list.map((each) => asObject(each) ?? {}) : []);
+    const tied = new Set([request.boundaries, [request.joints], [members(request.rings).map(({ hub }) => hub)]].flat(2).filter(Array.isArray).map(String));
+    for (const list of ['masts', 'cables']) {
+      members(request[list]).forEach(({ name, points }, i) => {
+        const only = new Set([0, 1].filter((end) => Array.isArray(points) && !tied.has(String(points[end]))));
+        if (Array.isArray(points) && only.size > 0) found.push({ name: typeof name === 'string' ? name : `${singular(list)} ${i + 1}`, path: [list, i, 'points'], points, closed: false, planar: false, only });
+      });
+    }
+  }
   // The other vertices of a net are only where form finding begins.
   if (kind === 'cable_net' && Array.isArray(request.vertices)) {
     const supports = new Set((Array.isArray(request.supports) ? request.supports as unknown[] : []).filter(Number.isInteger) as number[]);

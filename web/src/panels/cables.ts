@@ -1,10 +1,11 @@
-// The table of a structure's cables.
+// The tables of a structure's cables and masts.
 
 import { el } from '../dom';
-import type { Cable } from '../model/cables';
-import type { Request } from '../model/request';
+import { type Cable, cablesOf } from '../model/cables';
+import { type Request, unitOf } from '../model/request';
+import { type Mast, mastsOf } from '../model/rigging';
 import { humanise, typed } from '../text';
-import { changeMode, type Found, type Modes, unitOfMode } from './cable';
+import { changeMode, forceUnit, type Found, type Modes, unitOfMode } from './cable';
 
 /** Maximum number of cables in the table, because each has controls that are made anew with the form. */
 const MOST_ROWS = 40;
@@ -12,11 +13,36 @@ const MOST_ROWS = 40;
 export interface TableHost {
   modes: Modes;
   found(cable: number): Found | undefined;
-  /** Changes a cable, as one step of undo. */
-  edit(cable: number, change: (cable: Cable, request: Request) => void): void;
+  /** A mast in the result. */
+  foundMast(mast: number): { length: number; force: number } | undefined;
+  /** Changes the request, as one step of undo. */
+  edit(change: (request: Request) => void): void;
   choose(cable: number): void;
+  chooseMast(mast: number): void;
   /** Hangs every edge without a cable on one; null where no cables can be drawn. */
   hangAll: (() => void) | null;
+}
+
+const table = (head: string, rows: HTMLElement[]): HTMLElement =>
+  el('table', {}, el('thead', {}, el('tr', {}, ...[head, 'holds', 'at'].map((each) => el('th', { scope: 'col', colSpan: each === 'at' ? 2 : 1 }, each)))), el('tbody', {}, ...rows));
+
+/** A mast: whether it holds its length or the force with which it pushes, and how much. */
+function mastRow(request: Request, { name: own, mode = 'length', value }: Mast, i: number, host: TableHost): HTMLElement {
+  const name = own ?? `Mast ${i + 1}`;
+  const select = el('select', { 'aria-label': `${name} holds` }, ...['length', 'force'].map((each) => el('option', { value: each, selected: each === mode }, humanise(each))));
+  const input = el('input', { type: 'text', inputMode: 'decimal', 'aria-label': `${name}, value`, value: String(value) });
+  const unit = el('small', {}, mode === 'force' ? forceUnit(request) : unitOf(request));
+  select.addEventListener('change', () => {
+    unit.textContent = select.value === 'force' ? forceUnit(request) : unitOf(request);
+    const held = host.foundMast(i)?.[select.value as 'length' | 'force'];
+    if (held && held > 0) input.value = String(Number(held.toPrecision(6)));
+    host.edit((of) => Object.assign(mastsOf(of)[i]!, { mode: select.value, value: typed(input.value) }));
+  });
+  input.addEventListener('change', () => {
+    if (typed(input.value) > 0) host.edit((of) => { mastsOf(of)[i]!.value = typed(input.value); });
+    else input.value = String(value);
+  });
+  return el('tr', {}, el('th', { scope: 'row' }, el('button', { type: 'button', title: name, onclick: () => host.chooseMast(i) }, name)), el('td', {}, select), el('td', {}, input), el('td', {}, unit));
 }
 
 /** The cables of a structure: what each holds constant, and how much. A press on a name shows the cable on the stage. */
@@ -32,9 +58,9 @@ export function cableTable(request: Request, cables: Cable[], host: TableHost): 
       unit.textContent = unitOfMode(request, select.value);
     };
     let own = cable;
-    const edit = (change: (changed: Cable, of: Request) => void): void => host.edit(i, (changed, of) => {
-      change(changed, of);
-      own = changed;
+    const edit = (change: (changed: Cable, of: Request) => void): void => host.edit((of) => {
+      own = cablesOf(of)[i]!;
+      change(own, of);
     });
     select.addEventListener('change', () => {
       edit((changed, of) => changeMode(of, changed, select.value, host.found(i)));
@@ -50,9 +76,11 @@ export function cableTable(request: Request, cables: Cable[], host: TableHost): 
   };
   const rows = cables.slice(0, MOST_ROWS).map(row);
   const more = cables.length - rows.length;
+  const masts = mastsOf(request).slice(0, MOST_ROWS).map((mast, i) => mastRow(request, mast, i, host));
   return el('div', { id: 'cables' },
     el('h2', {}, cables.length === 0 ? 'No cables' : 'Cables'),
-    rows.length > 0 && el('table', {}, el('thead', {}, el('tr', {}, ...['Cable', 'holds', 'at'].map((head) => el('th', { scope: 'col', colSpan: head === 'at' ? 2 : 1 }, head)))), el('tbody', {}, ...rows)),
+    rows.length > 0 && table('Cable', rows),
     more > 0 && el('p', { className: 'help' }, `and ${more} more: press one on the stage to change it.`),
+    masts.length > 0 && table('Mast', masts),
     host.hangAll && el('button', { type: 'button', id: 'hang-all', onclick: host.hangAll }, 'Hang every edge on a cable'));
 }

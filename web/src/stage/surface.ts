@@ -192,7 +192,7 @@ export class Surface {
         if (name === 'reactions' || (along && (name.startsWith('members') || name === 'bridges'))) continue;
         // These are drawn in their colours already.
         if (values.some((each) => along?.id === `line:${each.name}`)) continue;
-        if (name === 'boundaries' || name === 'directrices') { if (!this.drawn) add(segments, 2, this.look.ink, 0.85); }
+        if (['boundaries', 'directrices', 'held edges'].includes(name)) { if (!this.drawn) add(segments, 2, this.look.ink, 0.85); }
         else if (name.startsWith('members')) add(segments, name.includes('rim') ? 1.4 : 2, this.look.ink, name.includes('rim') ? 0.5 : 0.8);
         else if (name === 'bridges') add(segments, 1, this.look.ink, 0.35);
         else add(segments, 2.4, this.look.accent);

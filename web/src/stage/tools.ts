@@ -36,6 +36,10 @@ export interface Host {
   selectionChanged(): void;
   /** A line of text beside a pixel, or none. */
   label(text: string | null, x?: number, y?: number, anchor?: Vec3): void;
+  /** A point of a tensile structure moved. */
+  moved(from: Vec3, to: Vec3): void;
+  /** Places what `rig` says, at a point, between two, or from a point to a place of the ground. */
+  rig(from: PointRef | null, to: PointRef | null, place: Vec3 | null): void;
   /** The surface was clicked. */
   read(point: Vector3, face: number, x: number, y: number): void;
   /** A line with a value was clicked. */
@@ -64,8 +68,10 @@ export class Tools {
   /** Whether the arrow asks to be pulled, after the first loop was closed. */
   private prompting = false;
   private busy = false;
-  /** Whether a click on a boundary makes a cable there. */
+  /** Whether a click places a cable or another part of a tensile structure. */
   cabling = false;
+  /** What a click places: a cable along edges or across the film, a mast, a stay, or a support. */
+  rig: 'edge' | 'ridge' | 'mast' | 'stay' | 'hold' = 'edge';
   /** The cable that was clicked; -1 for none. */
   cable = -1;
   /** Places that are measured between, in the request's coordinates; null if nothing is measured. */
@@ -565,11 +571,17 @@ export class Tools {
 
   private get cables(): number { return (this.host.history.document.request.cables as unknown[] | undefined)?.length ?? 0; }
 
-  startCabling(): void {
+  /** Whether the first of two points was chosen. */
+  get hasBegun(): boolean { return this.cableFrom !== null; }
+
+  startCabling(rig: Tools['rig'] = 'edge'): void {
     if (!this.mayCable) return;
     this.stopDrawing();
     this.stopMeasuring();
     this.cabling = true;
+    this.rig = rig;
+    this.cableFrom = null;
+    this.cable = -1;
     this.select([]);
     this.host.selectionChanged();
   }
@@ -594,10 +606,23 @@ export class Tools {
 
   /** A click on an edge chooses its cable or makes one; a click on a point begins or ends a cable of several edges. */
   private clickCable(x: number, y: number, touch: boolean): void {
+    const { stage, frame } = this.host;
     const point = this.nearestPoint(x, y, touch ? GRIP.touch : GRIP.point);
-    const edge = point ? null : this.nearestEdge(x, y, true);
+    const edge = point || this.rig !== 'edge' ? null : this.nearestEdge(x, y, true);
+    const ground = point ? null : stage.onPlane(x, y, new Vector3(0, stage.grid.mesh.position.y, 0), new Vector3(0, 1, 0));
+    this.takeForCable(point, edge, ground && frame.fromScene(ground.toArray()));
+  }
+
+  private takeForCable(taken: PointRef | null, edge: typeof this.ghost, place: Vec3 | null): void {
+    // Feet of masts and anchors of stays carry nothing.
+    const point = taken && !this.host.lines[taken.line]!.only ? taken : null;
     const from = this.cableFrom;
-    if (point && from && from.line === point.line && from.point !== point.point) this.makeCable(point.line, ...this.ordered(from, point.point));
+    if (this.rig !== 'edge') {
+      this.cableFrom = from || this.rig === 'mast' || this.rig === 'hold' ? null : point;
+      if (this.cableFrom === null) this.host.rig(from ?? point, point, place);
+      this.refresh();
+      this.host.selectionChanged();
+    } else if (point && from && from.line === point.line && from.point !== point.point) this.makeCable(point.line, ...this.ordered(from, point.point));
     else if (point) {
       this.cableFrom = same(from, point) ? null : point;
       this.refresh();
@@ -663,8 +688,10 @@ export class Tools {
   private write({ line, point }: PointRef, to: Vec3): void {
     const { points } = this.host.lines[line]!;
     const target = points[point];
+    const was = this.mayCable && coordinates(target);
     if (Array.isArray(target)) target.splice(0, Math.max(3, target.length), ...to);
     else points[point] = to;
+    if (was) this.host.moved(was, to);
   }
 
   /** Moves the selected points by as much, as one step. */
@@ -759,6 +786,17 @@ export class Tools {
   /** Removes the selected points, and lines that have none left. */
   remove(): void {
     const { host } = this;
+    const { only } = this;
+    const path = (only && host.lines[only.line]?.path) ?? [];
+    const members = at(host.history.document.request, path.slice(0, 1));
+    // A mast or a stay goes with its foot.
+    if (path.length === 3 && Array.isArray(members) && this.mayCable) {
+      host.history.edit(() => members.splice(Number(path[1]), 1));
+      this.selection = [];
+      host.changed(false);
+      this.select([]);
+      return;
+    }
     if (this.selection.length === 0 || this.selection.some((ref) => host.lines[ref.line]?.only)) return;
     const [first] = this.selection;
     host.history.edit(() => {
@@ -1051,7 +1089,8 @@ export class Tools {
       const [x, y] = turns[event.key]!;
       if (event.shiftKey) stage.pan(-24 * x, -24 * y);
       else stage.orbit(0.12 * x, 0.12 * y);
-    } else if (this.cable >= 0 && (event.key === 'Delete' || event.key === 'Backspace')) this.dropCable();
+    } else if (this.cabling && event.key === 'Enter' && this.only) this.takeForCable(this.only, null, null);
+    else if (this.cable >= 0 && (event.key === 'Delete' || event.key === 'Backspace')) this.dropCable();
     else if (chosen && (event.key === 'Delete' || event.key === 'Backspace')) this.remove();
     else if (chosen && (event.key === 'Insert' || event.key === 'Enter')) this.insert();
     else if (event.key === ']') this.step(1);
