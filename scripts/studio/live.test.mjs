@@ -124,3 +124,24 @@ test('where the modules cannot be loaded the service follows the drag', async ()
   await solved(page);
   assert.equal(await isOfPage(page), false);
 });
+
+test('without a connection no other kind lights up over the result, and the message goes when the service is back', async () => {
+  const { page, context } = studio;
+  await studio.open('tent');
+  await page.waitForFunction(() => document.querySelector('#kinds input') !== null);
+  const chosen = () => page.locator('#kinds input:checked').getAttribute('value');
+  await context.setOffline(true);
+  await page.locator('#kinds label:has([value="uniform_mesh"])').click();
+  assert.equal(await chosen(), 'minimal_surface', 'at once');
+  await page.locator('#problem').waitFor();
+  assert.match(await page.textContent('#problem'), /cannot be reached/);
+  assert.equal(await chosen(), 'minimal_surface');
+  await context.setOffline(false);
+  await page.locator('#problem').waitFor({ state: 'hidden' });
+  assert.equal(await page.textContent('#status'), 'The server is back.');
+  // A service that fails while the machine has a connection.
+  await page.route('**/v1/examples/**', (route) => route.abort());
+  await page.locator('#kinds label:has([value="uniform_mesh"])').click();
+  await page.locator('#problem').waitFor();
+  assert.equal(await chosen(), 'minimal_surface');
+});

@@ -9,6 +9,7 @@ document.adoptedStyleSheets.push(looks);
 export { OBJECTIVES } from './objectives';
 export { applyRequest, take, unitChanged } from './app/importing';
 export { hintOfRig, placeRig, showRigs } from './app/rigging';
+export { whenBack } from './app/reach';
 export { showRecent } from './app/recent';
 export { follow } from './model/rigging';
 export { cableTable } from './panels/cables';

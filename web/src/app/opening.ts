@@ -6,7 +6,7 @@ import { published } from '../api';
 import { isWhole, type Request } from '../model/request';
 import { unpack } from '../panels/share';
 import { opening } from './busy';
-import { changed, isLive, replace, startBlank } from './document';
+import { changed, isLive, replace, showForm, startBlank } from './document';
 import { isKept, type Kept, placeWorld } from './keeping';
 import { say, toast } from './notes';
 import { showProblem } from './problems';
@@ -23,7 +23,11 @@ export const openExample = (name: string): Promise<void> => opening(() => fetchE
   replace(example.kind, request, example.title);
   changed();
   if (!isLive()) say('Ready.');
-}, showProblem);
+}, (error, turn) => {
+  // The kind that was pressed is not the one that is shown.
+  showForm();
+  showProblem(error, turn);
+});
 
 /** What was last drawn of each kind, to come back to. */
 const drafts = new Map<Kind, { request: Request; title: string | null }>();
@@ -39,8 +43,10 @@ export function switchKind(kind: Kind): void {
   if (own) {
     replace(kind, own.request, own.title);
     changed();
-  } else if (first) void openExample(FIRST_OF[kind] ?? first.name);
-  else startBlank(kind);
+  } else if (first) {
+    if (!navigator.onLine) showForm();
+    void openExample(FIRST_OF[kind] ?? first.name);
+  } else startBlank(kind);
 }
 
 // ---- Links ----

@@ -11,8 +11,8 @@ import { capital } from '../text';
 import { FAILURES, fromOne } from '../failures';
 import { ask } from './busy';
 import { redraw } from './drawing';
-import { showPanel } from './notes';
-import { doc, host, session, tools } from './session';
+import { say, showPanel } from './notes';
+import { doc, host, later, session, tools } from './session';
 
 interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
 
@@ -92,6 +92,12 @@ export function showProblem(fault: unknown, turn = ask()): void {
   $('problem').scrollIntoView({ block: 'nearest' });
   session.serverFaulty = faulty;
   redraw();
+  if (!(fault instanceof ConnectionFailed) || fault.job) return;
+  later.parts?.whenBack(() => {
+    if (answered !== turn) return;
+    hideProblem();
+    say('The server is back.');
+  });
 }
 
 /** The button of a failure's remedy. */

@@ -23,6 +23,9 @@ export interface TableHost {
   hangAll: (() => void) | null;
 }
 
+/** A value as its field shows it; the request keeps its digits. */
+const short = (value: number): string => String(Number(value.toPrecision(5)));
+
 const table = (head: string, rows: HTMLElement[]): HTMLElement =>
   el('table', {}, el('thead', {}, el('tr', {}, ...[head, 'holds', 'at'].map((each) => el('th', { scope: 'col', colSpan: each === 'at' ? 2 : 1 }, each)))), el('tbody', {}, ...rows));
 
@@ -30,17 +33,18 @@ const table = (head: string, rows: HTMLElement[]): HTMLElement =>
 function mastRow(request: Request, { name: own, mode = 'length', value }: Mast, i: number, host: TableHost): HTMLElement {
   const name = own ?? `Mast ${i + 1}`;
   const select = el('select', { 'aria-label': `${name} holds` }, ...['length', 'force'].map((each) => el('option', { value: each, selected: each === mode }, humanise(each))));
-  const input = el('input', { type: 'text', inputMode: 'decimal', 'aria-label': `${name}, value`, value: String(value) });
+  const input = el('input', { type: 'text', inputMode: 'decimal', 'aria-label': `${name}, value`, value: short(value) });
   const unit = el('small', {}, mode === 'force' ? forceUnit(request) : unitOf(request));
   select.addEventListener('change', () => {
     unit.textContent = select.value === 'force' ? forceUnit(request) : unitOf(request);
     const held = host.foundMast(i)?.[select.value as 'length' | 'force'];
-    if (held && held > 0) input.value = String(Number(held.toPrecision(6)));
-    host.edit((of) => Object.assign(mastsOf(of)[i]!, { mode: select.value, value: typed(input.value) }));
+    const now = held && held > 0 ? Number(held.toPrecision(6)) : typed(input.value);
+    input.value = short(now);
+    host.edit((of) => Object.assign(mastsOf(of)[i]!, { mode: select.value, value: now }));
   });
   input.addEventListener('change', () => {
     if (typed(input.value) > 0) host.edit((of) => { mastsOf(of)[i]!.value = typed(input.value); });
-    else input.value = String(value);
+    else input.value = short(value);
   });
   return el('tr', {}, el('th', { scope: 'row' }, el('button', { type: 'button', title: name, onclick: () => host.chooseMast(i) }, name)), el('td', {}, select), el('td', {}, input), el('td', {}, unit));
 }
@@ -54,7 +58,7 @@ export function cableTable(request: Request, cables: Cable[], host: TableHost): 
     const unit = el('small', {});
     const show = (now: Cable): void => {
       select.value = now.mode ?? 'force';
-      input.value = String(now.value);
+      input.value = short(now.value);
       unit.textContent = unitOfMode(request, select.value);
     };
     let own = cable;
