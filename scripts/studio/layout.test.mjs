@@ -8,7 +8,7 @@ import { atRest, onStage, points, showPanel, solved, test, useStudio } from './h
 
 const studio = useStudio();
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const SIZES = [[1280, 720], [1920, 1080], [1024, 768], [820, 1180], [390, 844]];
+const SIZES = [[1280, 720], [1920, 1080], [1024, 768], [820, 1180], [820, 700], [390, 844], [844, 390]];
 
 /** Visible controls and texts that overlap, and boxes whose content is wider than they are. */
 const faultsOfLayout = () => {
@@ -208,6 +208,24 @@ for (const [row, name] of PICTURED.entries()) {
     assert.deepEqual(faults, []);
   });
 }
+
+test.quick('a phone on its side and a low window leave room for the model, and a phone upright keeps layers and the unit of the scale', async () => {
+  const { page } = studio;
+  await studio.open('four-point-sail');
+  for (const [width, height, wide, high] of [[844, 390, 540, 260], [667, 375, 420, 240], [820, 700, 500, 500], [390, 844, 390, 480]]) {
+    await page.setViewportSize({ width, height });
+    await page.selectOption('#quantity', { index: 1 });
+    await page.waitForFunction(() => document.querySelector('#view').clientWidth * devicePixelRatio === document.querySelector('#view').width);
+    await atRest(page);
+    const [view, look, bar] = await Promise.all(['#view', '#look', '#bar'].map((selector) => page.locator(selector).boundingBox()));
+    assert.ok(view.width >= wide && view.height >= high, `the stage is ${view.width} × ${view.height} at ${width} × ${height}`);
+    assert.ok(look.y > bar.y + bar.height, `the bars of the stage do not overlap at ${width} × ${height}`);
+    const seen = await points(page);
+    assert.ok(seen.every(({ x, y }) => x > 0 && x < view.width && y + view.y > bar.y && y + view.y < look.y), `the model is seen at ${width} × ${height}`);
+    for (const part of ['#layers button:text-is("Reactions")', '#scale-note']) assert.equal(await page.isVisible(part), true, `${part} at ${width} × ${height}`);
+    assert.match(await page.textContent('#scale-note'), /\[m\]/);
+  }
+});
 
 test('a press leads to a point wherever it is drawn', async () => {
   const { page } = studio;

@@ -8,7 +8,7 @@ const GROUPS: { title: string; about: string; names: (string | RegExp)[] }[] = [
   { title: 'Tents', about: 'Membranes on a boundary of their own', names: ['tent', 'ridge-rope', 'four-corners', 'own-mesh'] },
   { title: 'Canopies and soap films', about: 'Several rings, every way to span them', names: [/rings/, /loops/, /half-circles/] },
   { title: 'Strips', about: 'Ruled surfaces that fold flat', names: ['two-rails', 'wavy-strip', 'contour-stack', /^wang-tang/] },
-  { title: 'Gridshells and floors', about: 'Lattices of equal members', names: [/^latticed/, 'vault', 'courtyard', /^floor/] },
+  { title: 'Gridshells and floors', about: 'Lattices of equal members', names: ['vault-equal-members', /^latticed/, 'vault', 'courtyard', /^floor/] },
   { title: 'Tensile structures', about: 'Films with cables, pressure and weight', names: [/sail/, /cable/, /film-on/, /mast/, /conic/, /cushion/, 'ridge-and-valley', 'air-hall', 'inflated-disc'] },
   { title: 'From the papers', about: 'Helicoid, catenoid, Scherk and the methods that found them', names: [/./] },
 ];
