@@ -49,6 +49,49 @@ test.quick('a link restores the request and the camera in another browser', asyn
   await context.close();
 });
 
+test.quick('a short link names the job that the service keeps, with the camera, and says when the job is gone', async () => {
+  const { page } = studio;
+  await studio.open('catenoid');
+  await page.selectOption('#quantity', 'mean_curvature');
+  await drag(page, { x: 60, y: 420 }, { x: 210, y: 370 });
+  await atRest(page);
+  const corner = (await request(page)).boundaries[0].filter((_, i) => i % 30 === 0);
+  const places = (of) => of.evaluate((list) => list.map((point) => window.studio.project(point)), corner);
+  const before = await places(page);
+  await page.click('#open-share');
+  await page.waitForFunction(() => document.querySelector('#share-text').value !== '');
+  const link = await page.inputValue('#share-text');
+  assert.ok(link.length < 190, `${link.length} characters: ${link}`);
+  await page.click('#share [data-close]');
+  const job = await page.evaluate(() => window.studio.shown().job);
+  const context = await studio.browser.newContext({ viewport: { width: 1280, height: 720 }, reducedMotion: 'reduce' });
+  const other = await studio.newPage(context);
+  await other.goto(link);
+  await solved(other);
+  await atRest(other);
+  const [mine, theirs] = [await request(page), await request(other)];
+  for (const [name, value] of Object.entries(mine)) assert.deepEqual(theirs[name] ?? 'minimal_area', value, name);
+  assert.equal(await other.evaluate(() => window.studio.shown().job), job);
+  assert.equal(await other.textContent('#title'), (await page.textContent('#title')).slice(0, 60));
+  assert.equal(await other.inputValue('#quantity'), 'mean_curvature');
+  (await places(other)).forEach(({ x, y }, i) => assert.ok(Math.hypot(before[i].x - x, before[i].y - y) < 1, `${x}, ${y} was at ${before[i].x}, ${before[i].y}`));
+  await fetch(`${studio.url}/v1/jobs/${job}`, { method: 'DELETE' });
+  await other.goto('about:blank');
+  await other.goto(link);
+  await other.locator('#toast').waitFor();
+  assert.match(await other.textContent('#toast'), /no longer keeps/);
+  await solved(other);
+  await context.close();
+  // A drawing that the service does not have yet is shared as a whole.
+  await page.uncheck('#live');
+  await page.locator('#view').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('PageUp');
+  await page.click('#open-share');
+  await page.waitForFunction(() => /#s=/.test(document.querySelector('#share-text').value));
+  assert.equal(await page.locator('#share-forms button:text-is("Short link")').count(), 0);
+});
+
 test('a link that is put into the address of an open studio is opened, and undo goes back', async () => {
   const { page } = studio;
   await studio.open('catenoid');

@@ -7,7 +7,7 @@ import { isOfPage } from '../solvers';
 import type { Pose } from '../stage/stage';
 import type { Asked, Life } from './life';
 import { toast } from './notes';
-import { doc, embedded, host, isStale, session, stage } from './session';
+import { doc, embedded, host, isStale, later, session, stage } from './session';
 
 const WORK = 'plateau.work', RECENT = 'plateau.recent';
 const PAUSE_MS = 250;
@@ -53,6 +53,7 @@ export function keepNow(): void {
     if (!warned) toast('This drawing is too large to be kept by the browser: save it as a file.');
     warned = true;
   }
+  later.parts?.pictureRecent();
 }
 
 /** What was being worked on in this tab, else in the last one. */
@@ -84,7 +85,8 @@ export function placeWorld({ eye, target }: Pose): void {
 
 // ---- Recent jobs ----
 
-export interface RecentJob { id: string; title: string | null; kind: Kind; request: string }
+/** `picture`: the result as a small WebP, in base64. */
+export interface RecentJob { id: string; title: string | null; kind: Kind; request: string; picture?: string }
 
 export function recentJobs(): RecentJob[] {
   try {
@@ -96,9 +98,14 @@ export function recentJobs(): RecentJob[] {
 
 export function rememberJob(job: JobInfo, { request, title }: Asked): void {
   if (embedded || request.length > MOST_CHARACTERS) return;
-  const list = [{ id: job.id, title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, MOST_RECENT);
+  const before = recentJobs();
+  const picture = before.find(({ id }) => id === job.id)?.picture;
+  keepRecent([{ id: job.id, title, kind: job.kind, request, ...(picture && { picture }) }, ...before.filter(({ id }) => id !== job.id)]);
+}
+
+export function keepRecent(list: RecentJob[]): void {
   try {
-    localStorage.setItem(RECENT, JSON.stringify(list));
+    localStorage.setItem(RECENT, JSON.stringify(list.slice(0, MOST_RECENT)));
   } catch {
     localStorage.removeItem(RECENT);
   }

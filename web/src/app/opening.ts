@@ -1,10 +1,9 @@
 // Other documents: examples, links, and the drawing of another kind. What is fetched first keeps the page busy from
 // the press on.
 
-import type { Kind } from 'plateau-client';
+import { ConnectionFailed, type Kind, Unauthorized } from 'plateau-client';
 import { published } from '../api';
 import { isWhole, type Request } from '../model/request';
-import { unpack } from '../panels/share';
 import { opening } from './busy';
 import { changed, isLive, replace, showForm, startBlank } from './document';
 import { isKept, type Kept, placeWorld } from './keeping';
@@ -53,16 +52,19 @@ export function switchKind(kind: Kind): void {
 
 /** What the link in the address holds; null without one, and, said in a note, for a damaged one. */
 export async function linked(): Promise<Kept | null> {
-  const [, packed] = /^#s=(.+)$/.exec(location.hash) ?? [];
+  const [, how, packed] = /^#([js])=(.+)$/.exec(location.hash) ?? [];
   if (!packed) return null;
+  let lost = 'This link is damaged: it does not hold a request.';
   try {
-    const found = await unpack(packed);
+    const { openShort, unpack } = await import('../later');
+    const found = how === 's' ? await unpack(packed) : await openShort(location.hash);
     if (!embedded) window.history.replaceState(null, '', location.pathname + location.search);
     if (isKept(found)) return found;
-  } catch {
-    // Said below.
+  } catch (error) {
+    if (error instanceof ConnectionFailed || error instanceof Unauthorized) throw error;
+    if (how === 'j') lost = 'The service no longer keeps what this link names.';
   }
-  toast('This link is damaged: it does not hold a request.');
+  toast(lost);
   return null;
 }
 

@@ -16,7 +16,6 @@ import { label, say, showPanel, toast } from './notes';
 import { openLink } from './opening';
 import { showQuantity } from './result';
 import { doc, history, isStale, later, type Mode, session, stage, tools } from './session';
-import { copy, openShare, savePicture } from './sharing';
 import { giveUp, solve } from './solving';
 import { switchTheme } from './theme';
 
@@ -37,7 +36,7 @@ export function wire(): void {
   wireDialogs();
   document.addEventListener('keydown', shortcut);
   window.addEventListener('pagehide', keepNow);
-  window.addEventListener('hashchange', () => { if (location.hash.startsWith('#s=') && session.ready) void openLink(); });
+  window.addEventListener('hashchange', () => { if (/^#[js]=/.test(location.hash) && session.ready) void openLink(); });
 }
 
 function wireSetup(): void {
@@ -217,10 +216,10 @@ function wireDialogs(): void {
   on('open-gallery', 'click', openGallery);
   on('intro-gallery', 'click', openGallery);
   on('open-recent', 'click', () => withLater(({ showRecent }) => showRecent()));
-  on('open-share', 'click', openShare);
+  on('open-share', 'click', () => withLater(({ openShare }) => openShare()));
   on('open-settings', 'click', () => $<HTMLDialogElement>('settings').showModal());
-  on('copy', 'click', copy);
-  on('picture', 'click', savePicture);
+  on('copy', 'click', () => withLater(({ copy }) => copy()));
+  on('picture', 'click', () => withLater(({ savePicture }) => savePicture()));
   for (const dialog of document.querySelectorAll('dialog')) {
     dialog.querySelector('[data-close]')!.addEventListener('click', () => dialog.close());
     dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });

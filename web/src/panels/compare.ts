@@ -6,7 +6,7 @@ import { $, el } from '../dom';
 import { dropRefused, whyNot } from '../model/applies';
 import type { Frame } from '../model/frame';
 import { type Request, unitOf } from '../model/request';
-import { meshOfJob, solveHere } from '../solvers';
+import { isUnusable, meshOfJob, solveHere } from '../solvers';
 import type { Stage } from '../stage/stage';
 import { type Look, Surface } from '../stage/surface';
 import { humanise, number } from '../text';
@@ -21,12 +21,18 @@ const FACTS: { name: string; label: string; unit: string; better: 'less' | 'more
   { name: 'largest_fold_deg', label: 'Fold', unit: '°', better: 'less' },
 ];
 
-/** Objectives that are solved at a time. Browsers open six connections to a server, and each running job has one. */
-const AT_ONCE = 4;
-
+/**
+ * Solves a strip in the page, because a comparison is no result that the service has to keep. The service takes the page's place
+ * where its solvers cannot be loaded.
+ */
 async function solveStrip(request: Request, signal: AbortSignal): Promise<JobInfo> {
-  if (isStatic) return solveHere('ruled_surface', request, { signal }, 'other');
-  const { info } = await plateau.submit({ ...request, kind: 'ruled_surface' } as unknown as ApiRequest, { waitS: 1 });
+  try {
+    return await solveHere('ruled_surface', request, { signal }, 'other');
+  } catch (error) {
+    if (isStatic || !isUnusable(error)) throw error;
+  }
+  const label = `Compared: ${humanise(String(request.objective))}`;
+  const { info } = await plateau.submit({ ...request, kind: 'ruled_surface', label } as unknown as ApiRequest, { waitS: 1 });
   return plateau.waitFor(info, { signal });
 }
 
@@ -58,10 +64,7 @@ export class Compare {
     $('tiles').onscroll = () => this.stage.invalidate();
     this.stage.tiles = this.tiles.map(({ picture, surface }) => ({ element: picture, group: surface.group }));
     this.stage.invalidate();
-    const waiting = [...this.tiles];
-    await Promise.all(Array.from({ length: AT_ONCE }, async () => {
-      for (let tile = waiting.shift(); tile && !signal.aborted; tile = waiting.shift()) await this.fill(tile, request, frame, signal, fail);
-    }));
+    for (const tile of this.tiles) if (!signal.aborted) await this.fill(tile, request, frame, signal, fail);
   }
 
   private async fill(tile: Tile, request: Request, frame: Frame, signal: AbortSignal, fail: (error: unknown) => void): Promise<void> {
