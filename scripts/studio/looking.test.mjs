@@ -111,6 +111,42 @@ test('an edge that is held is drawn once', async () => {
   assert.ok(await count(page, [10, 108, 126]) > 800, 'the boundary is seen');
 });
 
+test('the silhouette of a smooth surface has no dark dots', async () => {
+  const { page } = studio;
+  for (const example of ['air-hall', 'conic-tent', 'catenoid']) {
+    await studio.open(example);
+    await page.selectOption('#quantity', 'plain');
+    await atRest(page);
+    // Pixels of the surface that are much darker than the surface around them, with neighbours that are no surface.
+    const dots = await page.evaluate(() => {
+      for (const name of ['Lines', 'Drawing']) [...document.querySelectorAll('#layers button')].find((each) => each.textContent === name && each.getAttribute('aria-pressed') === 'true')?.click();
+      window.studio.draw();
+      const view = document.querySelector('#view');
+      const { width, height } = view;
+      const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d', { willReadFrequently: true });
+      context.drawImage(view, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const isSolid = (i) => data[4 * i + 3] > 250;
+      let found = 0, edge = 0;
+      for (let y = 1; y < height - 1; y += 1) {
+        for (let x = 1; x < width - 1; x += 1) {
+          const i = y * width + x;
+          const around = [-1, 1, -width, width, -width - 1, -width + 1, width - 1, width + 1].map((step) => i + step);
+          const solid = around.filter(isSolid);
+          if (!isSolid(i) || solid.length > 7 || solid.length < 1) continue;
+          edge += 1;
+          const bright = Math.max(...solid.map((each) => data[4 * each]));
+          if (data[4 * i] < bright - 90) found += 1;
+        }
+      }
+      return { found, edge };
+    });
+    assert.ok(dots.edge > 400, `${example}: the silhouette is seen`);
+    // The inner side is dark where it ends at a rim.
+    assert.ok(dots.found <= 4, `${example}: ${dots.found} dark dots of ${dots.edge} pixels`);
+  }
+});
+
 test('no choice is cut off, and the legend leaves the model free', async () => {
   const { page } = studio;
   for (const [width, height] of [[1440, 900], [1280, 720], [390, 844]]) {

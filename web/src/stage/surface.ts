@@ -34,6 +34,18 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
+/**
+ * Lights the back of a smooth surface by its normals and not by the sides of its triangles. At a silhouette there are slivers of
+ * triangles that are seen from behind, and they would be dark dots on a bright surface.
+ */
+const towardsEye = (shader: { fragmentShader: string }): void => {
+  shader.fragmentShader = shader.fragmentShader.replace('#include <normal_fragment_begin>', `
+    vec3 toEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition);
+    vec3 normal = normalize(vNormal);
+    if (dot(normal, toEye) < -0.25) normal = -normal;
+    vec3 nonPerturbedNormal = normal;`);
+};
+
 /** Wide lines in one colour, or in a colour for each end. */
 /**
  * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one
@@ -163,6 +175,7 @@ export class Surface {
     const material = coloured
       ? new MeshLambertMaterial({ ...common, vertexColors: true })
       : new MeshStandardMaterial({ ...common, color: this.look.membrane, roughness: 0.62, metalness: 0 });
+    if (!facets) material.onBeforeCompile = towardsEye;
     this.mesh = new Mesh(geometry, material);
     this.mesh.userData.castsShadow = true;
     this.mesh.visible = this.layers.surface;
