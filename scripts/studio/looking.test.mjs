@@ -216,3 +216,27 @@ test('two clicks measure a distance, which stays when the view turns, and Escape
   assert.equal(await page.getAttribute('#measure', 'aria-pressed'), 'false');
   assert.equal(JSON.stringify(await page.evaluate(() => window.studio.request())), before, 'nothing is changed by it');
 });
+
+test('a box around the result says its sizes, also after a change', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await page.locator('#box').click();
+  const sizes = async () => (await page.locator('.tag').allTextContents()).sort();
+  assert.deepEqual(await sizes(), ['3 m', '8 m', '8 m']);
+  await atRest(page);
+  const [stage, tags] = [await page.locator('#stage').boundingBox(), await page.locator('.tag:visible').all()];
+  assert.equal(tags.length, 3);
+  for (const tag of tags) {
+    const box = await tag.boundingBox();
+    assert.ok(box.x >= stage.x && box.y >= stage.y && box.x + box.width <= stage.x + stage.width && box.y + box.height <= stage.y + stage.height);
+  }
+  await page.locator('#view').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press(']');
+  await page.fill('#point [data-axis="2"]', '4');
+  await page.keyboard.press('Enter');
+  await solved(page);
+  assert.deepEqual(await sizes(), ['4 m', '8 m', '8 m']);
+  await page.locator('#box').click();
+  assert.deepEqual(await sizes(), []);
+});

@@ -8,6 +8,7 @@ document.adoptedStyleSheets.push(looks);
 
 export { OBJECTIVES } from './objectives';
 export { applyRequest, take, unitChanged } from './app/importing';
+export { offerBox } from './app/box';
 export { hintOfRig, placeRig, showRigs } from './app/rigging';
 export { whenBack } from './app/reach';
 export { pictureRecent, showRecent } from './app/recent';

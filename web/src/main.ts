@@ -8,7 +8,7 @@ import { applyRemedy, changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { comparison } from './app/modes';
-import { announce, label, placeLabel, placeScale, placeTags, readLine, readSurface, showPanel } from './app/notes';
+import { announce, label, placeLabel, placeScale, placeTags, readLine, readSurface, showPanel, tips } from './app/notes';
 import { openExample } from './app/opening';
 import { repair } from './app/problems';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
@@ -22,7 +22,7 @@ Object.assign(host, { changed: (dragging: boolean) => changed({ dragging, edited
 comparison.use = useObjective;
 repair.by = applyRemedy;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
-stage.content = () => [...sketch.places, ...surface.outline(), ...surface.reactions().map(({ tip }) => tip)];
+stage.content = () => [...sketch.places, ...surface.outline(), ...tips()];
 stage.onDraw = () => {
   gizmo.place();
   placeLabel();

@@ -107,6 +107,7 @@ async function learn(begun: Promise<void>): Promise<void> {
   later.parts = parts;
   Object.assign(host, { moved: (from: Vec3, to: Vec3) => parts.follow(doc().request, from, to), rig: parts.placeRig });
   Object.assign(rigs, { show: parts.showRigs, hint: parts.hintOfRig });
+  parts.offerBox();
   showReport();
   useTrees(parts.trees);
   showKinds(parts.schemaOf);

@@ -69,16 +69,24 @@ export function placeScale(): void {
   bar.style.bottom = `${look.offsetWidth + WIDEST + 40 > stage.width ? look.offsetHeight + 20 : 14}px`;
 }
 
-/** Texts beside the tips of the reactions' arrows. */
+/** Sizes that are shown on the model, at their places, and places without a text that are seen with them. `app/box` names the function, which comes after the first film. */
+export const measures = { of: (): { tip: Vec3; text: string }[] => [] };
+/** Texts beside the tips of the reactions' arrows, and sizes. */
 let tags: { anchor: Vec3; box: HTMLElement }[] = [];
+let places: Vec3[] = [];
 
 /** Labels the arrows that are shown. */
 export function tagReactions(): void {
   tags.forEach(({ box }) => box.remove());
-  tags = surface.reactions().map(({ tip, text }) => ({ anchor: tip, box: el('p', { className: 'tag' }, text) }));
+  const all = [...surface.reactions(), ...measures.of()];
+  places = all.map(({ tip }) => tip);
+  tags = all.filter(({ text }) => text !== '').map(({ tip, text }) => ({ anchor: tip, box: el('p', { className: 'tag' }, text) }));
   $('stage').append(...tags.map(({ box }) => box));
   placeTags();
 }
+
+/** Places that are to be seen with the model. */
+export const tips = (): Vec3[] => places;
 
 /** A label that would lie on that of a larger force is left out. */
 export function placeTags(): void {
