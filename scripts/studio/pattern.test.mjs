@@ -108,3 +108,34 @@ test('a result of the page has the page\'s pattern until the service has it too'
   assert.equal((await job(page)).status, 'succeeded');
   assert.equal(await page.isVisible('#unkept'), false);
 });
+
+test('the name of each flat piece stands on its piece', async () => {
+  const { page } = studio;
+  let named = 0;
+  for (const example of ['contour-stack', 'wang-tang-v', 'two-rails', 'wavy-strip']) {
+    const text = await (await openFlat(page, example)).text();
+    const pieces = await page.evaluate((source) => {
+      const drawing = document.importNode(new DOMParser().parseFromString(source.replace(/<style>.*?<\/style>/s, ''), 'image/svg+xml').documentElement, true);
+      document.body.append(drawing);
+      const found = [...drawing.querySelectorAll('g[id^="piece-"]')].filter((piece) => piece.querySelector('path.cut')).map((piece) => {
+        const title = piece.querySelector('title').textContent;
+        const cut = piece.querySelector('path.cut');
+        const name = [...piece.querySelectorAll('text')].find((each) => each.textContent === title);
+        if (!name) return { title, off: 'no name' };
+        const { x, y, width, height } = name.getBBox();
+        const matrix = name.transform.baseVal.consolidate()?.matrix ?? drawing.createSVGMatrix();
+        const corners = [[x, y], [x + width, y], [x, y + height], [x + width, y + height], [x + width / 2, y + height / 2]];
+        // The box of a text has room for letters that reach below the line; the name has none.
+        const outside = corners.filter(([cx, cy]) => !cut.isPointInFill(drawing.createSVGPoint().matrixTransform(matrix.translate(cx, y + height / 2 + (cy - y - height / 2) * 0.7))));
+        return { title, off: outside.length };
+      });
+      drawing.remove();
+      return found;
+    }, text);
+    assert.ok(pieces.length > 0, example);
+    assert.deepEqual(pieces.filter(({ off }) => off !== 0), [], example);
+    named += pieces.length;
+    await page.click('[data-mode="model"]');
+  }
+  assert.ok(named >= 7, `${named} pieces`);
+});
