@@ -27,6 +27,19 @@ test('the gallery shows every example once, by purpose, with a picture', async (
   assert.equal(await page.isChecked('#kinds input[value="uniform_mesh"]'), true);
 });
 
+test('the first lattice of the gallery opens without a warning, beside the roof of the paper', async () => {
+  const { page } = studio;
+  await studio.open();
+  await page.click('#intro-gallery');
+  const lattices = page.locator('#gallery section', { hasText: 'Gridshells and floors' }).locator('[data-example]');
+  const [first, second] = await lattices.evaluateAll((all) => all.map((card) => card.dataset.example));
+  assert.deepEqual([first, second], ['vault-equal-members', 'latticed-roof']);
+  await lattices.first().click();
+  await solved(page);
+  assert.equal(await page.isChecked('#kinds input[value="uniform_mesh"]'), true);
+  assert.equal(await page.locator('#warnings .warning').count(), 0);
+});
+
 test('draw your own begins with an empty stage and says what to do', async () => {
   const { page } = studio;
   await studio.open();

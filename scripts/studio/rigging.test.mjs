@@ -61,6 +61,7 @@ for (const [way, take] of [['pointer', clickPoint], ['keyboard', takeByKeys]]) {
     assert.ok(found.masts.every(({ force, length }) => force > 1 && Math.abs(length - 3) < 1e-6), JSON.stringify(found.masts));
     assert.ok(found.cables.every(({ force }) => force > 0), 'no cable is slack');
     assert.equal((await job(page)).warnings.length, 0);
+    assert.deepEqual((await page.locator('#reactions tbody th').allTextContents()).filter((name) => !name.startsWith('Boundary')).sort(), ['Mast 1, foot', 'Mast 2, foot', 'Stay 1, anchor', 'Stay 2, anchor', 'Stay 3, anchor', 'Stay 4, anchor']);
   });
 }
 

@@ -76,7 +76,7 @@ export function showReport(): void {
   const { job, request } = shown;
   const unit = unitOf(request);
   const { result, numerics } = later.parts.statistics(job, unit);
-  $('details').replaceChildren(...later.parts.details(job, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
+  $('details').replaceChildren(...later.parts.details(job, request, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
   $('warnings').replaceChildren(...later.parts.warnings(job.warnings, unit));
   $('statistics').replaceChildren(...result);
   $('numbers').replaceChildren(...numerics);

@@ -2,7 +2,8 @@
 
 import type { JobInfo } from 'plateau-client';
 import { el, save } from '../dom';
-import { humanise, number } from '../text';
+import type { Request } from '../model/request';
+import { capital, humanise, number } from '../text';
 import { FIGURES, NUMERICS, OF_MESH, sayWarning, unitOfFigure } from '../words';
 import { cableName, type Forced, listOf, text, type Values } from './headlines';
 
@@ -22,31 +23,55 @@ function cableForces(values: Values, unit: string): HTMLElement[] {
 const MOST_CABLES = 12;
 
 /** The part between the headlines and the statistics: cables and reactions with their forces. */
-export const details = (job: JobInfo, unit: string, name: string): HTMLElement[] => [...cableForces(job.statistics as Values, unit), ...reactions(job.statistics as Values, name)];
+export const details = (job: JobInfo, request: Request, unit: string, name: string): HTMLElement[] =>
+  [...cableForces(job.statistics as Values, unit), ...reactions(job.statistics as Values, request, name)];
 
 interface Reaction { boundary?: number | null; point?: number | null; vertex?: number; force: [number, number, number] }
 
+/** Largest difference between a reaction and the force of a member, relative to it, at which the member ends there. */
+const SAME_FORCE = 0.1;
+
+/** The mast or the cable in the air whose force a support in the air takes; null if no single member ends there. */
+function memberAt({ force }: Reaction, values: Values, request: Request): string | null {
+  const size = Math.hypot(...force);
+  const likeness = (list: string, word: string): { name: string; off: number }[] => listOf<{ points?: unknown }>(request[list]).flatMap(({ points }, i) => {
+    const found = listOf<{ name: string; force: number }>(values[list])[i];
+    const [a, b] = listOf<number[]>(points);
+    if (!found || !a || !b) return [];
+    const along = a.map((value, axis) => b[axis]! - value);
+    const angle = Math.abs(along.reduce((sum, value, axis) => sum + value * force[axis]!, 0)) / (Math.hypot(...along) * size || 1);
+    return [{ name: `${capital(list === 'masts' ? mastName(found.name, i) : cableName(found.name, i))}, ${word}`, off: 1 - angle + Math.abs(Math.abs(found.force) - size) / (size || 1) }];
+  });
+  const [best] = [...likeness('masts', 'foot'), ...likeness('cables', 'anchor')].sort((one, other) => one.off - other.off);
+  return best && best.off < SAME_FORCE ? best.name : null;
+}
+const mastName = (name: string, i: number): string => (name === `mast ${i}` ? `mast ${i + 1}` : name);
+
 /** The name of what a reaction holds, counted from 1. */
-const anchorOf = ({ boundary, point, vertex }: Reaction): string => (typeof boundary === 'number'
-  ? `Boundary ${boundary + 1}${typeof point === 'number' ? `, point ${point + 1}` : ''}` : `Vertex ${(vertex ?? 0) + 1}`);
+const anchorOf = (reaction: Reaction, values: Values, request: Request): string => {
+  const { boundary, point, vertex } = reaction;
+  if (typeof boundary !== 'number') return memberAt(reaction, values, request) ?? `Vertex ${(vertex ?? 0) + 1}`;
+  return `Boundary ${boundary + 1}${typeof point === 'number' ? `, point ${point + 1}` : ''}`;
+};
 
 /** The reactions of all anchors, with a file of them for spreadsheets. */
-function reactions(values: Values, name: string): HTMLElement[] {
+function reactions(values: Values, request: Request, name: string): HTMLElement[] {
   const rows = [...listOf<Reaction>(values.reactions), ...listOf<Reaction>(values.edge_reactions)];
   if (rows.length === 0) return [];
+  const anchor = (row: Reaction): string => anchorOf(row, values, request);
   const unit = String(values.force_unit ?? '');
   const heads = ['Anchor', 'x', 'y', 'z', 'Resultant'];
   const size = ({ force }: Reaction): number => Math.hypot(...force);
   const noise = 1e-9 * Math.max(...rows.map(size));
   const cell = (value: number): HTMLElement => el('td', {}, Math.abs(value) <= noise ? '0' : number(value, 3));
   const csv = (): void => {
-    const lines = [heads.map((head) => (head === 'Anchor' ? head : `${head} [${unit}]`)), ...rows.map((row) => [`"${anchorOf(row)}"`, ...row.force, size(row)]), []];
+    const lines = [heads.map((head) => (head === 'Anchor' ? head : `${head} [${unit}]`)), ...rows.map((row) => [`"${anchor(row)}"`, ...row.force, size(row)]), []];
     save(new Blob([lines.map((line) => line.join(',')).join('\n')], { type: 'text/csv' }), `${name}-reactions.csv`);
   };
   return [
     el('h2', {}, `Reactions in ${unit}`),
     el('div', { className: 'wide', tabIndex: 0, role: 'region', 'aria-label': 'Reactions' }, el('table', { id: 'reactions' }, el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)))),
-      el('tbody', {}, ...rows.slice(0, MOST_ROWS).map((row) => el('tr', {}, el('th', { scope: 'row' }, anchorOf(row)), ...row.force.map(cell), cell(size(row))))))),
+      el('tbody', {}, ...rows.slice(0, MOST_ROWS).map((row) => el('tr', {}, el('th', { scope: 'row' }, anchor(row)), ...row.force.map(cell), cell(size(row))))))),
     el('p', { className: 'quiet small' }, 'The forces of the supports on the structure.'),
     el('div', { className: 'row' }, el('button', { type: 'button', id: 'reactions-csv', onclick: csv }, 'CSV')),
   ];
