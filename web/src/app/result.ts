@@ -2,7 +2,7 @@
 
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
 import { $, el, save } from '../dom';
-import { metresOf, type Request, unitOf } from '../model/request';
+import { metresOf, type Request, unitOf, type Vec3 } from '../model/request';
 import { charts, samplesOf } from '../panels/chart';
 import { showLegend } from '../panels/legend';
 import { keyFigures } from '../panels/headlines';
@@ -73,10 +73,12 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
 export function showReport(): void {
   const { shown } = session;
   if (!later.parts || !shown) return;
-  const { job, request } = shown;
+  const { job, mesh, request } = shown;
   const unit = unitOf(request);
+  const { x, y, z } = surface.group.position;
+  const toRequest = (at: Vec3): Vec3 => host.frame.fromScene([at[0] + x, at[1] + y, at[2] + z]);
   const { result, numerics } = later.parts.statistics(job, unit);
-  $('details').replaceChildren(...later.parts.details(job, request, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
+  $('details').replaceChildren(...later.parts.details(job, { mesh, request, toRequest }, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
   $('warnings').replaceChildren(...later.parts.warnings(job.warnings, unit));
   $('statistics').replaceChildren(...result);
   $('numbers').replaceChildren(...numerics);

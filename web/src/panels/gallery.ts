@@ -20,7 +20,8 @@ const short = (title: string): string => title.replace(/ \((.*)\)$/, '').replace
 export function gallery(examples: ExampleSummary[], choose: (example: ExampleSummary) => void): HTMLElement[] {
   const left = new Set(examples);
   const groups = GROUPS.map((group, g) => {
-    const found = [...left].filter((each) => group.names.some((name) => (typeof name === 'string' ? name === each.name : name.test(each.name))) && (g < GROUPS.length - 1 || left.has(each)));
+    const rank = ({ name: own }: ExampleSummary): number => group.names.findIndex((name) => (typeof name === 'string' ? name === own : name.test(own)));
+    const found = [...left].filter((each) => rank(each) >= 0 && (g < GROUPS.length - 1 || left.has(each))).sort((a, b) => rank(a) - rank(b));
     found.forEach((each) => left.delete(each));
     return { ...group, found };
   });

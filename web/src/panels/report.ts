@@ -2,7 +2,8 @@
 
 import type { JobInfo } from 'plateau-client';
 import { el, save } from '../dom';
-import type { Request } from '../model/request';
+import type { Request, Vec3 } from '../model/request';
+import type { ResultMesh } from '../stage/mesh';
 import { capital, humanise, number } from '../text';
 import { FIGURES, NUMERICS, OF_MESH, sayWarning, unitOfFigure } from '../words';
 import { cableName, type Forced, listOf, text, type Values } from './headlines';
@@ -23,42 +24,62 @@ function cableForces(values: Values, unit: string): HTMLElement[] {
 const MOST_CABLES = 12;
 
 /** The part between the headlines and the statistics: cables and reactions with their forces. */
-export const details = (job: JobInfo, request: Request, unit: string, name: string): HTMLElement[] =>
-  [...cableForces(job.statistics as Values, unit), ...reactions(job.statistics as Values, request, name)];
+export const details = (job: JobInfo, placed: Placed, unit: string, name: string): HTMLElement[] =>
+  [...cableForces(job.statistics as Values, unit), ...reactions(job.statistics as Values, placed, name)];
 
 interface Reaction { boundary?: number | null; point?: number | null; vertex?: number; force: [number, number, number] }
 
-/** Largest difference between a reaction and the force of a member, relative to it, at which the member ends there. */
-const SAME_FORCE = 0.1;
+/** A place of the scene in the request's coordinates. */
+export type ToRequest = (place: Vec3) => Vec3;
+/** The mesh of a result, which has the arrows of the reactions, and its request. */
+export interface Placed { mesh: ResultMesh; request: Request; toRequest: ToRequest }
 
-/** The mast or the cable in the air whose force a support in the air takes; null if no single member ends there. */
-function memberAt({ force }: Reaction, values: Values, request: Request): string | null {
-  const size = Math.hypot(...force);
-  const likeness = (list: string, word: string): { name: string; off: number }[] => listOf<{ points?: unknown }>(request[list]).flatMap(({ points }, i) => {
-    const found = listOf<{ name: string; force: number }>(values[list])[i];
-    const [a, b] = listOf<number[]>(points);
-    if (!found || !a || !b) return [];
-    const along = a.map((value, axis) => b[axis]! - value);
-    const angle = Math.abs(along.reduce((sum, value, axis) => sum + value * force[axis]!, 0)) / (Math.hypot(...along) * size || 1);
-    return [{ name: `${capital(list === 'masts' ? mastName(found.name, i) : cableName(found.name, i))}, ${word}`, off: 1 - angle + Math.abs(Math.abs(found.force) - size) / (size || 1) }];
+/** The supports of a result with the forces that they take, in the request's coordinates. */
+function supportsOf({ mesh, toRequest }: Placed): { place: Vec3; force: Vec3 }[] {
+  const arrows = mesh.lines.find(({ name }) => name === 'reactions');
+  const sizes = arrows?.values.find(({ name }) => name === 'force')?.values;
+  if (!arrows || !sizes) return [];
+  return Array.from({ length: arrows.segments.length / 6 }, (_, i) => {
+    const [place, tip] = [0, 3].map((end) => toRequest([...arrows.segments.subarray(6 * i + end, 6 * i + end + 3)] as Vec3)) as [Vec3, Vec3];
+    const along = tip.map((value, axis) => value - place[axis]!) as Vec3;
+    const length = Math.hypot(...along) || 1;
+    return { place, force: along.map((value) => (value / length) * sizes[2 * i]!) as Vec3 };
   });
-  const [best] = [...likeness('masts', 'foot'), ...likeness('cables', 'anchor')].sort((one, other) => one.off - other.off);
-  return best && best.off < SAME_FORCE ? best.name : null;
 }
-const mastName = (name: string, i: number): string => (name === `mast ${i}` ? `mast ${i + 1}` : name);
+
+/** Relative tolerance of places and forces in a mesh, whose numbers have 32 bits. */
+const NEAR = 1e-4;
+const apart = (a: number[], b: number[]): number => Math.hypot(...a.map((value, axis) => value - b[axis]!));
+
+/** Names of the supports in the air, by their reactions: each is the foot of a mast or the anchor of a cable. */
+function namesInAir(reactions: Reaction[], values: Values, placed: Placed): Map<Reaction, string> {
+  const supports = supportsOf(placed);
+  const ends = (['masts', 'cables'] as const).flatMap((list) => listOf<{ points?: unknown }>(placed.request[list]).flatMap(({ points }, i) => {
+    const name = listOf<{ name: string }>(values[list])[i]?.name ?? '';
+    const own = list === 'cables' ? cableName(name, i) : name === `mast ${i}` ? `mast ${i + 1}` : name;
+    return listOf<number[]>(points).map((place) => ({ place, name: `${capital(own)}, ${list === 'masts' ? 'foot' : 'anchor'}` }));
+  }));
+  const names = new Map<Reaction, string>();
+  for (const reaction of reactions.filter(({ boundary }) => typeof boundary !== 'number')) {
+    // Equal forces come in the same order as their arrows.
+    const index = supports.findIndex(({ force }) => apart(force, reaction.force) <= NEAR * Math.hypot(...force));
+    const [support] = index < 0 ? [] : supports.splice(index, 1);
+    const found = support && ends.find(({ place }) => apart(place, support.place) <= NEAR * Math.max(1, Math.hypot(...place)));
+    if (found) names.set(reaction, found.name);
+  }
+  return names;
+}
 
 /** The name of what a reaction holds, counted from 1. */
-const anchorOf = (reaction: Reaction, values: Values, request: Request): string => {
-  const { boundary, point, vertex } = reaction;
-  if (typeof boundary !== 'number') return memberAt(reaction, values, request) ?? `Vertex ${(vertex ?? 0) + 1}`;
-  return `Boundary ${boundary + 1}${typeof point === 'number' ? `, point ${point + 1}` : ''}`;
-};
+const anchorOf = ({ boundary, point, vertex }: Reaction): string => (typeof boundary === 'number'
+  ? `Boundary ${boundary + 1}${typeof point === 'number' ? `, point ${point + 1}` : ''}` : `Vertex ${(vertex ?? 0) + 1}`);
 
 /** The reactions of all anchors, with a file of them for spreadsheets. */
-function reactions(values: Values, request: Request, name: string): HTMLElement[] {
+function reactions(values: Values, placed: Placed, name: string): HTMLElement[] {
   const rows = [...listOf<Reaction>(values.reactions), ...listOf<Reaction>(values.edge_reactions)];
   if (rows.length === 0) return [];
-  const anchor = (row: Reaction): string => anchorOf(row, values, request);
+  const inAir = namesInAir(rows, values, placed);
+  const anchor = (row: Reaction): string => inAir.get(row) ?? anchorOf(row);
   const unit = String(values.force_unit ?? '');
   const heads = ['Anchor', 'x', 'y', 'z', 'Resultant'];
   const size = ({ force }: Reaction): number => Math.hypot(...force);
