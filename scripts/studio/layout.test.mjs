@@ -138,10 +138,15 @@ for (const theme of ['light', 'dark']) {
     await page.click('[data-mode="compare"]');
     await page.waitForFunction(() => document.querySelectorAll('.tile dl').length >= 5);
     await checkAccessibility(page, `${theme}, compare`);
+    await page.click('[data-mode="flat"]');
+    await page.locator('#pattern-profile').waitFor();
+    await checkAccessibility(page, `${theme}, flat pattern`);
     await page.click('[data-mode="model"]');
     await page.evaluate(() => window.studio.openExample('four-point-sail'));
     await solved(page);
     await checkAccessibility(page, `${theme}, table of cables`);
+    await page.click('#cabling');
+    await checkAccessibility(page, `${theme}, placing`);
   });
 }
 
