@@ -13,6 +13,8 @@ const browser = await launch();
 
 async function gallery() {
   const { examples } = await (await fetch(`${server.url}/v1/examples`)).json();
+  // An example of the studio's own.
+  examples.push({ name: 'vault-equal-members' });
   const page = await browser.newPage({ viewport: { width: 2 * WIDTH, height: 2 * HEIGHT } });
   await page.goto(`${server.url}/studio/embed.html?example=tent&ground=none`);
   await solved(page);

@@ -96,6 +96,15 @@ test('a mast and its stays follow their corner and their foot, and a foot takes 
   assert.deepEqual((await request(page)).masts, []);
   await page.click('#undo');
   assert.equal((await request(page)).masts.length, 1);
+  // A corner that is deleted takes its mast and its stays with it.
+  await page.uncheck('#live');
+  await page.locator('#view').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press(']');
+  await page.keyboard.press(']');
+  await page.keyboard.press('Delete');
+  const left = await request(page);
+  assert.deepEqual([left.boundaries[0].length, left.masts, left.cables.filter((each) => each.points)], [3, undefined, []]);
 });
 
 test('a stay ends where the ground is pressed, a ridge cable runs across the film, and a support is freed and held', async () => {

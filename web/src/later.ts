@@ -20,5 +20,6 @@ export { Flat } from './panels/flat';
 export { build, disable, schemaOf } from './panels/form';
 export { gallery } from './panels/gallery';
 export { details, statistics, warnings } from './panels/report';
+export { OWN } from './panels/own';
 export { openShort, unpack } from './panels/share';
 export * as trees from './stage/trees';

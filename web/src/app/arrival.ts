@@ -102,17 +102,17 @@ async function learn(begun: Promise<void>): Promise<void> {
     loadLater(begun),
     published<OpenApi>('openapi.json'), published<ObjectiveList>('v1/objectives'), published<{ examples: ExampleSummary[] }>('v1/examples'),
   ]);
-  Object.assign(server, { openapi, objectives, examples });
+  Object.assign(server, { openapi, objectives, examples: [...examples, ...parts.OWN] });
   useCatalogue(objectives);
   later.parts = parts;
-  Object.assign(host, { moved: (from: Vec3, to: Vec3) => parts.follow(doc().request, from, to), rig: parts.placeRig });
+  Object.assign(host, { moved: (from: Vec3, to: Vec3 | null) => parts.follow(doc().request, from, to), rig: parts.placeRig });
   Object.assign(rigs, { show: parts.showRigs, hint: parts.hintOfRig });
   parts.offerBox();
   showReport();
   useTrees(parts.trees);
   showKinds(parts.schemaOf);
   showForm();
-  $('gallery-list').replaceChildren(...parts.gallery(examples, ({ name }) => {
+  $('gallery-list').replaceChildren(...parts.gallery(server.examples, ({ name }) => {
     $<HTMLDialogElement>('gallery').close();
     void openExample(name);
   }));

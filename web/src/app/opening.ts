@@ -1,7 +1,7 @@
 // Other documents: examples, links, and the drawing of another kind. What is fetched first keeps the page busy from
 // the press on.
 
-import { ConnectionFailed, type Kind, Unauthorized } from 'plateau-client';
+import { ConnectionFailed, type Kind, NotFound, Unauthorized } from 'plateau-client';
 import { published } from '../api';
 import { isWhole, type Request } from '../model/request';
 import { opening } from './busy';
@@ -15,7 +15,16 @@ import { doc, embedded, server, session } from './session';
 
 export interface Example { kind: Kind; title: string; request: Request }
 
-export const fetchExample = (name: string): Promise<Example> => published<Example>(`v1/examples/${encodeURIComponent(name)}`);
+/** An example of the service, or of the studio's own. */
+export async function fetchExample(name: string): Promise<Example> {
+  try {
+    return await published<Example>(`v1/examples/${encodeURIComponent(name)}`);
+  } catch (error) {
+    const own = error instanceof NotFound && (await import('../later')).OWN.find((each) => each.name === name);
+    if (own) return structuredClone(own);
+    throw error;
+  }
+}
 
 export const openExample = (name: string): Promise<void> => opening(() => fetchExample(name), (example) => {
   const { kind: _, ...request } = example.request;

@@ -31,12 +31,23 @@ function measure(members: (Mast | Cable)[]): void {
   for (const member of members) if (member.mode === 'length' && member.points?.length === 2) member.value = digits(distance(member.points[0]!, member.points[1]!), 12);
 }
 
-/** After a point moved: what ended there ends at its new place, and what holds a length has the new one. */
-export function follow(request: Request, from: Vec3, to: Vec3): void {
+/** After a point moved: what ended there ends at its new place, and what holds a length has the new one. Without a point it goes. */
+export function follow(request: Request, from: Vec3, to: Vec3 | null): void {
+  if (!to) {
+    drop(request, [...membersAt(request, from), ...cablesOf(request).filter(({ across }) => list(across).some((end) => isSame(end, from)))]);
+    return;
+  }
   for (const { points, across } of [...mastsOf(request), ...cablesOf(request)] as Cable[]) {
     for (const ends of [list<unknown>(points), list<unknown>(across)]) ends.forEach((end, i) => { if (isSame(end, from)) ends[i] = [...to]; });
   }
   measure(membersAt(request, to));
+}
+
+function drop(request: Request, gone: (Mast | Cable)[]): void {
+  if (gone.length === 0) return;
+  request.cables = cablesOf(request).filter((each) => !gone.includes(each));
+  request.masts = mastsOf(request).filter((each) => !gone.includes(each));
+  if (mastsOf(request).length === 0) delete request.masts;
 }
 
 const isCorner = (each: BoundaryPoint, { line, point }: Corner): boolean => (each.boundary ?? 0) === line && each.point === point;
@@ -134,8 +145,6 @@ export function hold(request: Request, corner: Corner): void {
     return;
   }
   request.free_points = list<BoundaryPoint>(request.free_points).filter((each) => !isCorner(each, corner));
-  const gone = membersAt(request, boundary(request, corner.line)[corner.point]!);
-  request.masts = mastsOf(request).filter((each) => !gone.includes(each));
-  request.cables = cablesOf(request).filter((each) => !gone.includes(each));
-  for (const name of ['masts', 'free_points']) if (list(request[name]).length === 0) delete request[name];
+  drop(request, membersAt(request, boundary(request, corner.line)[corner.point]!));
+  if (list(request.free_points).length === 0) delete request.free_points;
 }

@@ -36,8 +36,8 @@ export interface Host {
   selectionChanged(): void;
   /** A line of text beside a pixel, or none. */
   label(text: string | null, x?: number, y?: number, anchor?: Vec3): void;
-  /** A point of a tensile structure moved. */
-  moved(from: Vec3, to: Vec3): void;
+  /** A point of a tensile structure moved, or is gone. */
+  moved(from: Vec3, to: Vec3 | null): void;
   /** Places what `rig` says, at a point, between two, or from a point to a place of the ground. */
   rig(from: PointRef | null, to: PointRef | null, place: Vec3 | null): void;
   /** The surface was clicked. */
@@ -802,6 +802,7 @@ export class Tools {
     host.history.edit(() => {
       const gone = [...this.selection].sort((a, b) => b.line - a.line || b.point - a.point);
       for (const { line, point } of gone) {
+        this.letGoOf(line, [point]);
         this.companions(line).forEach((vectors) => vectors.splice(point, 1));
         host.lines[line]!.points.splice(point, 1);
         if (this.mayCable) pointRemoved(host.history.document.request, line, point, host.lines[line]!.points.length);
@@ -824,9 +825,16 @@ export class Tools {
     this.select([]);
   }
 
+  /** Takes away what ends at points of a tensile structure that are removed. */
+  private letGoOf(line: number, points: number[]): void {
+    const places = this.mayCable ? points.map((point) => coordinates(this.host.lines[line]!.points[point])) : [];
+    for (const place of places) if (place) this.host.moved(place, null);
+  }
+
   private dropLine(line: number): void {
     const { request } = this.host.history.document;
-    const { path } = this.host.lines[line]!;
+    const { path, points } = this.host.lines[line]!;
+    this.letGoOf(line, points.map((_, point) => point));
     const parent = at(request, path.slice(0, -1)) as Record<string, unknown> | unknown[];
     const last = path.at(-1)!;
     if (Array.isArray(parent)) parent.splice(Number(last), 1);
