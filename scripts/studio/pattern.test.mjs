@@ -1,5 +1,5 @@
-// The flat pattern on the whole stage: the service's drawing with names, folds, angles, sizes and scale bar, by profile, and
-// printed as the service's PDF instead of the page.
+// The flat pattern on the whole stage is the service's drawing. It has names, angles, sizes and a scale bar.
+// Printing opens the service's PDF.
 
 import assert from 'node:assert/strict';
 import { showPanel, solved, test, useStudio } from './harness.mjs';

@@ -1,5 +1,5 @@
-// Tensile structures without JSON: masts, stays, ridge cables and supports are placed on the stage by pointer and by keyboard,
-// follow their corners, and are edited beside.
+// Tensile structures without JSON. Masts, stays, ridge cables and supports are placed on the stage, by pointer and by keyboard.
+// They follow their corners, and their values stand in the panel.
 
 import assert from 'node:assert/strict';
 import { apply, atRest, onStage, points, request, showPanel, solved, test, useStudio } from './harness.mjs';
@@ -96,7 +96,7 @@ test('a mast and its stays follow their corner and their foot, and a foot takes 
   assert.deepEqual((await request(page)).masts, []);
   await page.click('#undo');
   assert.equal((await request(page)).masts.length, 1);
-  // A corner that is deleted takes its mast and its stays with it.
+  // The mast and the stays go with a corner that is deleted.
   await page.uncheck('#live');
   await page.locator('#view').focus();
   await page.keyboard.press('Escape');

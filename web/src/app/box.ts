@@ -43,7 +43,7 @@ function place(): { tip: Vec3; text: string }[] {
   const { x, y, z } = surface.group.position;
   const unit = unitOf(shown.request);
   const moved = (at: Vec3): Vec3 => [at[0] + x, at[1] + y, at[2] + z];
-  // One edge along each axis, on the side from which a model is first seen.
+  // Labels stand at one edge along each axis, on the side from which a model is first seen.
   const sizes = ([[4, 5], [5, 7], [1, 5]] as const).map(([from, to]) => {
     const [a, b] = [corner(from), corner(to)];
     const size = Math.hypot(...a.map((value, axis) => value - b[axis]!)) / metresOf(shown.request);

@@ -32,7 +32,7 @@ export const openExample = (name: string): Promise<void> => opening(() => fetchE
   changed();
   if (!isLive()) say('Ready.');
 }, (error, turn) => {
-  // The kind that was pressed is not the one that is shown.
+  // The form shows the kind of the document, because the kind that was pressed was not opened.
   showForm();
   showProblem(error, turn);
 });

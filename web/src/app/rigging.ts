@@ -1,4 +1,4 @@
-// What a press places on a tensile structure: cables along edges and across the film, masts, stays and supports.
+// Placing parts of a tensile structure by presses: cables along edges and across the film, masts, stays and supports.
 
 import { $, el } from '../dom';
 import type { Request } from '../model/request';

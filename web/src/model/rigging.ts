@@ -1,6 +1,6 @@
-// Masts, stays, ridge cables and supports of a tensile structure. Their ends are coordinates: an end at a point of a boundary is
-// joined to it, and every other end is a support. A corner that is carried by masts and stays is no support itself, so its
-// edges hang on cables.
+// Masts, stays, ridge cables and supports of a tensile structure. Their ends are coordinates. An end at a point of a boundary is
+// joined to the boundary, and every other end is a support. A corner that masts and stays carry is no support itself.
+// Its edges hang on cables.
 
 import { addCable, cableAt, type Cable, cablesOf } from './cables';
 import { coordinates, type Request, upAxisOf, type Vec3 } from './request';

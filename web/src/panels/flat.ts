@@ -1,5 +1,5 @@
-// The flat pattern over the whole stage: drag to move, wheel to zoom about the pointer. A job of the service has the
-// service's own drawing, with names, angles, sizes and a scale bar, and is printed as the service's PDF.
+// The flat pattern over the whole stage. A drag moves the pattern, and the wheel zooms about the pointer. A job of the service
+// has the service's drawing with names, angles, sizes and a scale bar. It is printed as the service's PDF.
 
 import { type JobInfo, ProblemError } from 'plateau-client';
 import { isStatic, plateau } from '../api';
