@@ -18,8 +18,8 @@ test.quick('the committed bundle is what the sources make, byte for byte', () =>
 });
 
 /**
- * Most bytes of the first view before they are compressed: those of 2026-11-28. What the first film does not need comes after it
- * (`later.ts`).
+ * Most bytes of the first view before they are compressed: those of 2026-11-28. What the first film does not need comes
+ * after it (`later.ts`).
  */
 const MOST_FIRST_VIEW = 818_356;
 

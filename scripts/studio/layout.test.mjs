@@ -47,8 +47,9 @@ const faultsOfLayout = () => {
 };
 
 /**
- * Examples whose figures, options and modes take the most room: films with and without ropes, a comparison, strips with one
- * and many pieces, lattices plane and curved, structures with a table of cables. `scripts/test --long` looks at every example.
+ * Examples whose figures, options and modes take the most room: films with and without ropes, a comparison, strips with
+ * one and many pieces, lattices plane and curved, structures with a table of cables. `scripts/test --long` looks at
+ * every example.
  */
 const REPRESENTATIVE = ['tent', 'ridge-rope', 'rings-12-best', 'wavy-strip', 'wang-tang-v', 'vault', 'floor-fewest-nodes', 'four-point-sail', 'air-hall'];
 
@@ -153,8 +154,9 @@ for (const theme of ['light', 'dark']) {
 // ---- Golden pictures ----
 
 /**
- * One picture that holds a small one of each example: a row for each, dark on the left and light on the right. The small ones
- * are 64 by 36 pixels, because the last bits of software rendering and of fonts differ from machine to machine.
+ * One picture that holds a small one of each example: a row for each, dark on the left and light on the right. The
+ * small ones are 64 by 36 pixels, because the last bits of software rendering and of fonts differ from machine to
+ * machine.
  */
 const GOLDEN = fileURLToPath(new URL('golden.png', import.meta.url));
 const PICTURED = ['tent', 'catenoid', 'three-rings', 'tetrahedron-loops', 'wavy-strip', 'contour-stack', 'vault', 'courtyard'];
@@ -164,8 +166,8 @@ const [WIDTH, HEIGHT] = [64, 36];
 const FULL = fileURLToPath(new URL('../../target/golden/', import.meta.url));
 
 /**
- * Shrinks a picture. Returns its pixels and those of the golden picture at a place of the sheet, three colours each, and the
- * sheet with the shrunk picture at that place.
+ * Shrinks a picture. Returns its pixels and those of the golden picture at a place of the sheet, three colours each,
+ * and the sheet with the shrunk picture at that place.
  */
 const shrink = (page, png, sheet, place) => page.evaluate(async ([data, golden, [column, row], [width, height], cells]) => {
   const decode = async (text) => {

@@ -1,6 +1,6 @@
 // Draws the gallery's pictures, one of each example, into web/static/thumbnails.webp, and their order into
-// web/src/thumbnails.json: CHROMIUM=… PLATEAU_BIN=… node scripts/studio/pictures.mjs, then npm run build in web/. With `stage`
-// as argument it draws docs/studio.png instead.
+// web/src/thumbnails.json: CHROMIUM=… PLATEAU_BIN=… node scripts/studio/pictures.mjs, then npm run build in web/. With
+// `stage` as argument it draws docs/studio.png instead.
 
 import { writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';

@@ -1,5 +1,5 @@
-// Tensile structures without JSON. Masts, stays, ridge cables and supports are placed on the stage, by pointer and by keyboard.
-// They follow their corners, and their values stand in the panel.
+// Tensile structures without JSON. Masts, stays, ridge cables and supports are placed on the stage, by pointer and by
+// keyboard. They follow their corners, and their values stand in the panel.
 
 import assert from 'node:assert/strict';
 import { apply, atRest, onStage, points, request, showPanel, solved, test, useStudio } from './harness.mjs';

@@ -1,5 +1,5 @@
-// The tour of five tasks: open a survey file, lift a corner, hang a sail on two masts, read the anchors, compare two objectives.
-// It is made by pointer and by keyboard alone, in windows of three widths.
+// The tour of five tasks: open a survey file, lift a corner, hang a sail on two masts, read the anchors, compare two
+// objectives. It is made by pointer and by keyboard alone, in windows of three widths.
 
 import assert from 'node:assert/strict';
 import { atRest, drag, onStage, points, request, solved, test, useStudio } from './harness.mjs';

@@ -1,4 +1,5 @@
-// The parts of the page that the first film does not need. They are loaded after that film, or when somebody asks for them.
+// The parts of the page that the first film does not need. They are loaded after that film, or when somebody asks for
+// them.
 
 import css from './later.css' with { type: 'text' };
 

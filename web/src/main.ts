@@ -1,6 +1,6 @@
-// The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app` together and
-// begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems, modes,
-// result, theme, solving, document, opening, arrival, wiring. The files of `later` stand above document.
+// The studio: the request on the left, the model in the middle, the result on the right. Puts the parts of `app`
+// together and begins. They know each other in one direction only: life, session, notes, keeping, drawing, problems,
+// modes, result, theme, solving, document, opening, arrival, wiring. The files of `later` stand above document.
 
 import './style.css';
 import { arrive } from './app/arrival';

@@ -1,4 +1,5 @@
-// What the page begins with: a link's content, what was being worked on, an example that the address names, or a canopy.
+// What the page begins with: a link's content, what was being worked on, an example that the address names, or a
+// canopy.
 
 import { ConnectionFailed, type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
 import { hasKey, plateau, published } from '../api';

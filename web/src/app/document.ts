@@ -109,7 +109,10 @@ function cables(form: HTMLFormElement, formHost: FormHost): HTMLElement {
 /** Whether no edge is left for a cable, or a pressure excludes cables along the edges. */
 const mayNotHang = (request: Request): boolean => bareEdges(request).length === 0 || Boolean(request.pressure) || Boolean(request.volume);
 
-/** After every change of the document, also while a point is being dragged. `edited`: by somebody at work on it, who waits for the shape. */
+/**
+ * After every change of the document, also while a point is being dragged. `edited`: by somebody at work on it, who
+ * waits for the shape.
+ */
 export function changed({ dragging = false, option = false, edited = false } = {}): void {
   $('intro').hidden = true;
   // A card is about the request as it was.
@@ -142,8 +145,8 @@ export function showDocument(dragging = false): void {
 }
 
 /**
- * Makes the drawing's request the default text of its box. Once somebody has typed there, the browser shows the typed text
- * in place of the default until the form is reset, which happens when the text is applied or discarded.
+ * Makes the drawing's request the default text of its box. Once somebody has typed there, the browser shows the typed
+ * text in place of the default until the form is reset, which happens when the text is applied or discarded.
  */
 export function showRequest(): void {
   const box = $<HTMLTextAreaElement>('request');

@@ -12,7 +12,10 @@ import { doc, host, later, look, type Mode, server, session, stage } from './ses
 let flat: Flat | null = null;
 let compare: Compare | null = null;
 
-/** Called with the objective that was chosen in the comparison. main.ts names the function, because it stands above this module. */
+/**
+ * Called with the objective that was chosen in the comparison. main.ts names the function, because it stands above this
+ * module.
+ */
 export const comparison = { use: (_: string): void => {} };
 export const restyleComparison = (): void => compare?.restyle();
 

@@ -69,7 +69,10 @@ export function placeScale(): void {
   bar.style.bottom = `${look.offsetWidth + WIDEST + 40 > stage.width ? look.offsetHeight + 20 : 14}px`;
 }
 
-/** Sizes that are shown on the model, at their places, and places without a text that are seen with them. `app/box` names the function, which comes after the first film. */
+/**
+ * Sizes that are shown on the model, at their places, and places without a text that are seen with them. `app/box`
+ * names the function, which comes after the first film.
+ */
 export const measures = { of: (): { tip: Vec3; text: string }[] => [] };
 /** Texts beside the tips of the reactions' arrows, and sizes. */
 let tags: { anchor: Vec3; box: HTMLElement }[] = [];

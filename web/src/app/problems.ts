@@ -16,7 +16,9 @@ import { doc, host, later, session, tools } from './session';
 
 interface Fault { type?: string; title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
 
-/** Changes the request as a remedy says, and solves it. main.ts names the function, because it stands above this module. */
+/**
+ * Changes the request as a remedy says, and solves it. main.ts names the function, because it stands above this module.
+ */
 export const repair = { by: (_: Remedy): void => {} };
 
 /** The newest of what was asked for that was answered. */

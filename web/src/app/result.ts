@@ -1,4 +1,5 @@
-// A finished job: its surface on the stage, its figures, warnings and downloads beside it, and whether it is still true.
+// A finished job: its surface on the stage, its figures, warnings and downloads beside it, and whether it is still
+// true.
 
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
 import { $, el, save } from '../dom';

@@ -1,5 +1,5 @@
-// What the whole page shares: the document, the stage that it is drawn on, and what is shown of a result. Nothing here acts:
-// the modules beside it read and change it, and each of them knows only those that main.ts names before it.
+// What the whole page shares: the document, the stage that it is drawn on, and what is shown of a result. Nothing here
+// acts: the modules beside it read and change it, and each of them knows only those that main.ts names before it.
 
 import type { ExampleSummary, JobInfo, Objective } from 'plateau-client';
 import { $ } from '../dom';

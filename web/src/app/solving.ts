@@ -56,8 +56,8 @@ const service: Source = {
 };
 
 /**
- * The solvers within this page. The service takes their place where they cannot be loaded, and says of a refused request
- * all that is wrong. A refused move of a drag has the page's own words, because the next move follows at once.
+ * The solvers within this page. The service takes their place where they cannot be loaded, and says of a refused
+ * request all that is wrong. A refused move of a drag has the page's own words, because the next move follows at once.
  */
 const here: Source = {
   ...service,
@@ -85,14 +85,17 @@ async function inPage(asked: Asked): Promise<JobInfo> {
 }
 
 /**
- * Solves the document. In live mode what changed meanwhile is solved next. Where `live` is true, somebody is at work on the
- * document, and the page solves it itself if it can; all other requests go to the service.
+ * Solves the document. In live mode what changed meanwhile is solved next. Where `live` is true, somebody is at work on
+ * the document, and the page solves it itself if it can; all other requests go to the service.
  */
 export function solve({ dragging = false, live = false } = {}): Promise<void> {
   return request(live && isForHere() ? here : service, dragging);
 }
 
-/** Whether the page solves the document while somebody works on it. Where its last result was large, the next one will be, too. */
+/**
+ * Whether the page solves the document while somebody works on it. Where its last result was large, the next one will
+ * be, too.
+ */
 function isForHere(): boolean {
   const { kind, request: document } = doc();
   const { shown } = session;
@@ -105,7 +108,10 @@ export const follows = (): boolean => doc().kind === 'minimal_surface' && isForH
 /** Follows a job that belongs to the document as it is, such as one from the list of recent jobs. */
 export const adopt = (job: JobInfo): Promise<void> => request({ ...service, submit: () => Promise.resolve(job) });
 
-/** Goes on with the job of a document from the last visit. The document is solved anew if the service no longer has its job. */
+/**
+ * Goes on with the job of a document from the last visit. The document is solved anew if the service no longer has its
+ * job.
+ */
 export const resumeJob = (id: string): Promise<void> => request({
   ...service,
   submit: (asked) => plateau.getJson<JobInfo>(`v1/jobs/${id}`).catch((error: unknown) => {
@@ -225,7 +231,8 @@ async function hand(asked: Asked): Promise<void> {
     showPattern();
     keep();
   } catch (error) {
-    // A service that refuses now or is busy keeps nothing either. The result stays, and the next one is handed on again.
+    // A service that refuses now or is busy keeps nothing either. The result stays, and the next one is handed on
+    // again.
     showKept('lost');
     if (error instanceof ConnectionFailed && isShown()) keepTimer = window.setTimeout(() => void hand(asked), HAND_AGAIN_MS);
   }

@@ -49,8 +49,8 @@ function wireSetup(): void {
   });
   on('cancel', 'click', giveUp);
   on('live', 'change', () => isLive() && isStale() && solve({ live: true }));
-  // A click or a key on the summary fills the box before it opens, since the toggle event comes only later. Find-in-page
-  // opens the box without a click.
+  // A click or a key on the summary fills the box before it opens, since the toggle event comes only later.
+  // Find-in-page opens the box without a click.
   $('request-box').querySelector('summary')!.addEventListener('click', showRequest);
   on('request-box', 'toggle', showRequest);
   on('request-form', 'input', () => { $('discard-request').hidden = false; });

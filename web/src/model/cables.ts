@@ -1,5 +1,5 @@
-// Cables along the boundaries of a tensile structure: which stretch each runs along, and how they follow when points of the
-// boundaries come and go. A segment has the number of the point at which it begins.
+// Cables along the boundaries of a tensile structure: which stretch each runs along, and how they follow when points of
+// the boundaries come and go. A segment has the number of the point at which it begins.
 
 import { coordinates, type Request, type Vec3 } from './request';
 
@@ -56,7 +56,9 @@ function sharpestCorner(request: Request, along: Along): number {
   return Math.min(angle(along.from, along.to, (along.from + count - 1) % count), angle(along.to, along.from, (along.to + 1) % count));
 }
 
-/** Distance from the chord of a stretch to the nearest edge of the boundary that does not end where the stretch does. */
+/**
+ * Distance from the chord of a stretch to the nearest edge of the boundary that does not end where the stretch does.
+ */
 function clearance(request: Request, along: Along): number {
   const points = boundaryOf(request, along.boundary ?? 0).map((point) => coordinates(point) ?? [0, 0, 0] as Vec3);
   const [a, b] = [points[along.from], points[along.to]];
@@ -78,20 +80,21 @@ function toSegment(place: Vec3, from: Vec3, to: Vec3): number {
 /** Sag of a new cable as a fraction of its chord. */
 const SAG = 0.1;
 /**
- * Largest part of a corner's angle between a cable and its chord. Two cables meet in a corner, so the film closes there if
- * each of them takes half. With 0.4, all of 500 random quadrilaterals and pentagons had an equilibrium; some had angles of 20°.
+ * Largest part of a corner's angle between a cable and its chord. Two cables meet in a corner, so the film closes there
+ * if each of them takes half. With 0.4, all of 500 random quadrilaterals and pentagons had an equilibrium; some had
+ * angles of 20°.
  */
 const CORNER = 0.4;
 /**
- * Largest sag as a part of the clearance, because the film closes where opposite cables meet. With 0.4, all of 400 random
- * quadrilaterals and pentagons had an equilibrium; without this limit a sliver among the first 100 had none.
+ * Largest sag as a part of the clearance, because the film closes where opposite cables meet. With 0.4, all of 400
+ * random quadrilaterals and pentagons had an equilibrium; without this limit a sliver among the first 100 had none.
  */
 const CLEARANCE = 0.4;
 
 /**
- * Radius of a new cable's arc over its chord. A film of tension σ pulls a cable of force F into an arc of the radius R = F/σ. An
- * arc that sags by s over the chord c has R = c²/(8s) + s/2, which is 1.3 c for s = 0.1 c. The arc meets its chord at the angle
- * asin(c/2R).
+ * Radius of a new cable's arc over its chord. A film of tension σ pulls a cable of force F into an arc of the radius R
+ * = F/σ. An arc that sags by s over the chord c has R = c²/(8s) + s/2, which is 1.3 c for s = 0.1 c. The arc meets its
+ * chord at the angle asin(c/2R).
  */
 function radiusOf(request: Request, along: Along, chord: number): number {
   const sag = Math.min(SAG, Math.max((CLEARANCE * clearance(request, along)) / chord, SAG / 100));
@@ -109,7 +112,10 @@ function tensionOf(request: Request): number {
   return films.reduce((sum, film) => sum + (Number(film?.tension) || Math.max(Number(film?.warp) || 0, Number(film?.weft) || 0)), 0) || 1;
 }
 
-/** A value for a cable of this course by which it sags by a tenth of its chord, or less where that is too much for the film. */
+/**
+ * A value for a cable of this course by which it sags by a tenth of its chord, or less where that is too much for the
+ * film.
+ */
 export function likelyValue(request: Request, along: Along, mode: string): number {
   const chord = lengthOf(request, along) || 1;
   const radius = radiusOf(request, along, chord);
@@ -123,8 +129,8 @@ export function likelyValue(request: Request, along: Along, mode: string): numbe
 }
 
 /**
- * Adds a cable between two points of a boundary, in its direction, and gives its number. Cables in its way are removed. It holds
- * constant what the last cable does, at a value of its own.
+ * Adds a cable between two points of a boundary, in its direction, and gives its number. Cables in its way are removed.
+ * It holds constant what the last cable does, at a value of its own.
  */
 export function addCable(request: Request, boundary: number, from: number, to: number): number {
   const cables = cablesOf(request);
@@ -171,7 +177,10 @@ export function pointInserted(request: Request, boundary: number, after: number)
   for (const each of points) if ((each.boundary ?? 0) === boundary && each.point > after) each.point += 1;
 }
 
-/** Follows a point that was taken out of a boundary, which now has `count` points. Stretches without a segment go with it. */
+/**
+ * Follows a point that was taken out of a boundary, which now has `count` points. Stretches without a segment go with
+ * it.
+ */
 export function pointRemoved(request: Request, boundary: number, point: number, count: number): void {
   const { stretches, points } = references(request);
   const gone = new Set<unknown>();

@@ -36,7 +36,9 @@ export interface Line {
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 export const isPoint = (value: unknown): value is number[] => Array.isArray(value) && value.length === 3 && value.every(isNumber);
 
-/** Where a point of a request is drawn: a coordinate that is no number counts as 0; null if nothing about it is a point. */
+/**
+ * Where a point of a request is drawn: a coordinate that is no number counts as 0; null if nothing about it is a point.
+ */
 export function coordinates(point: unknown): Vec3 | null {
   if (!Array.isArray(point) || !point.some(isNumber)) return null;
   return [0, 1, 2].map((axis) => (isNumber(point[axis]) && Math.abs(point[axis]) < 1e150 ? point[axis] : 0)) as Vec3;

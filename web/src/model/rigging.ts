@@ -1,6 +1,6 @@
-// Masts, stays, ridge cables and supports of a tensile structure. Their ends are coordinates. An end at a point of a boundary is
-// joined to the boundary, and every other end is a support. A corner that masts and stays carry is no support itself.
-// Its edges hang on cables.
+// Masts, stays, ridge cables and supports of a tensile structure. Their ends are coordinates. An end at a point of a
+// boundary is joined to the boundary, and every other end is a support. A corner that masts and stays carry is no
+// support itself. Its edges hang on cables.
 
 import { addCable, cableAt, type Cable, cablesOf } from './cables';
 import { coordinates, type Request, upAxisOf, type Vec3 } from './request';
@@ -31,7 +31,10 @@ function measure(members: (Mast | Cable)[]): void {
   for (const member of members) if (member.mode === 'length' && member.points?.length === 2) member.value = digits(distance(member.points[0]!, member.points[1]!), 12);
 }
 
-/** After a point moved: what ended there ends at its new place, and what holds a length has the new one. Without a point it goes. */
+/**
+ * After a point moved: what ended there ends at its new place, and what holds a length has the new one. Without a point
+ * it goes.
+ */
 export function follow(request: Request, from: Vec3, to: Vec3 | null): void {
   if (!to) {
     drop(request, [...membersAt(request, from), ...cablesOf(request).filter(({ across }) => list(across).some((end) => isSame(end, from)))]);
@@ -89,7 +92,10 @@ const nameFor = (members: { name?: string | null }[], word: string): string => {
   for (let n = 1; ; n += 1) if (!members.some(({ name }) => name === `${word} ${n}`)) return `${word} ${n}`;
 };
 
-/** Adds a cable in the air from a corner. Three members that hold their lengths place the corner; further ones hold a force. */
+/**
+ * Adds a cable in the air from a corner. Three members that hold their lengths place the corner; further ones hold a
+ * force.
+ */
 function tie(request: Request, corner: Corner, anchor: Vec3): void {
   const place = boundary(request, corner.line)[corner.point]!;
   const members = membersAt(request, place);
@@ -114,7 +120,10 @@ export function addMast(request: Request, corner: Corner): string | null {
   return null;
 }
 
-/** Ties a corner to a place on the ground; without one, to the ground on the outside of the corner. Returns why that cannot be. */
+/**
+ * Ties a corner to a place on the ground; without one, to the ground on the outside of the corner. Returns why that
+ * cannot be.
+ */
 export function addStay(request: Request, corner: Corner, place: Vec3 | null): string | null {
   const { level, extent } = groundOf(request);
   // A pointer is not finer than a hundredth of the structure.

@@ -49,7 +49,9 @@ function mastRow(request: Request, { name: own, mode = 'length', value }: Mast, 
   return el('tr', {}, el('th', { scope: 'row' }, el('button', { type: 'button', title: name, onclick: () => host.chooseMast(i) }, name)), el('td', {}, select), el('td', {}, input), el('td', {}, unit));
 }
 
-/** The cables of a structure: what each holds constant, and how much. A press on a name shows the cable on the stage. */
+/**
+ * The cables of a structure: what each holds constant, and how much. A press on a name shows the cable on the stage.
+ */
 export function cableTable(request: Request, cables: Cable[], host: TableHost): HTMLElement {
   const row = (cable: Cable, i: number): HTMLElement => {
     const name = cable.name ?? `Cable ${i + 1}`;

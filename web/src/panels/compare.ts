@@ -22,8 +22,8 @@ const FACTS: { name: string; label: string; unit: string; better: 'less' | 'more
 ];
 
 /**
- * Solves a strip in the page, because a comparison is no result that the service has to keep. The service takes the page's place
- * where its solvers cannot be loaded.
+ * Solves a strip in the page, because a comparison is no result that the service has to keep. The service takes the
+ * page's place where its solvers cannot be loaded.
  */
 async function solveStrip(request: Request, signal: AbortSignal): Promise<JobInfo> {
   try {

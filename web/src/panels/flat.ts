@@ -1,5 +1,5 @@
-// The flat pattern over the whole stage. A drag moves the pattern, and the wheel zooms about the pointer. A job of the service
-// has the service's drawing with names, angles, sizes and a scale bar. It is printed as the service's PDF.
+// The flat pattern over the whole stage. A drag moves the pattern, and the wheel zooms about the pointer. A job of the
+// service has the service's drawing with names, angles, sizes and a scale bar. It is printed as the service's PDF.
 
 import { type JobInfo, ProblemError } from 'plateau-client';
 import { isStatic, plateau } from '../api';
@@ -158,7 +158,10 @@ export class Flat {
     return Number(Math.min(Math.max(TEXT_PX * pixel, TEXT_MM[0]), TEXT_MM[1]).toPrecision(3));
   }
 
-  /** Opens the service's PDF, which prints true to scale. The browser prints a reduced drawing, and each one without the service. */
+  /**
+   * Opens the service's PDF, which prints true to scale. The browser prints a reduced drawing, and each one without the
+   * service.
+   */
   async print(): Promise<void> {
     if (!this.drawn) return;
     if (!this.isServed || this.paper.value === 'fit') {

@@ -1,5 +1,5 @@
-// An example of the studio's own: a gridshell that opens without a warning. The surface is curved in one direction, so all members
-// keep their range of lengths. Members of the roofs in the papers leave that range.
+// An example of the studio's own: a gridshell that opens without a warning. The surface is curved in one direction, so
+// all members keep their range of lengths. Members of the roofs in the papers leave that range.
 
 import type { ExampleSummary } from 'plateau-client';
 import type { Request } from '../model/request';

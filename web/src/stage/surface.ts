@@ -35,8 +35,8 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
 /**
- * Lights the back of a smooth surface by its normals and not by the sides of its triangles. At a silhouette there are slivers of
- * triangles that are seen from behind, and they would be dark dots on a bright surface.
+ * Lights the back of a smooth surface by its normals and not by the sides of its triangles. At a silhouette there are
+ * slivers of triangles that are seen from behind, and they would be dark dots on a bright surface.
  */
 const towardsEye = (shader: { fragmentShader: string }): void => {
   shader.fragmentShader = shader.fragmentShader.replace('#include <normal_fragment_begin>', `
@@ -79,8 +79,9 @@ export function wideLines(segments: Float32Array, width: number, color: string, 
 const RETIREMENT_MS = 2000;
 
 /**
- * Gives back what an object holds. Its material lives a little longer: the shader program of a kind of material is thrown
- * away with the last material that uses it, and to compile it anew for each film of a live drag takes longer than the solver.
+ * Gives back what an object holds. Its material lives a little longer: the shader program of a kind of material is
+ * thrown away with the last material that uses it, and to compile it anew for each film of a live drag takes longer
+ * than the solver.
  */
 export function retire({ geometry, material }: { geometry: BufferGeometry; material: Material }): void {
   geometry.dispose();
@@ -303,7 +304,9 @@ export class Surface {
   }
 }
 
-/** The reactions as arrows: each line with two barbs in each of two planes, so that the head is seen from everywhere. */
+/**
+ * The reactions as arrows: each line with two barbs in each of two planes, so that the head is seen from everywhere.
+ */
 function arrows(result: ResultMesh): Float32Array {
   const { segments } = result.lines.find(({ name }) => name === 'reactions') ?? { segments: new Float32Array() };
   const a = new Vector3(), b = new Vector3();

@@ -1,4 +1,5 @@
-// Pointer and keyboard on the stage: selecting, moving, lifting, inserting and drawing points. What is left over orbits.
+// Pointer and keyboard on the stage: selecting, moving, lifting, inserting and drawing points. What is left over
+// orbits.
 
 import { Vector3 } from 'three';
 import type { Frame } from '../model/frame';
@@ -373,7 +374,10 @@ export class Tools {
     this.letGo = end;
   }
 
-  /** Takes the pointer from the camera until it is released. If a second finger comes first, `undo` is called instead of `done`. */
+  /**
+   * Takes the pointer from the camera until it is released. If a second finger comes first, `undo` is called instead of
+   * `done`.
+   */
   private seize(event: PointerEvent, move: (event: PointerEvent) => void, done: (event: PointerEvent) => void, undo: () => void = () => {}): void {
     const { stage } = this.host;
     this.busy = true;
