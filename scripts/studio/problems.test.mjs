@@ -53,7 +53,7 @@ test('equal neighbours are marked, and the warning reads well', async () => {
 test('warnings of a strip count from 1', async () => {
   const { page } = studio;
   await studio.open('two-rails');
-  await apply(page, { directrices: [[[0, 0, 0], [8, 8, 0], [8, 0, 0], [0, 8, 0]], [[0, 0, 5], [8, 0, 5]]] });
+  await apply(page, { directrices: [[[0, 0, 0], [4, 0, 0], [8, 0, 0]], [[0, 0, 0], [4, 0, 0], [8, 0, 5]]] });
   await solved(page);
   await showPanel(page, 'results');
   const text = await page.textContent('#warnings');
