@@ -139,3 +139,20 @@ test('the name of each flat piece stands on its piece', async () => {
   }
   assert.ok(named >= 7, `${named} pieces`);
 });
+
+test('the pattern has room between its bars in every window', async () => {
+  const { page } = studio;
+  await openFlat(page, 'wavy-strip');
+  for (const [width, height, least] of [[1440, 860, 400], [820, 700, 250], [390, 844, 150], [844, 390, 90]]) {
+    await page.setViewportSize({ width, height });
+    await page.waitForFunction(() => {
+      const [image, stage] = ['#flat-image', '#stage'].map((selector) => document.querySelector(selector).getBoundingClientRect());
+      return image.left >= stage.left && image.right <= stage.right && image.bottom <= stage.bottom;
+    });
+    const [image, stage, bar, top] = await Promise.all(['#flat-image', '#stage', '#flat-bar', '#modes'].map((selector) => page.locator(selector).boundingBox()));
+    assert.ok(bar.x >= stage.x && bar.x + bar.width <= stage.x + stage.width && bar.y + bar.height <= stage.y + stage.height, `the controls are on the stage at ${width} × ${height}`);
+    assert.ok(bar.y > top.y + top.height, `the bars do not overlap at ${width} × ${height}`);
+    assert.ok(image.height >= least && image.y + image.height <= bar.y + 1, `${image.height} pixels above the controls at ${width} × ${height}`);
+    if (process.env.SHOT) await page.screenshot({ path: `${process.env.SHOT}${width}.png` });
+  }
+});

@@ -12,8 +12,8 @@ import { count, number, typed } from '../text';
 const TEXT_PX = 9;
 /** Bounds of the service on the height of text, and on the page of a PDF, in mm. */
 const TEXT_MM = [5, 500] as const, LARGEST_PAGE_MM = 5080;
-/** Room that the controls above the pattern take, in pixels. */
-const TOP_PX = 60;
+/** Free room between the pattern and the controls above and below it, in pixels. */
+const GAP_PX = 10;
 
 /** A result whose pattern is shown, and the name of its files. */
 export interface Drawn { job: JobInfo; request: Request; name: string }
@@ -211,10 +211,10 @@ export class Flat {
     const { clientWidth, clientHeight } = this.box;
     const { naturalWidth, naturalHeight } = this.image;
     if (naturalWidth === 0) return;
-    const bottom = this.bar.offsetHeight + 20;
-    this.scale = 0.94 * Math.min((clientWidth - 24) / naturalWidth, Math.max(clientHeight - TOP_PX - bottom, 80) / naturalHeight);
+    const [top, bottom] = [$('bar').offsetTop + $('bar').offsetHeight + GAP_PX, this.bar.offsetHeight + 2 * GAP_PX];
+    this.scale = 0.94 * Math.min((clientWidth - 24) / naturalWidth, Math.max(clientHeight - top - bottom, 80) / naturalHeight);
     this.x = (clientWidth - naturalWidth * this.scale) / 2;
-    this.y = TOP_PX + (clientHeight - TOP_PX - bottom - naturalHeight * this.scale) / 2;
+    this.y = top + (clientHeight - top - bottom - naturalHeight * this.scale) / 2;
     this.place();
   }
 
