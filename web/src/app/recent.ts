@@ -61,12 +61,18 @@ function picture(mine: RecentJob | undefined): HTMLElement {
   return el('img', { className: 'recent-picture', alt: '', src: url, onload: () => URL.revokeObjectURL(url) });
 }
 
+/** The job whose picture is kept, so that the list is not read again after every change. */
+let pictured: string | null = null;
+
 /** Keeps a picture of the result that is shown, with its recent job. */
 export function pictureRecent(): void {
   const { shown, mode } = session;
+  if (!shown || shown.job.id === pictured || isStale() || mode !== 'model' || !stage.renderer) return;
   const list = recentJobs();
-  const mine = list.find(({ id }) => id === shown?.job.id);
-  if (!mine || mine.picture || isStale() || mode !== 'model' || !stage.renderer) return;
+  const mine = list.find(({ id }) => id === shown.job.id);
+  if (!mine) return;
+  pictured = mine.id;
+  if (mine.picture) return;
   const small = Object.assign(document.createElement('canvas'), { width: WIDTH, height: HEIGHT });
   const context = small.getContext('2d')!;
   context.imageSmoothingQuality = 'high';
