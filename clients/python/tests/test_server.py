@@ -118,6 +118,28 @@ def test_a_cancelled_batch_says_so_for_each_job(server: Server) -> None:
         asyncio.run(cancelled())
 
 
+def test_patterns_and_schedules_are_made_by_their_parameters() -> None:
+    rails = [[(0, 0, 0), (1, 0, 0.2), (2, 0, 0)], [(0, 1, 0), (2, 1, 0.5)]]
+    strip = Plateau().ruled_surface(rails)
+    assert strip.pattern().startswith(b"<svg")
+    assert strip.pattern(profile="cut", format="dxf", kerf=0.2).startswith(b"PK")
+    assert strip.pattern(format="dxf", angles=True) != strip.pattern(format="dxf", angles=False)
+    table = strip.schedule(part="bends").decode().splitlines()
+    assert len(table) > 1 and "," in table[0]
+    with pytest.raises(PlateauError, match="kerf"):
+        strip.pattern(kerf=-1)
+    with pytest.raises(NotFound):
+        Plateau().minimal_surface([TENT]).pattern()
+
+    async def alike() -> None:
+        async with AsyncPlateau() as client:
+            same = await client.ruled_surface(rails)
+            assert await same.pattern(notches=100) == strip.pattern(notches=100)
+            assert await same.schedule(part="bends") == strip.schedule(part="bends")
+
+    asyncio.run(alike())
+
+
 def test_the_request_and_the_certificate_come_back() -> None:
     client = Plateau()
     request = requests.minimal_surface([TENT], resolution={"triangles": 100}, certify={"seconds": 0.1})

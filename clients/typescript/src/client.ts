@@ -5,7 +5,7 @@ import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
 import { type Lines, Mesh, readLines } from './mesh.js';
 import type {
   BatchInfo, CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
-  Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
+  PatternParameters, Request, RuledStatistics, RuledSurfaceOptions, ScheduleParameters, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
 import { abortable, Patience } from './waiting.js';
@@ -86,6 +86,16 @@ export class Result<Statistics> extends Mesh<Statistics> {
   /** The lines on the mesh by name (`boundaries`, `bridges`, `members rim`, `cables ridge`, `reactions`…). */
   async lines(): Promise<Map<string, Lines>> {
     return readLines(parsed(await this.download('json')));
+  }
+
+  /** The flat pattern of a ruled surface: `{ profile: 'cut', format: 'dxf' }` is a ZIP with a file for each piece. */
+  pattern(parameters: PatternParameters = {}): Promise<ArrayBuffer> {
+    return this.#client.drawing(this.id, 'pattern', parameters);
+  }
+
+  /** The parts of a result: `{ part: 'nodes' }` is a table (CSV), `{ format: 'dxf' }` the numbered members in space. */
+  schedule(parameters: ScheduleParameters = {}): Promise<ArrayBuffer> {
+    return this.#client.drawing(this.id, 'schedule', parameters);
   }
 
   /** The proof of a lower bound of the area, for requests with `certify`. */
@@ -350,6 +360,12 @@ export class Plateau {
   async download(id: string, format: MeshFormat | PatternFormat = 'glb', signal?: AbortSignal): Promise<ArrayBuffer> {
     const part = format === 'svg' || format === 'dxf' ? 'pattern' : 'mesh';
     return this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal });
+  }
+
+  /** A file that is made from a result, by the parameters of its address. */
+  drawing(id: string, part: 'pattern' | 'schedule', parameters: PatternParameters | ScheduleParameters = {}) {
+    const query = new URLSearchParams(Object.entries(parameters).map(([name, value]) => [name, String(value)]));
+    return this.send(`v1/jobs/${id}/${part}?${query}`);
   }
 
   objectives(): Promise<ObjectiveList> {

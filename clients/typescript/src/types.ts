@@ -1,5 +1,5 @@
 /** Names for the types of the API document. */
-import type { components } from './openapi.js';
+import type { components, operations } from './openapi.js';
 
 type Schemas = components['schemas'];
 
@@ -55,3 +55,7 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
 
 export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json';
 export type PatternFormat = 'svg' | 'dxf';
+/** Parameters of a flat pattern, by which `pattern` draws it. */
+export type PatternParameters = NonNullable<operations['getPattern']['parameters']['query']>;
+/** Parameters of a table of parts, by which `schedule` writes it. */
+export type ScheduleParameters = NonNullable<operations['getSchedule']['parameters']['query']>;

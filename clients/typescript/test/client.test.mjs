@@ -102,6 +102,20 @@ test('a batch gives a mesh for each request or its error', async () => {
   });
 });
 
+test('patterns and schedules are made by their parameters', async () => {
+  const text = (bytes) => new TextDecoder().decode(bytes);
+  const strip = await client.ruledSurface([[[0, 0, 0], [1, 0, 0.2], [2, 0, 0]], [[0, 1, 0], [2, 1, 0.5]]]);
+  assert.ok(text(await strip.pattern()).startsWith('<svg'));
+  assert.equal(text((await strip.pattern({ profile: 'cut', format: 'dxf', kerf: 0.2 })).slice(0, 2)), 'PK');
+  const [on, off] = await Promise.all(['true', 'false'].map((angles) => strip.pattern({ format: 'dxf', angles })));
+  assert.notDeepEqual(on, off);
+  const table = text(await strip.schedule({ part: 'bends' })).split('\n');
+  assert.ok(table.length > 1 && table[0].includes(','), table[0]);
+  const refused = await strip.pattern({ kerf: -1 }).catch((error) => error);
+  assert.ok(refused.status === 400 && /kerf/.test(refused.message), refused);
+  await assert.rejects((await client.solve(small(0.7))).pattern(), NotFound);
+});
+
 test('the request and the certificate come back', async () => {
   const request = { ...small(0.6), certify: { seconds: 0.1 } };
   const proven = await client.solve(request);

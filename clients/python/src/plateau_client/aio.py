@@ -51,6 +51,20 @@ class AsyncResult(Mesh[Statistics]):
         """The proof of a lower bound of the area, for requests with `certify`."""
         return await self._client._run(flows.certificate(self.id, self._client._patience))
 
+    async def pattern(self, **parameters: Union[str, float, bool]) -> bytes:
+        """The flat pattern of a ruled strip, by the parameters of `GET /v1/jobs/{id}/pattern`.
+
+        `pattern(profile="cut", format="dxf", kerf=0.2)` is a ZIP archive with a file for each piece.
+        """
+        return await self._client._run(flows.drawing(self.id, "pattern", parameters, self._client._patience))
+
+    async def schedule(self, **parameters: Union[str, float, bool]) -> bytes:
+        """The parts of a result, by the parameters of `GET /v1/jobs/{id}/schedule`.
+
+        `schedule(part="nodes")` is a table (CSV), and `schedule(format="dxf")` the numbered members in space.
+        """
+        return await self._client._run(flows.drawing(self.id, "schedule", parameters, self._client._patience))
+
 
 class AsyncJob:
     """A job on the server. `info` is what the server last said of it."""

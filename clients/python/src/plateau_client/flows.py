@@ -355,6 +355,14 @@ def lines(job_id: str, patience: Patience) -> Flow[Dict[str, Lines]]:
     return read_lines((yield from download(job_id, "json", patience)))
 
 
+def drawing(
+    job_id: str, part: str, parameters: Mapping[str, Union[str, float, bool]], patience: Patience
+) -> Flow[bytes]:
+    """A file that is made from a result. The service writes booleans in small letters."""
+    query = {name: str(value).lower() if isinstance(value, bool) else str(value) for name, value in parameters.items()}
+    return (yield from call(Call("GET", f"v1/jobs/{job_id}/{part}", query), patience)).content
+
+
 def certificate(job_id: str, patience: Patience) -> Flow[Dict[str, Any]]:
     return cast("Dict[str, Any]", (yield from get_json(f"v1/jobs/{job_id}/certificate", patience)))
 
