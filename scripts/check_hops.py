@@ -16,6 +16,8 @@ import tempfile
 import time
 import urllib.error
 import urllib.request
+import xml.etree.ElementTree as ET
+from pathlib import Path
 from random import Random
 
 import rhino3dm as rhino
@@ -221,6 +223,22 @@ def check_components():
     print("components: strip, flat pattern, uniform mesh, sail, dome, start and poll")
 
 
+def check_files():
+    """The Grasshopper files in the repository are those of the server's components."""
+    subprocess.run([sys.executable, str(Path(__file__).parent / "grasshopper_files.py"), "--check"], check=True)
+    paths = sorted((Path(__file__).parent.parent / "clients" / "grasshopper").glob("*.ghx"))
+    for path in paths:
+        root = ET.parse(path).getroot()
+        for parts in [*root.iter("items"), *root.iter("chunks")]:
+            assert int(parts.get("count")) == len(parts), (path, parts.attrib)
+        value = {item.get("name"): item.text for item in root.iter("item")}
+        assert int(value["ObjectCount"]) == len(list(root.iterfind(".//chunk[@name='Object']")))
+        address = value["RemoteDefinitionLocation"]
+        assert address == f"http://localhost:8080/hops/{path.stem}", address
+        assert call(URL + f"/hops/{path.stem}")[2]["Nickname"] == value["NickName"]
+    print(f"files: {len(paths)} of Grasshopper")
+
+
 def rails(random):
     """Two rails of lines, arcs or NURBS curves that lie side by side and run the same way, and the second one reversed."""
     width, height = [random.uniform(0.3, 2.5) for _ in range(2)], [random.uniform(-2, 2) for _ in range(2)]
@@ -357,6 +375,7 @@ if __name__ == "__main__":
     check_curves()
     check_precision()
     check_components()
+    check_files()
     check_directions()
     check_units()
     check_peer()
