@@ -286,3 +286,12 @@ fn a_tube_two_radii_long_stays_a_cylinder_under_its_pressure() {
     // A cylinder of radius R under the pressure σ / R is stable up to the length π R.
     has_area("tube_two_radii_long", 2.0 * std::f64::consts::TAU, 5e-3);
 }
+
+/// Input: a sail with two corners on spheres. Symptom: the spheres curve alike in all directions, so that a quotient of
+/// the settling was 0 / 0, and no equilibrium was found.
+#[test]
+fn corners_slide_on_spheres() {
+    let name = "sail_with_corners_on_spheres";
+    let energy = number(&found(name), "/objective_value");
+    assert!((energy / 219.741 - 1.0).abs() < 1e-5, "{energy}");
+}
