@@ -963,3 +963,16 @@ def fault_tube(random):
     side, face = 2 * r * math.sin(math.pi / count), shoelace(loops[0])
     options = {"pressure": tension * count * side / 2 / face} if by_pressure else {"volume": face * length}
     return Case(tensile(loops, tension, random.choice([800, 1500]), **options), (), [states("/area", count * side * length, 0.02)])
+
+
+@family
+def fault_stiff_edge_cables(random):
+    """Each edge is an arc of its unstressed length, and its force is the arc's radius times the tension of 1."""
+    size, bend = random.uniform(1, 20), random.uniform(0.1, 0.6)
+    length = size * bend / math.sin(bend)
+    force = size / (2 * math.sin(bend))
+    cables = [along(k, 4, "unstressed_length", length) for k in range(4)]
+    for cable in cables:
+        cable["axial_stiffness"] = force * 10 ** random.uniform(5, 9)
+    request = tensile([[[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]], 1.0, random.choice([400, 800]), cables=cables)
+    return Case(request, (), [states("/cables/0/force", force, 0.02)])
