@@ -966,6 +966,23 @@ def fault_tube(random):
 
 
 @family
+def fault_woven_cone(random):
+    """On the cone of two rings sin φ = (c / r)^k with the slope φ of the meridian and the ratio k of weft to warp."""
+    k, inner, outer, steps = random.uniform(0.2, 0.9), random.uniform(0.8, 2.0), random.uniform(6.0, 10.0), 2000
+    c = inner * random.uniform(0.2, 0.75)
+    height = area = 0.0
+    for i in range(steps):
+        r = inner + (outer - inner) * (i + 0.5) / steps
+        sine = (c / r) ** k
+        height += sine / math.sqrt(1 - sine * sine) * (outer - inner) / steps
+        area += TURN * r / math.sqrt(1 - sine * sine) * (outer - inner) / steps
+    stresses = {"warp": 4.0, "weft": 4.0 * k, "direction": {"radial": {"point": [0, 0, 0], "axis": [0, 0, 1]}}}
+    request = {"kind": "tensile_structure", "boundaries": [ring(64, outer), ring(32, inner, height)],
+               "film": stresses, "resolution": {"triangles": random.choice([1000, 3000])}}
+    return Case(request, (), [states("/area", area, 0.02)])
+
+
+@family
 def fault_stiff_edge_cables(random):
     """Each edge is an arc of its unstressed length, and its force is the arc's radius times the tension of 1."""
     size, bend = random.uniform(1, 20), random.uniform(0.1, 0.6)
@@ -976,3 +993,33 @@ def fault_stiff_edge_cables(random):
         cable["axial_stiffness"] = force * 10 ** random.uniform(5, 9)
     request = tensile([[[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]], 1.0, random.choice([400, 800]), cables=cables)
     return Case(request, (), [states("/cables/0/force", force, 0.02)])
+
+
+@family
+def fault_woven_plane_sail(random):
+    """A plane woven sail with sharp corners. Scaled by √weft along the warp and by √warp across it, it is a sail of equal
+    stresses, so that its edges are arcs of ellipses, and the corners stay open if those of the other sail do."""
+    count = random.randint(3, 5)
+    points, _ = corners(random, count)
+    warp, weft, turn = 10 ** random.uniform(-0.5, 0.5), 10 ** random.uniform(-0.5, 0.5), random.uniform(0, math.pi)
+    cos, sin = math.cos(turn), math.sin(turn)
+    scaled = [[math.sqrt(weft) * (cos * x + sin * y), math.sqrt(warp) * (cos * y - sin * x)] for x, y, _ in points]
+    def angle(k):
+        a, b = (towards(scaled[k], scaled[(k + d) % count]) for d in (-1, 1))
+        return math.acos(a[0] * b[0] + a[1] * b[1])
+    cables = []
+    for k in range(count):
+        half = random.uniform(0.3, 0.42) * min(angle(k), angle((k + 1) % count), 2.4)
+        a, b = scaled[k], scaled[(k + 1) % count]
+        radius, inwards = math.dist(a, b) / (2 * math.sin(half)), math.atan2(b[0] - a[0], a[1] - b[1])
+        # The force times the element of length, and the element of length, along the arc.
+        turns = [inwards + half * (2 * (i + 0.5) / 200 - 1) for i in range(200)]
+        force = [radius * math.hypot(math.sqrt(warp) * math.sin(t), math.sqrt(weft) * math.cos(t)) for t in turns]
+        step = [math.hypot(math.sin(t) / math.sqrt(weft), math.cos(t) / math.sqrt(warp)) for t in turns]
+        cables.append(along(k, count, "force", math.fsum(f * s for f, s in zip(force, step)) / math.fsum(step)))
+    request = tensile([[[x, y, 0.0] for x, y, _ in points]], 1.0, random.choice([800, 1500, 3000]), cables=cables)
+    request["film"] = {"warp": warp, "weft": weft, "direction": {"parallel": [cos, sin, 0.0]}}
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/converged") is not True:
+            return f"not converged: residual {outcome.stated('/residual')}"
+    return Case(request, (), [succeeds, check])
