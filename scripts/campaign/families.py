@@ -164,6 +164,35 @@ def film_three_rings_best(random):
     return Case({**film(rings, 400), "topology": "best"}, ("moved", "reordered"))
 
 
+def spiky(random, count):
+    """A closed polygon with spikes and waves, near the unit circle."""
+    every, height, bend = random.choice([1, 3, 4, 5]), random.uniform(0.3, 1.5), random.uniform(0.05, 0.4)
+    waves, phase = random.randint(1, 4), random.uniform(0, TURN)
+    points = []
+    for k in range(count):
+        a = TURN * k / count
+        if every == 1:
+            r = 1 + height * (1 + math.sin(5 * a + phase)) / 2
+        else:
+            r = 1 + (height if k % every == 0 else random.uniform(-0.05, 0.05))
+        points.append([r * math.cos(a), r * math.sin(a), bend * math.sin(waves * a + phase) + random.uniform(-0.02, 0.02)])
+    return points
+
+
+@family
+def fault_topologies_side_by_side(random):
+    first = spiky(random, random.randint(12, 40))
+    loops = [first]
+    for k in range(random.choice([1, 1, 1, 2])):
+        base = first if random.random() < 0.7 else spiky(random, random.randint(12, 40))
+        turn, gap, side = random.uniform(0, TURN), (k + 1) * random.uniform(0.0, random.choice([0.1, 0.5])), random.uniform(0, 0.2)
+        cos, sin = math.cos(turn), math.sin(turn)
+        loop = [[cos * x - sin * y + side, sin * x + cos * y, z + gap] for x, y, z in base]
+        loops.append(loop[::-1] if random.random() < 0.5 else loop)
+    random.shuffle(loops)
+    return Case({**film(loops, random.choice([1000, 2000, 3000])), "topology": "best"}, ("as_fixed", "as_free", "reordered"))
+
+
 @family
 def film_with_fixed_point(random):
     request = film([square(random.randint(2, 6))], 300)

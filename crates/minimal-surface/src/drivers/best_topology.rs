@@ -3,7 +3,8 @@
 //! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
 //!    default solver starts from each initial mesh (in a plane, in a disc, of rings between two boundaries) and
 //!    descends from unstable surfaces. If it converges to a surface that does not hold or passes through itself, it
-//!    also starts from each way to lay out the boundaries in the disc. A film *holds* if it converged, is stable, is
+//!    also starts from each way to lay out the boundaries in the disc, and if no film over all boundaries holds, it
+//!    starts once more with the boundaries in another order. A film *holds* if it converged, is stable, is
 //!    connected and has no flipped triangle. Of the films of a set that hold, the one of least area is taken. A film
 //!    that passes through itself is taken only if all of them do. If a [cone](crate::cone) separates the boundaries of
 //!    a set, the set is not tried, because no connected film spans it.
@@ -104,7 +105,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     // The boundaries are sorted by shape, so that the order of the client's list does not change the films.
     let order = order_of(given);
     let boundaries: &[Vec<DVec3>] = &order.iter().map(|&k| given[k].clone()).collect::<Vec<_>>();
-    let full = SpanningProblem::new(boundaries, options.clone());
+    let full = SpanningProblem::new(boundaries, &order, options.clone());
     // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
@@ -113,7 +114,7 @@ pub(crate) fn solve(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -
     let is_large = estimate(boundaries, options).triangles > 2.0 * compared_at as f64;
     let coarse = is_large.then(|| {
         let resolution = Resolution::Triangles(compared_at);
-        SpanningProblem::new(boundaries, Options { resolution, ..options.clone() })
+        SpanningProblem::new(boundaries, &order, Options { resolution, ..options.clone() })
     });
     let share = if is_large { 0.5 } else { 1.0 };
     let mut parts = exec.part([0.0, share], |exec| coarse.as_ref().unwrap_or(&full).parts(&sets, None, exec))?;
@@ -169,9 +170,13 @@ pub(crate) fn connected_film(
     options: &Options,
     exec: &Execution,
 ) -> Result<Option<SolvedFilm>, Error> {
-    let problem = SpanningProblem::new(boundaries, options.clone());
+    // As in `solve`, so that both find the same films.
+    let order = order_of(boundaries);
+    let sorted: Vec<Vec<DVec3>> = order.iter().map(|&k| boundaries[k].clone()).collect();
+    let problem = SpanningProblem::new(&sorted, &order, options.clone());
     match problem.part((1 << boundaries.len()) - 1, None, exec) {
-        Ok(part) => Ok(spans(&part).then_some(part)),
+        Ok(part) if spans(&part) => Ok(together(boundaries, &[(order, &part)]).map(|film| SolvedFilm { film, ..part })),
+        Ok(_) => Ok(None),
         Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => Ok(None),
         Err(error) => Err(error),
     }
@@ -352,12 +357,22 @@ struct SpanningProblem<'a> {
     total: f64,
     /// Largest distance of a boundary point from the mean of all boundary points.
     radius: f64,
+    /// Another order in which the connected film over all boundaries is tried: exchanged for two boundaries, the order of
+    /// the caller's list for more. Empty if there is none.
+    other_order: Vec<usize>,
 }
 
 impl<'a> SpanningProblem<'a> {
-    fn new(boundaries: &'a [Vec<DVec3>], options: Options) -> Self {
+    /// `order` has the number of each boundary in the caller's list.
+    fn new(boundaries: &'a [Vec<DVec3>], order: &[usize], options: Options) -> Self {
+        let mut other_order: Vec<usize> = (0..order.len()).collect();
+        match order {
+            [_, _] => other_order.reverse(),
+            _ if order.is_sorted() => other_order.clear(),
+            _ => other_order.sort_by_key(|&k| order[k]),
+        }
         let total = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-        Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()) }
+        Self { boundaries, options, total, radius: polyline::radius(&boundaries.concat()), other_order }
     }
 
     /// Carries out steps 1 and 4 for some sets. If `coarse` has a film over a set, the set is solved only from an
@@ -489,7 +504,29 @@ impl<'a> SpanningProblem<'a> {
                 least = (rank, next);
             }
         }
+        if boundaries.len() == self.boundaries.len()
+            && !self.other_order.is_empty()
+            && least.0 != (false, false)
+            && least.1.run.stop_reason != StopReason::Deadline
+        {
+            match self.in_other_order(boundaries, exec) {
+                Ok(Some(next)) if rank(&next)? < least.0 => return Ok(next),
+                Ok(_)
+                | Err(Error::NoResult { .. } | Error::Input(_) | Error::Interrupted(Interruption::DeadlinePassed)) => {}
+                Err(error) => return Err(error),
+            }
+        }
         Ok(least.1)
+    }
+
+    /// Solves all boundaries in the other order. The initial mesh depends on the order: the outer circle of an annulus is
+    /// the first of two boundaries of equal length, and the vertices are numbered in the order of the boundaries. A film
+    /// may therefore be found in one order only. The loops of the returned film are in the usual order.
+    fn in_other_order(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option<SolvedFilm>, Error> {
+        let listed: Vec<Vec<DVec3>> = self.other_order.iter().map(|&k| boundaries[k].clone()).collect();
+        let solved = self.connected(&listed, &InitialMesh::Auto, None, true, exec)?;
+        let film = together(boundaries, &[(self.other_order.clone(), &solved)]);
+        Ok(film.map(|film| SolvedFilm { film, ..solved }))
     }
 
     fn connected(
