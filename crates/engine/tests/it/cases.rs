@@ -485,6 +485,12 @@ fn best_finds_the_connected_film_that_fixed_finds() {
 }
 
 #[test]
+fn a_scan_whose_boundary_turns_to_and_fro_has_no_flipped_triangle() {
+    let (statistics, warnings) = solved("scan_of_500_points");
+    assert_eq!((&statistics["converged"], &statistics["flipped_triangles"]), (&true.into(), &0.into()), "{warnings:?}");
+}
+
+#[test]
 fn a_net_with_a_limit_of_steps_is_fitted() {
     // The loss of the start is 0.974. SciPy's least squares end at 0.0087.
     let (statistics, _) = solved("net_of_given_lengths");
