@@ -995,6 +995,21 @@ def fault_tube(random):
 
 
 @family
+def fault_gap_of_coaxial_rings(random):
+    """The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c))."""
+    r = random.uniform(0.1, 0.9)
+    largest = max(c * (math.acosh(1 / c) + math.acosh(r / c)) for c in [r * k / 4000 for k in range(1, 4001)])
+    fraction = random.uniform(0.3, 0.95)
+    request = film([ring(64), ring(random.choice([32, 48]), r, largest / fraction)], random.choice([300, 600, 2000]))
+    def check(outcome):
+        found = outcome.stated("/spanning/largest_gap_fraction")
+        # The cone refuses wide gaps at once, and the fraction is null.
+        if outcome.succeeded and found is not None and abs(found / fraction - 1) > 0.02:
+            return f"largest_gap_fraction is {found}, and {fraction} is right"
+    return Case({**request, "topology": "best"}, (), [succeeds, check])
+
+
+@family
 def fault_woven_cone(random):
     """On the cone of two rings sin φ = (c / r)^k with the slope φ of the meridian and the ratio k of weft to warp."""
     k, inner, outer, steps = random.uniform(0.2, 0.9), random.uniform(0.8, 2.0), random.uniform(6.0, 10.0), 2000

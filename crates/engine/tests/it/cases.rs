@@ -485,6 +485,16 @@ fn best_finds_the_connected_film_that_fixed_finds() {
 }
 
 #[test]
+fn the_largest_gap_is_that_of_the_catenoid() {
+    // The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c)).
+    for (name, fraction) in [("rings_past_critical_300", 0.6803), ("rings_past_critical_2000", 0.4580)] {
+        let (statistics, _) = solved(name);
+        let found = statistics["spanning"]["largest_gap_fraction"].as_f64().unwrap();
+        assert!((found / fraction - 1.0).abs() < 0.02, "{name}: {found} for {fraction}");
+    }
+}
+
+#[test]
 fn a_scan_whose_boundary_turns_to_and_fro_has_no_flipped_triangle() {
     let (statistics, warnings) = solved("scan_of_500_points");
     assert_eq!((&statistics["converged"], &statistics["flipped_triangles"]), (&true.into(), &0.into()), "{warnings:?}");

@@ -46,6 +46,12 @@ pub(crate) const MOST_BOUNDARIES: usize = 6;
 /// Accuracy of the largest fraction of a gap at which a connected film holds. Half this value would cost about one more
 /// solve.
 const GAP_RESOLUTION: f64 = 1e-3;
+/// Largest number of linear solves of a film on the way whose neck is refined. A film that holds takes fewer, and a film
+/// that does not hold would go on for several times as many.
+const REFINED_SOLVES: u32 = 40;
+/// Fraction of the gap by which the search goes back at first if a film does not hold with a refined neck. Each further
+/// step is twice as long.
+const FIRST_STEP_BACK: f64 = 0.03;
 /// Largest number of times that the gap is halved in search of a first film that holds, down to 1/256 of the full gap.
 const HALVINGS: u32 = 8;
 
@@ -551,8 +557,7 @@ impl<'a> SpanningProblem<'a> {
         Ok(SolvedFilm { film, kind, arrangement, initial_area, run })
     }
 
-    /// Step 4. Only the film over the full gap is refined at its neck. Refining the films on the way too would take
-    /// many times as long.
+    /// Step 4.
     fn widest_gap(&self, exec: &Execution) -> Result<LargestGap, Error> {
         let [first, second] = self.boundaries else { return Ok(LargestGap::NotFound) };
         let gap = polyline::mean(second) - polyline::mean(first);
@@ -563,12 +568,12 @@ impl<'a> SpanningProblem<'a> {
         let at = |fraction: f64| -> Vec<Vec<DVec3>> {
             vec![first.clone(), second.iter().map(|&p| p - gap * (1.0 - fraction)).collect()]
         };
-        let mut held = None;
+        let mut held = Vec::new();
         for halving in 1..=HALVINGS {
             let fraction = 0.5f64.powi(halving as i32);
             match self.connected(&at(fraction), &InitialMesh::Auto, None, false, exec) {
                 Ok(part) if spans(&part) => {
-                    held = Some((fraction, part));
+                    held.push((fraction, part));
                     break;
                 }
                 Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(LargestGap::NotFound),
@@ -576,33 +581,93 @@ impl<'a> SpanningProblem<'a> {
                 Err(error) => return Err(error),
             }
         }
-        let Some((mut fraction, mut part)) = held else { return Ok(LargestGap::NotFound) };
+        let Some((fraction, _)) = held.last() else { return Ok(LargestGap::NotFound) };
         let mut step = 0.5 * (1.0 - fraction);
-        while step > 0.5 * GAP_RESOLUTION {
+        while let Some((fraction, part)) = held.last()
+            && step > 0.5 * GAP_RESOLUTION
+        {
             let tried = f64::min(fraction + step, 1.0);
-            let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let task = Self::task(&self.options, BoundaryEdges::Kept, tried >= 1.0);
-            let run = newton::run(&mut film, task, exec)?;
-            if run.stop_reason == StopReason::Deadline {
-                break;
+            let may_refine = tried >= 1.0;
+            let next = self.moved(part, gap * (tried - fraction), may_refine, None, exec)?;
+            if next.run.stop_reason == StopReason::Deadline {
+                return Ok(LargestGap::Fraction(*fraction));
             }
-            let next = SolvedFilm { film, run, ..part.clone() };
-            if spans(&next) {
-                (fraction, part) = (tried, next);
-                if fraction >= 1.0 {
-                    // The steps accumulated rounding errors: the boundary is set to the exact input points.
-                    for (loop_, points) in part.film.boundaries.clone().iter().zip(self.boundaries) {
-                        if loop_.len() == points.len() {
-                            loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
-                        }
+            if spans(&next) && tried >= 1.0 {
+                let mut part = next;
+                // The steps accumulated rounding errors: the boundary is set to the exact input points.
+                for (loop_, points) in part.film.boundaries.clone().iter().zip(self.boundaries) {
+                    if loop_.len() == points.len() {
+                        loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
                     }
-                    return Ok(LargestGap::Full(Box::new(part)));
                 }
+                return Ok(LargestGap::Full(Box::new(part)));
+            }
+            if spans(&next) {
+                held.push((tried, next));
             } else {
                 step *= 0.5;
             }
         }
+        self.refined_fraction(held, gap, exec)
+    }
+
+    /// Returns the largest fraction of the gap at which a film holds whose neck is refined. `held` has the films on the
+    /// way that were not refined, in ascending order of their fractions. Their coarse meshes hold a thin neck at gaps
+    /// at which no film exists.
+    fn refined_fraction(
+        &self,
+        mut held: Vec<(f64, SolvedFilm)>,
+        gap: DVec3,
+        exec: &Execution,
+    ) -> Result<LargestGap, Error> {
+        let solves = Some(REFINED_SOLVES);
+        let (mut above, mut back) = (1.0, FIRST_STEP_BACK);
+        let mut found = None;
+        while let Some((fraction, part)) = held.pop() {
+            let refined = self.moved(&part, DVec3::ZERO, true, solves, exec)?;
+            if refined.run.stop_reason == StopReason::Deadline {
+                return Ok(LargestGap::NotFound);
+            }
+            if spans(&refined) {
+                found = Some((fraction, refined));
+                break;
+            }
+            above = fraction;
+            let kept = held.partition_point(|(own, _)| *own <= fraction - back);
+            held.truncate(kept.max(1));
+            back *= 2.0;
+        }
+        let Some((mut fraction, mut part)) = found else { return Ok(LargestGap::NotFound) };
+        while above - fraction > GAP_RESOLUTION {
+            let tried = 0.5 * (fraction + above);
+            let next = self.moved(&part, gap * (tried - fraction), true, solves, exec)?;
+            if next.run.stop_reason == StopReason::Deadline {
+                break;
+            }
+            if spans(&next) {
+                (fraction, part) = (tried, next);
+            } else {
+                above = tried;
+            }
+        }
         Ok(LargestGap::Fraction(fraction))
+    }
+
+    /// Moves the second of a film's two boundaries by `shift` and solves the film again, by at most `solves` linear solves
+    /// if this is less than the caller's limit. If `may_refine` is set, a mesh that is too coarse for the neck is refined.
+    fn moved(
+        &self,
+        part: &SolvedFilm,
+        shift: DVec3,
+        may_refine: bool,
+        solves: Option<u32>,
+        exec: &Execution,
+    ) -> Result<SolvedFilm, Error> {
+        let mut film = moved_apart(&part.film, shift);
+        let mut task = Self::task(&self.options, BoundaryEdges::Kept, may_refine);
+        task.limits.max_iterations = task.limits.max_iterations.into_iter().chain(solves).min();
+        let run = newton::run(&mut film, task, exec)?;
+        Ok(SolvedFilm { film, run, ..part.clone() })
     }
 }
 
