@@ -16,7 +16,9 @@
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
 //!    their centroids until a connected film holds. They are then moved apart again in steps, each of which starts from
 //!    the film of the step before. If no film holds at a step, the step is halved. The result is the largest fraction
-//!    of the gap at which a film holds, or the film itself if the full gap is reached.
+//!    of the gap at which a film holds, or the film itself if the full gap is reached. These films have coarse meshes,
+//!    which hold a thin neck at gaps at which no film exists. The fraction is therefore found again by bisection with
+//!    refined necks, from the last of these films that holds when it is refined.
 //!
 //! The films of one partition are solved independently. They may pass through each other, which is reported.
 
@@ -43,8 +45,9 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
 /// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
 /// for six there are 203 partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// Accuracy of the largest fraction of a gap at which a connected film holds. Half this value would cost about one more
-/// solve.
+/// Step of the fraction of a gap at which the search for the largest one ends. Half this value would cost about one more
+/// solve. The error of the mesh is larger: between coaxial rings of 32 points and more the fraction is within 2% of that
+/// of circles.
 const GAP_RESOLUTION: f64 = 1e-3;
 /// Largest number of linear solves of a film on the way whose neck is refined. A film that holds takes fewer, and a film
 /// that does not hold would go on for several times as many.
