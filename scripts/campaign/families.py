@@ -164,6 +164,35 @@ def film_three_rings_best(random):
     return Case({**film(rings, 400), "topology": "best"}, ("moved", "reordered"))
 
 
+def spiky(random, count):
+    """A closed polygon with spikes and waves, near the unit circle."""
+    every, height, bend = random.choice([1, 3, 4, 5]), random.uniform(0.3, 1.5), random.uniform(0.05, 0.4)
+    waves, phase = random.randint(1, 4), random.uniform(0, TURN)
+    points = []
+    for k in range(count):
+        a = TURN * k / count
+        if every == 1:
+            r = 1 + height * (1 + math.sin(5 * a + phase)) / 2
+        else:
+            r = 1 + (height if k % every == 0 else random.uniform(-0.05, 0.05))
+        points.append([r * math.cos(a), r * math.sin(a), bend * math.sin(waves * a + phase) + random.uniform(-0.02, 0.02)])
+    return points
+
+
+@family
+def fault_topologies_side_by_side(random):
+    first = spiky(random, random.randint(12, 40))
+    loops = [first]
+    for k in range(random.choice([1, 1, 1, 2])):
+        base = first if random.random() < 0.7 else spiky(random, random.randint(12, 40))
+        turn, gap, side = random.uniform(0, TURN), (k + 1) * random.uniform(0.0, random.choice([0.1, 0.5])), random.uniform(0, 0.2)
+        cos, sin = math.cos(turn), math.sin(turn)
+        loop = [[cos * x - sin * y + side, sin * x + cos * y, z + gap] for x, y, z in base]
+        loops.append(loop[::-1] if random.random() < 0.5 else loop)
+    random.shuffle(loops)
+    return Case({**film(loops, random.choice([1000, 2000, 3000])), "topology": "best"}, ("as_fixed", "as_free", "reordered"))
+
+
 @family
 def film_with_fixed_point(random):
     request = film([square(random.randint(2, 6))], 300)
@@ -963,3 +992,78 @@ def fault_tube(random):
     side, face = 2 * r * math.sin(math.pi / count), shoelace(loops[0])
     options = {"pressure": tension * count * side / 2 / face} if by_pressure else {"volume": face * length}
     return Case(tensile(loops, tension, random.choice([800, 1500]), **options), (), [states("/area", count * side * length, 0.02)])
+
+
+@family
+def fault_gap_of_coaxial_rings(random):
+    """The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c))."""
+    r = random.uniform(0.1, 0.9)
+    largest = max(c * (math.acosh(1 / c) + math.acosh(r / c)) for c in [r * k / 4000 for k in range(1, 4001)])
+    fraction = random.uniform(0.3, 0.95)
+    request = film([ring(64), ring(random.choice([32, 48]), r, largest / fraction)], random.choice([300, 600, 2000]))
+    def check(outcome):
+        found = outcome.stated("/spanning/largest_gap_fraction")
+        # The cone refuses wide gaps at once, and the fraction is null.
+        if outcome.succeeded and found is not None and abs(found / fraction - 1) > 0.02:
+            return f"largest_gap_fraction is {found}, and {fraction} is right"
+    return Case({**request, "topology": "best"}, (), [succeeds, check])
+
+
+@family
+def fault_woven_cone(random):
+    """On the cone of two rings sin φ = (c / r)^k with the slope φ of the meridian and the ratio k of weft to warp."""
+    k, inner, outer, steps = random.uniform(0.2, 0.9), random.uniform(0.8, 2.0), random.uniform(6.0, 10.0), 2000
+    c = inner * random.uniform(0.2, 0.75)
+    height = area = 0.0
+    for i in range(steps):
+        r = inner + (outer - inner) * (i + 0.5) / steps
+        sine = (c / r) ** k
+        height += sine / math.sqrt(1 - sine * sine) * (outer - inner) / steps
+        area += TURN * r / math.sqrt(1 - sine * sine) * (outer - inner) / steps
+    stresses = {"warp": 4.0, "weft": 4.0 * k, "direction": {"radial": {"point": [0, 0, 0], "axis": [0, 0, 1]}}}
+    request = {"kind": "tensile_structure", "boundaries": [ring(64, outer), ring(32, inner, height)],
+               "film": stresses, "resolution": {"triangles": random.choice([1000, 3000])}}
+    return Case(request, (), [states("/area", area, 0.02)])
+
+
+@family
+def fault_stiff_edge_cables(random):
+    """Each edge is an arc of its unstressed length, and its force is the arc's radius times the tension of 1."""
+    size, bend = random.uniform(1, 20), random.uniform(0.1, 0.6)
+    length = size * bend / math.sin(bend)
+    force = size / (2 * math.sin(bend))
+    cables = [along(k, 4, "unstressed_length", length) for k in range(4)]
+    for cable in cables:
+        cable["axial_stiffness"] = force * 10 ** random.uniform(5, 9)
+    request = tensile([[[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]], 1.0, random.choice([400, 800]), cables=cables)
+    return Case(request, (), [states("/cables/0/force", force, 0.02)])
+
+
+@family
+def fault_woven_plane_sail(random):
+    """A plane woven sail with sharp corners. Scaled by √weft along the warp and by √warp across it, it is a sail of equal
+    stresses, so that its edges are arcs of ellipses, and the corners stay open if those of the other sail do."""
+    count = random.randint(3, 5)
+    points, _ = corners(random, count)
+    warp, weft, turn = 10 ** random.uniform(-0.5, 0.5), 10 ** random.uniform(-0.5, 0.5), random.uniform(0, math.pi)
+    cos, sin = math.cos(turn), math.sin(turn)
+    scaled = [[math.sqrt(weft) * (cos * x + sin * y), math.sqrt(warp) * (cos * y - sin * x)] for x, y, _ in points]
+    def angle(k):
+        a, b = (towards(scaled[k], scaled[(k + d) % count]) for d in (-1, 1))
+        return math.acos(a[0] * b[0] + a[1] * b[1])
+    cables = []
+    for k in range(count):
+        half = random.uniform(0.3, 0.42) * min(angle(k), angle((k + 1) % count), 2.4)
+        a, b = scaled[k], scaled[(k + 1) % count]
+        radius, inwards = math.dist(a, b) / (2 * math.sin(half)), math.atan2(b[0] - a[0], a[1] - b[1])
+        # The force times the element of length, and the element of length, along the arc.
+        turns = [inwards + half * (2 * (i + 0.5) / 200 - 1) for i in range(200)]
+        force = [radius * math.hypot(math.sqrt(warp) * math.sin(t), math.sqrt(weft) * math.cos(t)) for t in turns]
+        step = [math.hypot(math.sin(t) / math.sqrt(weft), math.cos(t) / math.sqrt(warp)) for t in turns]
+        cables.append(along(k, count, "force", math.fsum(f * s for f, s in zip(force, step)) / math.fsum(step)))
+    request = tensile([[[x, y, 0.0] for x, y, _ in points]], 1.0, random.choice([800, 1500, 3000]), cables=cables)
+    request["film"] = {"warp": warp, "weft": weft, "direction": {"parallel": [cos, sin, 0.0]}}
+    def check(outcome):
+        if outcome.succeeded and outcome.stated("/converged") is not True:
+            return f"not converged: residual {outcome.stated('/residual')}"
+    return Case(request, (), [succeeds, check])

@@ -70,6 +70,16 @@ def reordered(random, request):
 
 
 @relation
+def as_fixed(random, request):
+    return {**copy.deepcopy(request), "topology": "fixed"}, 1.0
+
+
+@relation
+def as_free(random, request):
+    return {**copy.deepcopy(request), "topology": "free"}, 1.0
+
+
+@relation
 def reversed(random, request):
     other = copy.deepcopy(request)
     other["boundaries"] = [line[::-1] for line in other["boundaries"]]
@@ -120,8 +130,36 @@ def error_of(outcome):
     return abs(area - extrapolated) if extrapolated is not None else 0.02 * area
 
 
+def contradiction(best, other):
+    """Returns a sentence if the answer of topology best to a request contradicts that of topology fixed or free."""
+    def connected(outcome):
+        return outcome.succeeded and outcome.stated("/components") == 1
+
+    # The lesser area of two meshes of one film says nothing within their errors.
+    slack = sum(2 * error_of(outcome) for outcome in (best, other) if outcome.succeeded)
+    if connected(other) and other.stated("/converged"):
+        # A stationary film that is no minimum is not compared by best.
+        if (other.stated("/stability") or {}).get("stable") is not True:
+            return None
+        if not best.succeeded:
+            return f"best failed with {best.error}, and a connected film of {other.stated('/area')} exists"
+        if best.stated("/spanning/connected_film_exists") is not True:
+            return f"best knows no connected film, and one of {other.stated('/area')} exists"
+        if best.stated("/area") > other.stated("/area") + slack and not best.warns("films_cross"):
+            return f"best has {best.stated('/area')}, and a connected film of {other.stated('/area')} exists"
+    elif connected(best) and best.stated("/converged"):
+        if not other.succeeded:
+            return f"{other.error} is stated, and best has the film of {best.stated('/area')}"
+        if not other.stated("/converged"):
+            return f"not converged, and best has the film of {best.stated('/area')}"
+    return None
+
+
 def agree(name, request, one, other, factor):
     """Returns a sentence if two results differ by more than the relation allows."""
+    if name in ("as_fixed", "as_free"):
+        found = contradiction(one, other)
+        return f"{name}: {found}" if found else None
     if one.succeeded != other.succeeded:
         return f"{name}: one succeeded and the other failed with {one.error or other.error}"
     if not one.succeeded:

@@ -151,9 +151,10 @@ pub struct SpanningComparison {
     pub topologies: Vec<SpanningTopology>,
     /// Whether a film holds that connects all boundaries.
     pub connected_film_exists: bool,
-    /// The largest fraction of the gap between two boundaries at which a connected film holds, to within 0.001. It is
-    /// determined only if no connected film holds at the whole gap. The gap is measured along the line through the
-    /// centroids of the boundaries. `None` if there is no gap or no film was found.
+    /// The largest fraction of the gap between two boundaries at which a connected film holds. Between coaxial rings of
+    /// 32 points and more it is within 2% of the largest catenoid's. It is determined only if no connected film holds at
+    /// the whole gap. The gap is measured along the line through the centroids of the boundaries. `None` if there is no
+    /// gap or no film was found.
     pub largest_gap_fraction: Option<f64>,
 }
 

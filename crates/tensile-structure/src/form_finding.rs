@@ -4,7 +4,8 @@
 //!    Others keep their mesh: rounds of the update reference strategy
 //!    ([`prestress`](plateau_equilibrium::energy::prestress)) replace the film's area by the quadratic energy of its
 //!    present shape, in which every vertex inside moves freely. Between the rounds edges are flipped and vertices slide
-//!    within the film.
+//!    within the film. If a woven film with moving edges is not found in this way, it is tried once more, and its mesh is
+//!    renewed where its triangles have become thin.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
 //!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
 //!    renewed between solves. Then the stability is analysed. A woven film has no energy whose minimum its shape could
@@ -162,12 +163,23 @@ pub(super) struct Run<'a> {
     pub solves: u32,
     pub limit: u32,
     pub fraction: f64,
-    /// The coarse mesh of a structure whose mesh is renewed as it moves.
-    pub coarse: Option<Coarse>,
+    pub meshes: Meshes,
     /// Factor on the edge length at which remeshing comes to the wanted number of triangles; 1 if all were equilateral.
     pub calibration: f64,
     /// The symbolic factorisation and the storage of the last solve.
     pub factor: Option<Direct>,
+}
+
+/// The meshes on which the shape is found.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Meshes {
+    /// The initial mesh.
+    Kept,
+    /// The initial mesh, which is renewed while the structure settles if the edges of a woven film have made its
+    /// triangles too thin.
+    RenewedWhereWorn,
+    /// A coarse mesh, which is renewed and becomes finer as the structure moves.
+    Travelling(Coarse),
 }
 
 /// The mesh with which a structure begins to travel.
@@ -200,8 +212,7 @@ fn too_large(error: LinearError) -> Error {
     Error::no_result(Reason::TooLarge, format!("the linear system is too large: {error:?}"))
 }
 
-/// Finds the shape. The model's vertices become those of the shape. With a `coarse` mesh the structure travels: the
-/// mesh is renewed as the structure moves, and gets finer.
+/// Finds the shape. The model's vertices become those of the shape.
 ///
 /// # Errors
 /// The cancel; [`Error::NoResult`] for a mesh that is too large.
@@ -209,7 +220,7 @@ pub(super) fn run(
     model: &mut Model,
     structure: &Structure,
     options: &Options,
-    coarse: Option<Coarse>,
+    meshes: Meshes,
     exec: &Execution,
 ) -> Result<Found, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
@@ -221,7 +232,7 @@ pub(super) fn run(
         solves: 0,
         limit,
         fraction: 0.0,
-        coarse,
+        meshes,
         calibration: 1.0,
         factor: None,
     };
@@ -296,7 +307,7 @@ impl Run<'_> {
     }
 
     fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
-        if let Some(coarse) = self.coarse {
+        if let Meshes::Travelling(coarse) = self.meshes {
             self.search(coarse, found)?;
             if found.is_shape() && self.model.flipped() == 0 {
                 self.balance(found)?;

@@ -71,10 +71,11 @@ pub use shape::{
 };
 
 use catenary::{Catenary, NoCatenary};
-use form_finding::{Coarse, Found};
-use model::Model;
+use form_finding::{Coarse, Found, Meshes};
+use model::{FirstShape, Model};
+use plateau_equilibrium::form_finding::StopReason;
 use plateau_mesh::error::Step;
-use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
+use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Interruption, Place};
 use plateau_minimal_surface::Resolution;
 
 /// Finds the shape of a structure in equilibrium.
@@ -115,13 +116,7 @@ const COARSE_TRIANGLES_PER_POINT: f64 = 3.0;
 /// Finds the shape on the initial mesh. The film may become much larger than its boundaries suggest, and the edges of
 /// its mesh then become longer than the required length. In this case the shape is found once more on a finer mesh.
 fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
-    let find = |options: &Options, exec: &Execution| {
-        let mut model = exec
-            .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, exec))
-            .map_err(|error| placed(structure, error))?;
-        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, None, exec))?;
-        Ok((model, found))
-    };
+    let find = |options: &Options, exec: &Execution| find_from_starts(structure, options, exec);
     let Resolution::EdgeLength(edge) = options.resolution else { return find(options, exec) };
     let (model, found) = exec.part([0.0, 0.5], |exec| find(options, exec))?;
     let ratio = model.mean_edge() / edge;
@@ -131,6 +126,40 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     let triangles = model.layers[0].film.triangles().len() as f64 * (ratio * ratio).min(MOST_FINER);
     let finer = Options { resolution: Resolution::Triangles(triangles as usize), ..*options };
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
+}
+
+/// Finds the shape on the initial mesh. If the search does not converge for a woven film, it starts again in other ways: from
+/// the straight lines between two boundaries, because a harmonic map narrows to a neck that unequal stresses do not
+/// have, and on a mesh that is renewed while the edges move.
+fn find_from_starts(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
+    let find = |first_shape: FirstShape, meshes: Meshes, exec: &Execution| {
+        let mut model = exec
+            .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, first_shape, exec))
+            .map_err(|error| placed(structure, error))?;
+        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, meshes, exec))?;
+        Ok::<_, Error>((model, found))
+    };
+    let is_woven = structure.weave().is_some();
+    let share = if is_woven { 0.5 } else { 1.0 };
+    let first = exec.part([0.0, share], |exec| find(FirstShape::Harmonic, Meshes::Kept, exec))?;
+    let converged = |(model, found): &(Model, Found)| found.stop_reason == StopReason::Residual && model.flipped() == 0;
+    let is_used_up = options.max_iterations.is_some() && first.1.stop_reason == StopReason::MaxIterations;
+    if !is_woven || converged(&first) || is_used_up || first.1.stop_reason == StopReason::Deadline {
+        return Ok(first);
+    }
+    let others = [
+        (structure.boundaries.len() == 2).then_some((FirstShape::Ruled, Meshes::Kept)),
+        remeshing::has_moving_edges(structure).then_some((FirstShape::Harmonic, Meshes::RenewedWhereWorn)),
+    ];
+    for (first_shape, meshes) in others.into_iter().flatten() {
+        match exec.part([share, 1.0], |exec| find(first_shape, meshes, exec)) {
+            Ok(other) if converged(&other) => return Ok(other),
+            Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(first)
 }
 
 /// Finds the shape on a sequence of meshes that become finer. If none is found from the usual coarse mesh, and the
@@ -165,10 +194,10 @@ fn travel_from(
         (*options, 1.0)
     };
     let mut model = exec
-        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, &start, share, exec))
+        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, &start, share, FirstShape::Harmonic, exec))
         .map_err(|error| placed(structure, error))?;
     let coarse = Coarse { count, options: start, share };
-    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Some(coarse), exec);
+    let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Meshes::Travelling(coarse), exec);
     let found = exec.part([0.1, 1.0], run)?;
     Ok((model, found))
 }

@@ -126,6 +126,16 @@ pub(super) struct MovingRing {
     pub vertices: Vec<u32>,
 }
 
+/// The shape of the initial mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FirstShape {
+    /// A harmonic map of the film. Tubes under pressure or of given volume that are longer than their ends are wide
+    /// begin on straight lines.
+    Harmonic,
+    /// The straight lines between two boundaries.
+    Ruled,
+}
+
 /// The rule by which a renewal chooses the stresses of a woven film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Renewal {

@@ -16,6 +16,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Number of rounds of relaxation and edge flips that even out the triangles of the mesh on the last level.
 const POLISHES: u32 = 4;
+/// Largest acceptable angle of a triangle, in radians; it is 137°. A mesh with a larger angle is remeshed: that of a
+/// travelling structure on the finest level, once Newton's method has converged on the mesh, and that of a woven film
+/// while it settles.
+pub(super) const WORN_ANGLE: f64 = 2.4;
 /// Minimum number of vertices inside a stretch.
 const FEWEST: usize = 3;
 
@@ -366,11 +370,15 @@ pub(super) fn may_travel(structure: &Structure) -> bool {
 /// mesh the error falls more evenly with the edge length.
 pub(super) fn travels(structure: &Structure) -> bool {
     let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
-    let edges = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
-    let moves = edges
+    let moves = has_moving_edges(structure)
         || !structure.sliding.is_empty()
         || !structure.free_points.is_empty()
         || !structure.rings.is_empty()
         || by_volume && structure.boundaries.len() > 1;
     may_travel(structure) && moves
+}
+
+/// Whether cables run along the film's edges.
+pub(super) fn has_moving_edges(structure: &Structure) -> bool {
+    structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }))
 }

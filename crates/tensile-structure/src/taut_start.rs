@@ -308,6 +308,64 @@ impl<'a> Network<'a> {
             a.distance(b) > SHORTEST * self.radius
         })
     }
+
+    /// Returns the structure with straight sides whose corners, joints and hubs are at the places of the network.
+    fn straightened(&self) -> Structure {
+        let moved = |place: DVec3| self.number.get(&position_key(place)).map_or(place, |&v| self.places[v]);
+        let mut taut = self.structure.clone();
+        for (boundary, points) in taut.boundaries.iter_mut().enumerate() {
+            points.iter_mut().for_each(|point| *point = moved(*point));
+            for cable in &self.structure.cables {
+                if let Course::Boundary { boundary: own, from, to } = cable.course
+                    && own == boundary
+                {
+                    let inner: Vec<usize> = stretch(points.len(), from, to).skip(1).collect();
+                    let (first, last) = (points[from], points[to]);
+                    for (i, &k) in inner.iter().enumerate() {
+                        points[k] = first.lerp(last, (i + 1) as f64 / (inner.len() + 1) as f64);
+                    }
+                }
+            }
+        }
+        for ring in &mut taut.rings {
+            if let Some(hub) = ring.hub {
+                let travel = moved(hub) - hub;
+                taut.boundaries[ring.boundary].iter_mut().for_each(|point| *point += travel);
+                ring.hub = Some(moved(hub));
+            }
+        }
+        // Ends of cables follow the points and the segments of the boundaries on which they lie.
+        for (end, given) in taut.across_ends.iter_mut().zip(&self.structure.across_ends) {
+            let segment = |boundaries: &[Vec<DVec3>]| {
+                let points = &boundaries[given.boundary];
+                [points[given.segment], points[(given.segment + 1) % points.len()]]
+            };
+            let ([a, b], [from, to]) = (segment(&self.structure.boundaries), segment(&taut.boundaries));
+            end.place = from.lerp(to, a.distance(given.place) / a.distance(b));
+        }
+        let ends = |of: &Structure| -> Vec<DVec3> {
+            of.across_ends.iter().map(|end| end.place).chain(of.boundaries.iter().flatten().copied()).collect()
+        };
+        let (given, places) = (ends(self.structure), ends(&taut));
+        let followed =
+            |end: DVec3| given.iter().position(|place| *place == end).map_or_else(|| moved(end), |k| places[k]);
+        taut.joints.iter_mut().for_each(|joint| *joint = moved(*joint));
+        for cable in &mut taut.cables {
+            match &mut cable.course {
+                Course::Boundary { .. } => {}
+                Course::Air(ends) | Course::Mast(ends) => *ends = ends.map(followed),
+                Course::Across(points) => {
+                    let ends = [points[0], points[points.len() - 1]];
+                    let travel = 0.5 * (followed(ends[0]) + followed(ends[1]) - ends[0] - ends[1]);
+                    let last = points.len() - 1;
+                    for (k, point) in points.iter_mut().enumerate() {
+                        *point = if k == 0 || k == last { followed(*point) } else { *point + travel };
+                    }
+                }
+            }
+        }
+        taut
+    }
 }
 
 /// Returns the point at the distance `length` from `other` on the line through `place` along the axis, on the side of
@@ -344,57 +402,33 @@ pub(super) fn taut(structure: &Structure, forces: &[f64], held: Held) -> Option<
     if !network.is_open() || !before.iter().zip(&network.places).any(moves) {
         return None;
     }
-    let moved = |place: DVec3| network.number.get(&position_key(place)).map_or(place, |&v| network.places[v]);
-    let mut taut = structure.clone();
-    for (boundary, points) in taut.boundaries.iter_mut().enumerate() {
-        points.iter_mut().for_each(|point| *point = moved(*point));
-        for cable in &structure.cables {
-            if let Course::Boundary { boundary: own, from, to } = cable.course
-                && own == boundary
-            {
-                let inner: Vec<usize> = stretch(points.len(), from, to).skip(1).collect();
-                let (first, last) = (points[from], points[to]);
-                for (i, &k) in inner.iter().enumerate() {
-                    points[k] = first.lerp(last, (i + 1) as f64 / (inner.len() + 1) as f64);
-                }
+    Some(network.straightened())
+}
+
+/// Returns the structure with straight sides whose corners on supports have moved away from `ends`, the places to which
+/// they slid in an attempt that failed: each corner is as far from its given place, on the other side of that place,
+/// but at most half the length of its shorter side away. The corners are in the order of the supports. Returns `None`
+/// if no corner slides or none has moved.
+///
+/// The film pulls a corner towards both of its neighbours, so that the corner may have an unstable place between two
+/// stable ones. On one side of the unstable place the film may close, although an equilibrium exists on the other.
+pub(super) fn slid_back(structure: &Structure, forces: &[f64], ends: &[DVec3]) -> Option<Structure> {
+    let mut network = Network::new(structure, forces);
+    let corners: Vec<(usize, usize)> = (structure.sliding.iter().enumerate())
+        .filter_map(|(k, sliding)| match sliding.part {
+            SlidingPart::Point(BoundaryPoint { boundary, point }) => {
+                Some((k, *network.number.get(&position_key(structure.boundaries[boundary][point]))?))
             }
-        }
+            SlidingPart::Edge { .. } | SlidingPart::Boundary(_) => None,
+        })
+        .collect();
+    let before = network.places.clone();
+    for (&(k, v), end) in corners.iter().zip(ends) {
+        let sides = network.links.iter().filter(|link| link.ends.contains(&v));
+        let shortest = sides.map(|link| link.ends.map(|end| before[end])).map(|[a, b]| a.distance(b));
+        let step = (before[v] - *end).clamp_length_max(0.5 * shortest.fold(f64::INFINITY, f64::min));
+        network.places[v] = structure.sliding[k].on.nearest(before[v] + step);
     }
-    for ring in &mut taut.rings {
-        if let Some(hub) = ring.hub {
-            let travel = moved(hub) - hub;
-            taut.boundaries[ring.boundary].iter_mut().for_each(|point| *point += travel);
-            ring.hub = Some(moved(hub));
-        }
-    }
-    // Ends of cables follow the points and the segments of the boundaries on which they lie.
-    for (end, given) in taut.across_ends.iter_mut().zip(&structure.across_ends) {
-        let segment = |boundaries: &[Vec<DVec3>]| {
-            let points = &boundaries[given.boundary];
-            [points[given.segment], points[(given.segment + 1) % points.len()]]
-        };
-        let ([a, b], [from, to]) = (segment(&structure.boundaries), segment(&taut.boundaries));
-        end.place = from.lerp(to, a.distance(given.place) / a.distance(b));
-    }
-    let ends = |of: &Structure| -> Vec<DVec3> {
-        of.across_ends.iter().map(|end| end.place).chain(of.boundaries.iter().flatten().copied()).collect()
-    };
-    let (given, places) = (ends(structure), ends(&taut));
-    let followed = |end: DVec3| given.iter().position(|place| *place == end).map_or_else(|| moved(end), |k| places[k]);
-    taut.joints.iter_mut().for_each(|joint| *joint = moved(*joint));
-    for cable in &mut taut.cables {
-        match &mut cable.course {
-            Course::Boundary { .. } => {}
-            Course::Air(ends) | Course::Mast(ends) => *ends = ends.map(followed),
-            Course::Across(points) => {
-                let ends = [points[0], points[points.len() - 1]];
-                let travel = 0.5 * (followed(ends[0]) + followed(ends[1]) - ends[0] - ends[1]);
-                let last = points.len() - 1;
-                for (k, point) in points.iter_mut().enumerate() {
-                    *point = if k == 0 || k == last { followed(*point) } else { *point + travel };
-                }
-            }
-        }
-    }
-    Some(taut)
+    let moves = |(a, b): (&DVec3, &DVec3)| a.distance(*b) > LEAST_MOTION * network.radius;
+    before.iter().zip(&network.places).any(moves).then(|| network.straightened())
 }

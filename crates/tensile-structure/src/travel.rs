@@ -9,18 +9,20 @@
 //! 3. bold steps from a start in which the cables alone hold corners and joints,
 //! 4. the gradient flow,
 //! 5. bold steps while the film's tension grows,
-//! 6. bold steps from a start in which the film also pulls free corners, and these corners begin drawn in.
+//! 6. bold steps from a start in which the film also pulls free corners, and these corners begin drawn in,
+//! 7. bold steps from a start in which the corners on supports begin on the other side of their given places from where
+//!    they slid in the first attempt.
 //!
 //! If all attempts end because the same kind of part closes or runs away, this counts as evidence that there is
 //! no equilibrium. Otherwise the question stays open.
 
 mod ending;
 
-use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Run, Stop};
-use super::model::{Model, Stage};
-use super::options::{Cable, CableMode, FilmPrestress, Pressure, Sliding};
-use super::remeshing::Fineness;
-use super::taut_start::{Held, taut};
+use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Meshes, Run, Stop};
+use super::model::{FirstShape, Model, Stage};
+use super::options::{Cable, CableMode, FilmPrestress, Pressure, Sliding, SlidingPart, Structure};
+use super::remeshing::{Fineness, WORN_ANGLE};
+use super::taut_start::{Held, slid_back, taut};
 use ending::Watch;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::settling::{Pace, Settler, energy};
@@ -43,9 +45,6 @@ const NEWTON_BELOW: f64 = 0.5;
 const SETTLED: f64 = 0.05;
 /// The residual at which Newton's method ends on a coarse level.
 const COARSE_TOLERANCE: f64 = 1e-4;
-/// Largest acceptable angle of a triangle, in radians; it is 137°. A mesh of the finest level with a larger angle is
-/// remeshed once Newton's method has converged on the mesh.
-const WORN_ANGLE: f64 = 2.4;
 /// Largest number of rounds of an attempt.
 const MAX_ROUNDS: u32 = 400;
 /// The pause before Newton's method is tried again, in rounds, is this number times one more than the number of
@@ -55,13 +54,14 @@ const WAIT: u32 = 2;
 /// An attempt ends after this number of rounds in a row that found no step.
 const MAX_STUCK: u32 = 6;
 /// The attempts. Those from a taut start and those with growing tension are made only for structures without chambers.
-const ATTEMPTS: [Attempt; 6] = [
-    Attempt { from: None, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Held::UprightMasts), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: None, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
-    Attempt { from: Some(Held::Cables), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
-    Attempt { from: Some(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+const ATTEMPTS: [Attempt; 7] = [
+    Attempt { from: Start::Given, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Start::Taut(Held::UprightMasts), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Start::Taut(Held::Cables), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Start::Given, pace: Pace::CAUTIOUS, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Start::Taut(Held::Cables), pace: Pace::BOLD, first_tension: 0.3, tension_rounds: 8 },
+    Attempt { from: Start::Taut(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
+    Attempt { from: Start::SlidBack, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
 ];
 /// Maximum number of kicks in an attempt. A kick moves the vertices along an unstable mode.
 const MAX_KICKS: u32 = 3;
@@ -74,11 +74,21 @@ const CALIBRATIONS: u32 = 4;
 /// Largest relative deviation of the number of triangles from the wanted number on the last level.
 const COUNT_TOLERANCE: f64 = 0.05;
 
+/// The shape from which an attempt begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Start {
+    /// The given shape.
+    Given,
+    /// The shape in which these forces hold corners, joints and hubs.
+    Taut(Held),
+    /// The given shape with the corners on supports on the other side of their places from where they slid.
+    SlidBack,
+}
+
 /// The start and the pace of an attempt.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
-    /// The taut start from which the attempt begins; `None` for the given one.
-    from: Option<Held>,
+    from: Start,
     pace: Pace,
     /// Fraction of the film's tension with which the attempt starts.
     first_tension: f64,
@@ -230,18 +240,25 @@ impl Run<'_> {
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
         let (mut first, mut worn): (Option<(Ending, Model)>, Option<Model>) = (None, None);
-        let possible = |attempt: &Attempt| plain || attempt.from.is_none() && attempt.tension_rounds == 0;
+        let possible = |attempt: &Attempt| plain || attempt.from == Start::Given && attempt.tension_rounds == 0;
+        let mut slid = Vec::new();
         for (number, attempt) in ATTEMPTS.into_iter().filter(possible).enumerate() {
             if number > 0 {
                 self.more_solves();
             }
-            let taut = match attempt.from {
-                Some(held) => self.taut_model(coarse, &start, held)?,
+            let forces: Vec<f64> = start.cables.iter().map(|cable| cable.start_force).collect();
+            let moved = match attempt.from {
+                Start::Given => None,
+                Start::Taut(held) => taut(self.structure, &forces, held),
+                Start::SlidBack => slid_back(self.structure, &forces, &slid),
+            };
+            let moved = match moved {
+                Some(moved) => self.moved_model(coarse, &start, &moved)?,
                 None => None,
             };
-            *self.model = match taut {
-                Some(taut) => taut,
-                None if attempt.from.is_some() && attempt.tension_rounds == 0 => continue,
+            *self.model = match moved {
+                Some(moved) => moved,
+                None if attempt.from != Start::Given && attempt.tension_rounds == 0 => continue,
                 None => start.clone(),
             };
             let mut watch = self.watch();
@@ -256,6 +273,9 @@ impl Run<'_> {
                 found.ending = None;
                 return Ok(());
             };
+            if number == 0 {
+                slid = self.sliding_corners();
+            }
             worn = worn.or(watch.worn);
             let ending = agreed(first.as_ref().map(|known| &known.0), self.judged(ending));
             // An attempt that ends with `NotFound` leaves open whether there is a shape.
@@ -286,13 +306,21 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The model of a taut start on a coarse mesh; `None` if there is no such start or it cannot be meshed.
-    fn taut_model(&self, coarse: Coarse, start: &Model, held: Held) -> Result<Option<Model>, Stop> {
-        let forces: Vec<f64> = start.cables.iter().map(|cable| cable.start_force).collect();
-        let Some(structure) = taut(self.structure, &forces, held) else { return Ok(None) };
-        match Model::build(&structure, &coarse.options, coarse.share, self.exec) {
+    /// The places of the corners on supports at the present shape, in the order of the supports.
+    fn sliding_corners(&self) -> Vec<DVec3> {
+        let at = self.model.vertices();
+        let points = self.structure.sliding.iter().filter_map(|sliding| match sliding.part {
+            SlidingPart::Point(point) => Some(point),
+            SlidingPart::Edge { .. } | SlidingPart::Boundary(_) => None,
+        });
+        points.map(|point| at[self.model.input_vertex(point) as usize] + self.model.centre).collect()
+    }
+
+    /// The model of another start on a coarse mesh; `None` if it cannot be meshed.
+    fn moved_model(&self, coarse: Coarse, start: &Model, moved: &Structure) -> Result<Option<Model>, Stop> {
+        match Model::build(moved, &coarse.options, coarse.share, FirstShape::Harmonic, self.exec) {
             Ok(mut model) => {
-                (0..structure.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
+                (0..moved.cables.len()).filter(|&k| start.is_let_go(k)).for_each(|k| model.let_go(k));
                 Ok(Some(model))
             }
             Err(error @ Error::Interrupted(_)) => Err(error.into()),
@@ -345,7 +373,10 @@ impl Run<'_> {
             plateau_minimal_surface::Resolution::EdgeLength(edge) => {
                 4.0 * self.model.layers[0].film.area() / (3f64.sqrt() * edge * edge)
             }
-            _ => self.coarse.map_or(COARSE, |coarse| coarse.count),
+            _ => match self.meshes {
+                Meshes::Travelling(coarse) => coarse.count,
+                Meshes::Kept | Meshes::RenewedWhereWorn => COARSE,
+            },
         }
     }
 

@@ -474,6 +474,33 @@ fn fixed_and_free_find_the_connected_film_that_best_finds() {
 }
 
 #[test]
+fn best_finds_the_connected_film_that_fixed_finds() {
+    // A strip of triangles between the two loops has the area 2.497, so that a connected film of less area exists. The
+    // discs have 13.34.
+    let (statistics, warnings) = solved("spiky_loops_that_cross_best");
+    let found = statistics["area"].as_f64().unwrap();
+    assert!((found / 2.195 - 1.0).abs() < 1e-3, "{found}, {warnings:?}");
+    assert_eq!((&statistics["converged"], &statistics["components"]), (&true.into(), &1.into()));
+    assert_eq!(statistics["spanning"]["connected_film_exists"], true);
+}
+
+#[test]
+fn the_largest_gap_is_that_of_the_catenoid() {
+    // The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c)).
+    for (name, fraction) in [("rings_past_critical_300", 0.6803), ("rings_past_critical_2000", 0.4580)] {
+        let (statistics, _) = solved(name);
+        let found = statistics["spanning"]["largest_gap_fraction"].as_f64().unwrap();
+        assert!((found / fraction - 1.0).abs() < 0.02, "{name}: {found} for {fraction}");
+    }
+}
+
+#[test]
+fn a_scan_whose_boundary_turns_to_and_fro_has_no_flipped_triangle() {
+    let (statistics, warnings) = solved("scan_of_500_points");
+    assert_eq!((&statistics["converged"], &statistics["flipped_triangles"]), (&true.into(), &0.into()), "{warnings:?}");
+}
+
+#[test]
 fn a_net_with_a_limit_of_steps_is_fitted() {
     // The loss of the start is 0.974. SciPy's least squares end at 0.0087.
     let (statistics, _) = solved("net_of_given_lengths");

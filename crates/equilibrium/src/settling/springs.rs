@@ -187,11 +187,26 @@ impl Basis {
 fn positive_part(a: f64, b: f64, c: f64) -> [f64; 3] {
     let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
     let (low, high) = (mean - half, mean + half);
-    if low >= 0.0 || half == 0.0 {
+    // If both are of one sign, they may be equal up to rounding, and the quotient below would be 0 / 0. On a sphere they
+    // are equal.
+    if low >= 0.0 || high <= 0.0 {
         let whole = f64::from(u8::from(low >= 0.0));
         return [whole * a, whole * b, whole * c];
     }
     // The positive part is `high` times the projector onto the eigenvector of `high`, (M - low) / (high - low).
     let factor = high.max(0.0) / (high - low);
     [factor * (a - low), factor * b, factor * (c - low)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_positive_part_of_a_multiple_of_the_identity_is_itself_or_zero() {
+        for b in [0.0, 1e-20, -1e-17] {
+            assert_eq!(positive_part(-2.0, b, -2.0), [0.0; 3], "b = {b}");
+            assert_eq!(positive_part(2.0, b, 2.0), [2.0, b, 2.0], "b = {b}");
+        }
+    }
 }

@@ -6,7 +6,8 @@
 //!    flips that reduce the area open the folds, and Newton's method runs again. If triangles are still flipped, or if
 //!    the method stalls, the solver returns to step 1. If the film converges with small angles, these are widened in
 //!    place, and Newton's method runs again. In the end the vertices slide along the film to where its triangles have
-//!    less area ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects the film once more.
+//!    less area ([`sliding`](plateau_mesh::remesh::sliding)), and Newton's method corrects the film once more. If a few
+//!    triangles remain flipped, the mesh is refined around them, and the film is solved again from step 1.
 //! 3. *Stability* ([`stability`](plateau_equilibrium::stability)). If the caller asks for it, the solver moves away
 //!    from a surface that is unstable or whose index is undecided, along its lowest mode.
 //! 4. *Check of necks* ([`necks`](crate::solvers::necks)). A stable film near the edge of stability is compared with a
@@ -159,6 +160,9 @@ impl<'a> Solve<'a> {
         let may_refine = self.may_refine && film.boundaries.len() > 1;
         let mut start = may_refine.then(|| film.clone());
         let (mut reason, mut converged) = self.converge(film)?;
+        if self.may_refine {
+            (reason, converged) = self.refine_at_folds(film, reason, converged)?;
+        }
         let mut returns = 0;
         let mut looks = 0;
         let mut thin_removed = false;

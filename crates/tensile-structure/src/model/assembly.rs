@@ -16,6 +16,10 @@ use plateau_mesh::{DVec3, Error, Place, measure};
 /// Lower bound of the force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The
 /// bound is needed because the start may be far from equilibrium. In equilibrium no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
+/// Largest stiffness EA of a cable while the structure settles, in estimated forces of the cable. A stiffer cable turns
+/// the slightest excess of its length into a force that no step survives. The cable of this stiffness is longer by a
+/// hundred-thousandth, which Newton's method corrects with the given stiffness.
+const STIFFEST: f64 = 1e5;
 
 impl Model {
     /// Builds the body with the terms of the structure, those of the layers first. In this body a chamber of given
@@ -137,6 +141,12 @@ impl Model {
             ForceBy::Law => return,
             ForceBy::Length(length) => Determined::Value(-length),
             ForceBy::Elastic { unstressed, stiffness } => {
+                let stiffness = match stage {
+                    Stage::Settling => {
+                        stiffness.min(STIFFEST * self.cables[k].start_force.max(structure.pull() * unstressed))
+                    }
+                    Stage::Reference | Stage::Exact => stiffness,
+                };
                 Determined::Yielding { value: -unstressed, compliance: unstressed / stiffness }
             }
             ForceBy::Equation(equation) => {

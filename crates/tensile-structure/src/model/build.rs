@@ -1,7 +1,7 @@
 //! Builds the model of a structure: its mesh, the vertices and the start forces of its cables, and its supports.
 
 use super::cable_force::{ForceBy, Swing, law, start_force};
-use super::{Layer, Model, ModelCable, MovingRing, segments};
+use super::{FirstShape, Layer, Model, ModelCable, MovingRing, segments};
 use crate::catenary;
 use crate::options::{Cable, Course, Options, Sliding, SlidingPart, Structure};
 use crate::weave::StressField;
@@ -40,19 +40,21 @@ pub(crate) fn start_options(structure: &Structure, options: &Options) -> plateau
     }
 }
 
-/// The options of a ruled start: rings on the straight lines between two boundaries. They are for a tube under pressure
-/// or of given volume that is longer than its ends are wide. A harmonic map narrows such a tube to a neck, which then
-/// closes although a wide film is in equilibrium. `None` for other structures.
+/// The options of a ruled start: rings on the straight lines between two boundaries. They are also for a tube under
+/// pressure or of given volume that is longer than its ends are wide, because a harmonic map narrows such a tube to a
+/// neck, which then closes although a wide film is in equilibrium. `None` for other structures.
 fn ruled_options(
     structure: &Structure,
     harmonic: &plateau_minimal_surface::Options,
+    shape: FirstShape,
 ) -> Option<plateau_minimal_surface::Options> {
     let [first, second] = &structure.boundaries[..] else { return None };
     let apart = polyline::mean(first).distance(polyline::mean(second));
     let is_long = apart > polyline::radius(first).min(polyline::radius(second));
-    let may_rule = structure.layers.len() == 1 && !structure.chambers.is_empty() && harmonic.constraints.is_empty();
+    let is_tube = is_long && !structure.chambers.is_empty();
+    let may_rule = structure.layers.len() == 1 && harmonic.constraints.is_empty();
     // No iteration of the paper's solver, so that its initial mesh is returned as it is.
-    (is_long && may_rule).then(|| plateau_minimal_surface::Options {
+    ((is_tube || shape == FirstShape::Ruled) && may_rule).then(|| plateau_minimal_surface::Options {
         method: Method::VertexRelaxation(VertexRelaxation::default()),
         initial_mesh: InitialMesh::Rings,
         max_iterations: Some(0),
@@ -63,7 +65,13 @@ fn ruled_options(
 impl Model {
     /// Meshes the boundaries and finds the vertices of the cables. `share` is the edge length of the final mesh divided
     /// by that of this mesh.
-    pub fn build(structure: &Structure, options: &Options, share: f64, exec: &Execution) -> Result<Self, Error> {
+    pub fn build(
+        structure: &Structure,
+        options: &Options,
+        share: f64,
+        shape: FirstShape,
+        exec: &Execution,
+    ) -> Result<Self, Error> {
         let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
         let centre = polyline::mean(&all);
         let centred: Vec<Vec<DVec3>> =
@@ -72,7 +80,7 @@ impl Model {
         let Constraints { polylines, ends, .. } = &mut start.constraints;
         let ends = ends.iter_mut().map(|end| &mut end.place);
         polylines.iter_mut().flatten().chain(ends).for_each(|point| *point -= centre);
-        let surface = match ruled_options(structure, &start) {
+        let surface = match ruled_options(structure, &start, shape) {
             // Where no strip of rings meets the resolution, the harmonic map is the start.
             Some(ruled) => match plateau_minimal_surface::solve(&centred, &ruled, exec) {
                 Err(Error::Input(_) | Error::NoResult { .. }) => {
@@ -123,10 +131,15 @@ impl Model {
         model.free = structure.free_points.iter().map(|&point| model.input_vertex(point)).collect();
         model.start_edge = share * model.mean_edge();
         model.add_cables(structure, surface.constraints.polylines)?;
-        let film = &model.layers[0].film;
-        model.stress_field =
-            structure.weave().map(|weave| StressField::new(weave, centre, film.triangles(), film.vertices.len()));
+        model.renew_stress_field(structure);
         Ok(model)
+    }
+
+    /// Sets the stresses of a woven film to the required ones, on the present mesh.
+    pub fn renew_stress_field(&mut self, structure: &Structure) {
+        let film = &self.layers[0].film;
+        let field = |weave| StressField::new(weave, self.centre, film.triangles(), film.vertices.len());
+        self.stress_field = structure.weave().map(field);
     }
 
     /// Finds the vertices, the laws and the start forces of the cables. `across` holds, for each cable across the film,

@@ -1,16 +1,18 @@
 //! Improves the triangles of a film that has converged: opens flipped triangles, widens small angles, and lets vertices
 //! slide along the film.
 
-use super::Solve;
+use super::{REFINING_PASSES, Solve};
 use crate::harmonic::too_large;
+use crate::solvers::necks::longest_free_edges;
 use plateau_equilibrium::form_finding::StopReason;
 use plateau_equilibrium::newton::{Aim, Direct};
-use plateau_mesh::Error;
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
+use plateau_mesh::remesh::isotropic::{BoundaryEdges, graded, refine};
 use plateau_mesh::remesh::sliding::{SWEEPS, slide};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::{DVec3, Error, measure};
 
 /// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again.
 /// Small angles arise at re-entrant corners and where a film bends strongly, because vertices that move along normals
@@ -24,10 +26,41 @@ pub(crate) const WIDENINGS: u32 = 4;
 /// Smallest angle (radians, 20 degrees) that sliding may leave in a film. If the film already has a smaller angle, that
 /// angle is the bound.
 pub(crate) const LEAST_SLID_ANGLE: f64 = 0.349_066;
+/// Largest number of flipped triangles around which a converged film is refined. More of them belong to a film that
+/// does not exist.
+const MOST_FOLDS: usize = 8;
+/// Largest number of refinements around flipped triangles.
+const MOST_REFINED_FOLDS: u32 = 3;
 /// Largest number of rounds of flips that open folds. There are several because a solve may close folds again.
 const OPENINGS: u32 = 4;
 
 impl Solve<'_> {
+    /// Refines a film that has converged with a few flipped triangles around these, and solves it again, as long as this
+    /// leaves fewer of them. They arise where a boundary of close points turns to and fro, because a triangle of the
+    /// boundary's points cannot move.
+    pub(super) fn refine_at_folds(
+        &mut self,
+        film: &mut Film,
+        mut reason: StopReason,
+        mut converged: Option<(Pattern, Direct)>,
+    ) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
+        for _ in 0..MOST_REFINED_FOLDS {
+            let flipped = film.flipped_triangles();
+            if reason != StopReason::Residual || flipped == 0 || flipped > MOST_FOLDS || self.solves_per_way == 0 {
+                break;
+            }
+            let mut finer = film.clone();
+            let sizes = sizes_at_folds(film);
+            refine(&mut finer, sizes, REFINING_PASSES, BoundaryEdges::Kept, self.exec)?;
+            let (again, solved) = self.converge_again(&mut finer)?;
+            if solved.is_none() || finer.flipped_triangles() >= flipped {
+                break;
+            }
+            (*film, reason, converged) = (finer, again, solved);
+        }
+        Ok((reason, converged))
+    }
+
     /// Opens the folds of a film with flipped triangles by edge flips that reduce the area, and lets the film converge
     /// again. Repeats this as long as it leaves fewer flipped triangles. Returns the pattern and the factorisation of
     /// the new connectivity, or `None` if no triangle is flipped or the flips do not help.
@@ -114,4 +147,21 @@ impl Solve<'_> {
         }
         outcome.map(|_| ())
     }
+}
+
+/// Returns target edge lengths, one for each vertex, that halve the edges of flipped triangles.
+fn sizes_at_folds(film: &Film) -> Vec<f64> {
+    let longest = longest_free_edges(film);
+    let mut sizes: Vec<f64> = longest.iter().map(|&length| if length > 0.0 { length } else { f64::INFINITY }).collect();
+    let normals = measure::normals(&film.vertices, film.triangles());
+    for &triangle in film.triangles() {
+        let around: DVec3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+        let [a, b, c] = film.corners(triangle);
+        if measure::double_area_vector([a, b, c]).dot(around) < 0.0 {
+            let shortest = a.distance(b).min(b.distance(c)).min(c.distance(a));
+            triangle.iter().for_each(|&v| sizes[v as usize] = sizes[v as usize].min(0.5 * shortest));
+        }
+    }
+    graded(film, &mut sizes);
+    sizes
 }
