@@ -27,7 +27,7 @@ pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// A fold counts as the strip's own if it exceeds the angle of both directrices at the ends of its bridge by more than
 /// this, in radians. A bridge that leans towards the bisector of a corner sees the corner as sharper: from 160°, a lean
 /// of 45° makes 166°.
-const SHARPER: f64 = 10.0 * (std::f64::consts::PI / 180.0);
+const SHARPER: f64 = 10.0 * (PI / 180.0);
 /// Number of triangles without area up to which a strip is not reported. An open strip whose directrices share both
 /// ends has two.
 const EMPTY_AT_ENDS: usize = 2;
