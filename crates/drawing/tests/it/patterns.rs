@@ -429,7 +429,10 @@ fn texts_lie_clear_of_every_line() {
     use plateau_drawing::figure::Shape;
     use plateau_drawing::label::corners;
     for (name, archive) in all() {
-        for figure in figures_of(&archive, "angles=true&notches=200&allowance=8") {
+        let plain = figures_of(&archive, "angles=true&notches=200&allowance=8");
+        // With the grain.
+        let on_sheets = figures_of(&archive, "angles=true&notches=200&sheet=100000,100000");
+        for figure in plain.into_iter().chain(on_sheets) {
             let (mut texts, mut lines): (Vec<[DVec2; 4]>, Vec<[DVec2; 2]>) = (Vec::new(), Vec::new());
             for shape in &figure.shapes {
                 match shape {
