@@ -24,7 +24,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   far_from_zero: () => 'The model is so far from zero that an STL file cannot hold its coordinates. The STL file is relative to the origin in the statistics.',
   film: () => 'The film under the lattice has a warning.',
   films_cross: () => 'The films pass through each other or through themselves.',
-  folds: (v) => `Strip ${nth(v, 'strip')}: neighbouring triangles fold back, by up to ${figure(v, 'largest_fold_deg')}°.`,
+  folds: (v) => `Strip ${nth(v, 'strip')}: neighbouring triangles fold back, by up to ${figure(v, 'largest_fold_deg')}°.${(v.largest_fold_deg ?? 0) > 179.9999 ? ' A fold of 180° lays one triangle upon the other.' : ''}`,
   held_points: (v) => `${many(v, 'count', 'fixed point')} ${verb(v, 'count', 'holds', 'hold')} the film, but a film cannot hang on a single point: what the mesh shows there shrinks as it gets finer. Draw a small closed curve in place of a point.`,
   identical_directrices: (v) => `Rails ${nth(v, 'directrix')} and ${nth(v, 'directrix', 1)} are the same line, so the strip between them has no area.`,
   joined: (v, u) => `${many(v, 'count', 'point')} ${verb(v, 'count', 'was', 'were')} joined to others that were almost in the same place, by up to ${figure(v, 'distance', 3)} ${u}.`,
@@ -59,7 +59,7 @@ export const WARNINGS: Record<string, (values: Values, u: string) => string> = {
   targets_missed: (v) => `${many(v, 'count', 'edge')} ${verb(v, 'count', 'misses its target', 'miss their targets')} by more than half.`,
   topology_changed: (v) => `The film came apart at ${many(v, 'pinches', 'place')}, so it is connected in another way than the mesh it began with.`,
   triangles_missed: (v) => `The mesh has ${figure(v, 'triangles')} triangles, not ${figure(v, 'asked')} as asked for, because of the boundary's own points or of thin triangles that were removed.`,
-  unclosed_directrices: (v) => `${many(v, 'count', 'rail')} ${verb(v, 'count', 'ends where it begins', 'end where they begin')}, but the strip is open. Tick closed rails to join it to itself.`,
+  unclosed_directrices: (v) => `${many(v, 'count', 'rail')} ${verb(v, 'count', 'ends where it begins', 'end where they begin')}, and the strip is open: its flat pattern begins and ends there. Tick closed rails to join it to itself. Its pattern is then cut at the bridge of least fold, or at one that you name.`,
   unstable: (v) => `The shape is in balance but not a minimum, so it would move away from it. It can do so in ${many(v, 'morse_index', 'independent way')}.`,
 };
 

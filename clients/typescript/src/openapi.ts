@@ -5978,9 +5978,9 @@ export interface operations {
     getPattern: {
         parameters: {
             query?: {
-                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
-                profile?: "plain" | "cut" | "sheet-metal";
-                /** @description The default is `svg`. `cut` has `svg` and `dxf`. Every file is in millimetres. Without `format`, `profile` and `split` the format follows `Accept`. */
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. `astm-d6673`: cloth, with one block for each piece and numbered layers, as DXF of AutoCAD R13. */
+                profile?: "plain" | "cut" | "sheet-metal" | "astm-d6673";
+                /** @description The default is `svg`. `cut` has `svg` and `dxf`, and `astm-d6673` only `dxf`. Every file is in millimetres. Without `format`, `profile` and `split` the format follows `Accept`. */
                 format?: "svg" | "dxf" | "pdf" | "json";
                 /** @description `pieces` gives a ZIP with one file for each piece. */
                 split?: "pieces";
@@ -6002,6 +6002,14 @@ export interface operations {
                 kerf?: number;
                 /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
                 cut_at?: string;
+                /** @description Length and width of the sheets in mm, such as `3000,1500`. The pieces lie on sheets, and strips that do not fit are cut at bridges. */
+                sheet?: string;
+                /** @description Distance between the boxes of pieces on a sheet in mm. The default is 5. */
+                gap?: number;
+                /** @description Turns of pieces on a sheet: by 0 or 180 degrees (`half`, the default), which keeps the grain along the sheet, or by quarter turns too (`free`). */
+                rotate?: "half" | "free";
+                /** @description Largest length of a piece in mm. Longer strips are cut at bridges. */
+                max_length?: number;
                 /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
                 layers?: string;
                 /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */
@@ -6178,8 +6186,8 @@ export interface operations {
                 member_width?: number;
                 /** @description Tolerance of the kinds of members and nodes, in the client's unit. The default is 0.001. */
                 tolerance?: number;
-                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. */
-                profile?: "plain" | "cut" | "sheet-metal";
+                /** @description What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. `astm-d6673`: cloth, with one block for each piece and numbered layers, as DXF of AutoCAD R13. */
+                profile?: "plain" | "cut" | "sheet-metal" | "astm-d6673";
                 /** @description `pieces` gives a ZIP with one file for each piece. */
                 split?: "pieces";
                 /** @description Height of capitals in mm. The default is 5. */
@@ -6200,6 +6208,14 @@ export interface operations {
                 kerf?: number;
                 /** @description Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip opens at its first one; without one, at the bridge of least fold. */
                 cut_at?: string;
+                /** @description Length and width of the sheets in mm, such as `3000,1500`. The pieces lie on sheets, and strips that do not fit are cut at bridges. */
+                sheet?: string;
+                /** @description Distance between the boxes of pieces on a sheet in mm. The default is 5. */
+                gap?: number;
+                /** @description Turns of pieces on a sheet: by 0 or 180 degrees (`half`, the default), which keeps the grain along the sheet, or by quarter turns too (`free`). */
+                rotate?: "half" | "free";
+                /** @description Largest length of a piece in mm. Longer strips are cut at bridges. */
+                max_length?: number;
                 /** @description Names of the client for layers, such as `cut:LASER,text:ENGRAVE`. In an SVG they are classes. */
                 layers?: string;
                 /** @description Paper on which a PDF is tiled at true scale, with register marks. Without it the PDF has one page of the drawing's size. */

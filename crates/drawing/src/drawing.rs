@@ -1,10 +1,11 @@
 //! A drawing: figures in their places, with overall sizes, a scale bar and a legend.
 
-use crate::figure::{Figure, Shape};
+use crate::figure::{Figure, FoldLine, Shape};
 use crate::label::{self, Spot};
 use crate::metal;
 use crate::options::{Layer, PatternOptions, Profile};
 use crate::piece::bounds;
+use crate::sheets::{self, Layout};
 use plateau_mesh::DVec2;
 
 /// Shapes of one figure in their places.
@@ -26,40 +27,101 @@ pub struct Drawing {
 /// Length of the scale bar in millimetres.
 pub const SCALE_BAR: f64 = 100.0;
 
-/// Places figures below each other, with the first at the top. The gap between neighbours is a twentieth of the largest
-/// extent.
+/// Groups that stay together, and their box.
+struct Block {
+    groups: Vec<Group>,
+    bounds: [DVec2; 2],
+}
+
+impl Block {
+    /// Returns a block of one group.
+    fn single(name: &str, shapes: Vec<Shape>) -> Self {
+        let bounds = extent(&shapes);
+        Self { groups: vec![Group { name: name.into(), shapes }], bounds }
+    }
+}
+
+/// Places figures below each other, with the first at the top and their overall sizes beside them.
 #[must_use]
 pub fn stacked(figures: &[Figure], options: &PatternOptions, title: &str, generator: &str) -> Drawing {
-    let bare = options.profile == Profile::Cut;
-    let sized: Vec<Vec<Shape>> = figures
+    let is_bare = options.profile == Profile::Cut;
+    let mut blocks: Vec<Block> = figures
         .iter()
         .map(|figure| {
             let mut shapes = figure.shapes.clone();
-            if !bare {
-                shapes.extend(sizes(figure, options.text_height));
+            if !is_bare {
+                shapes.extend(sizes(figure.bounds(), extent(&figure.shapes)[0], options.text_height));
             }
-            shapes
+            Block::single(&figure.name, shapes)
         })
         .collect();
-    let boxes: Vec<[DVec2; 2]> = sized.iter().map(|shapes| extent(shapes)).collect();
-    let largest = boxes.iter().map(|[low, high]| (*high - *low).max_element()).fold(0.0, f64::max);
+    if !is_bare {
+        blocks.push(Block::single("notes", notes(figures, None, options)));
+    }
+    below_each_other(blocks, title, generator)
+}
+
+/// Draws some of the sheets of a layout below each other, with the first at the top, and the pieces in their places.
+#[must_use]
+pub fn on_sheets(
+    figures: &[Figure],
+    layout: &Layout,
+    sheets: std::ops::Range<usize>,
+    options: &PatternOptions,
+    [title, generator]: [&str; 2],
+) -> Drawing {
+    let is_bare = options.profile == Profile::Cut;
+    let frame = [DVec2::ZERO, layout.stock.size];
+    let mut blocks: Vec<Block> = sheets.clone().map(|sheet| sheet_block(sheet, frame, options)).collect();
+    for (figure, place) in figures.iter().zip(&layout.places).filter(|(_, place)| sheets.contains(&place.sheet)) {
+        let shapes = sheets::placed(figure, place);
+        blocks[place.sheet - sheets.start].groups.push(Group { name: figure.name.clone(), shapes });
+    }
+    if !is_bare {
+        blocks.push(Block::single("notes", notes(figures, Some(layout), options)));
+    }
+    below_each_other(blocks, title, generator)
+}
+
+/// Returns a sheet without pieces. Cut lines stand alone, so that there the sheet is the drawing's extent only.
+fn sheet_block(sheet: usize, frame: [DVec2; 2], options: &PatternOptions) -> Block {
+    if options.profile == Profile::Cut {
+        return Block { groups: Vec::new(), bounds: frame };
+    }
+    let (size, height) = (frame[1], options.text_height);
+    let corners = vec![DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
+    let name = format!("sheet {}", sheet + 1);
+    let at = DVec2::new(0.5 * label::width(&name, height), size.y + height);
+    let mut shapes = vec![
+        Shape::Polygon { layer: Layer::Sheet, points: corners },
+        Shape::Text {
+            layer: Layer::Text,
+            text: name.clone(),
+            spot: Spot { starts_left: true, ..Spot::amid(at, DVec2::X, height) },
+        },
+    ];
+    shapes.extend(sizes(frame, frame[0], height));
+    Block::single(&name, shapes)
+}
+
+/// Places blocks below each other, with the first at the top. The gap between neighbours is a twentieth of the largest
+/// extent.
+fn below_each_other(blocks: Vec<Block>, title: &str, generator: &str) -> Drawing {
+    let largest = blocks.iter().map(|block| (block.bounds[1] - block.bounds[0]).max_element()).fold(0.0, f64::max);
     let gap = largest / 20.0;
     let mut size = DVec2::ZERO;
-    let mut groups = Vec::with_capacity(figures.len() + 1);
-    let mut add = |name: &str, shapes: &[Shape], [low, high]: [DVec2; 2], first: bool| {
-        let bottom = if first { 0.0 } else { size.y + gap };
+    let mut placed: Vec<Vec<Group>> = Vec::with_capacity(blocks.len());
+    for Block { groups, bounds: [low, high] } in blocks.into_iter().rev() {
+        let bottom = if placed.is_empty() { 0.0 } else { size.y + gap };
         let place = |point: DVec2| point - low + DVec2::new(0.0, bottom);
         size = DVec2::new(size.x.max(high.x - low.x), bottom + high.y - low.y);
-        groups.push(Group { name: name.into(), shapes: shapes.iter().map(|shape| shape.moved(place)).collect() });
-    };
-    if !bare {
-        let notes = notes(figures, options);
-        add("notes", &notes, extent(&notes), true);
+        let moved = |group: Group| Group {
+            name: group.name,
+            shapes: group.shapes.iter().map(|shape| shape.moved(place)).collect(),
+        };
+        placed.push(groups.into_iter().map(moved).collect());
     }
-    for (k, (figure, shapes)) in figures.iter().zip(&sized).enumerate().rev() {
-        add(&figure.name, shapes, boxes[k], bare && k + 1 == figures.len());
-    }
-    groups.reverse();
+    let groups = placed.into_iter().rev().flatten().collect();
     Drawing { title: title.into(), generator: generator.into(), size, groups }
 }
 
@@ -74,11 +136,9 @@ fn printed_length(length: f64) -> String {
     format!("{length:.2} mm")
 }
 
-/// Returns the dimension lines of a figure's overall width and height: below it and on its left.
-fn sizes(figure: &Figure, height: f64) -> Vec<Shape> {
-    let [_, cut_high] = figure.bounds();
-    let [cut_low, _] = figure.bounds();
-    let [low, _] = extent(&figure.shapes);
+/// Returns the dimension lines of the overall width and height of a box, below and on the left of all that has `low` as
+/// its lower left corner.
+fn sizes([cut_low, cut_high]: [DVec2; 2], low: DVec2, height: f64) -> Vec<Shape> {
     let line = |from: DVec2, to: DVec2| Shape::Line { layer: Layer::Dimension, ends: [from, to], angle_deg: None };
     let tick = 0.5 * height;
     let (below, left) = (low.y - 2.0 * height, low.x - 2.0 * height);
@@ -105,7 +165,7 @@ fn sizes(figure: &Figure, height: f64) -> Vec<Shape> {
 }
 
 /// Returns the scale bar and the legend.
-fn notes(figures: &[Figure], options: &PatternOptions) -> Vec<Shape> {
+fn notes(figures: &[Figure], layout: Option<&Layout>, options: &PatternOptions) -> Vec<Shape> {
     let height = options.text_height;
     let line = |from: [f64; 2], to: [f64; 2]| Shape::Line {
         layer: Layer::ScaleBar,
@@ -124,15 +184,40 @@ fn notes(figures: &[Figure], options: &PatternOptions) -> Vec<Shape> {
         text(Layer::ScaleBar, "100 mm", SCALE_BAR + height, 0.0),
     ];
     let mut row = -2.0 * height;
-    for entry in legend(figures) {
-        shapes.push(text(Layer::Text, entry, 0.0, row));
-        row -= 2.0 * height;
-    }
-    for entry in bend_table(figures, options) {
+    let mut rows: Vec<String> = legend(figures).into_iter().map(str::to_owned).collect();
+    rows.extend(whole_folds(figures));
+    rows.extend(layout.map(|layout| {
+        let [length, width] = layout.stock.size.to_array();
+        format!("sheets: {} of {length} x {width} mm, {:.1} % used", layout.sheets.len(), 100.0 * layout.utilisation)
+    }));
+    rows.extend(bend_table(figures, options));
+    for entry in rows {
         shapes.push(text(Layer::Text, &entry, 0.0, row));
         row -= 2.0 * height;
     }
     shapes
+}
+
+/// Fold in degrees from which on two panels lie upon each other.
+const WHOLE_FOLD: f64 = 179.99;
+/// Most folds of 180 degrees that a drawing names.
+const MOST_WHOLE_FOLDS: usize = 5;
+
+/// Returns the warnings of folds of 180 degrees.
+fn whole_folds(figures: &[Figure]) -> Vec<String> {
+    let folds = figures.iter().flat_map(|figure| figure.lines.iter().map(move |line| (figure, line)));
+    let whole: Vec<_> = folds.filter(|(_, line)| line.angle_deg.abs() >= WHOLE_FOLD).collect();
+    let warning = |&(figure, line): &(&Figure, &FoldLine)| {
+        format!(
+            "warning: {}, bridge {}: a fold of 180 deg lays one panel upon the other; it may be folded to either side",
+            figure.name, line.bridge
+        )
+    };
+    let mut rows: Vec<String> = whole.iter().take(MOST_WHOLE_FOLDS).map(warning).collect();
+    if whole.len() > rows.len() {
+        rows.push(format!("{} more folds of 180 deg", whole.len() - rows.len()));
+    }
+    rows
 }
 
 /// Most rows of a bend table on a drawing. The schedule of bends has all of them.
@@ -185,6 +270,7 @@ fn legend(figures: &[Figure]) -> Vec<&'static str> {
         (Layer::FoldFlat, "dotted: stays flat"),
         (Layer::BendUp, "dashed: bend up, towards the reader"),
         (Layer::BendDown, "dash-dotted: bend down, away from the reader"),
+        (Layer::Grain, "green line: the grain runs along it"),
         (Layer::Notch, "short line at the edge: notch, opposite the one of the mate"),
     ];
     entries.into_iter().filter(|(layer, _)| has(*layer)).map(|(_, text)| text).collect()

@@ -22,6 +22,8 @@ const APPLICATION: &str = "PLATEAU";
 /// Fixed handles that other parts of the file refer to. All other handles are counted from `FIRST_FREE_HANDLE`.
 const MODEL_SPACE: u32 = 0x1F;
 const PAPER_SPACE: u32 = 0x1B;
+/// The blocks that every file has, with the handles of their records.
+const SPACES: [(&str, u32); 2] = [("*MODEL_SPACE", MODEL_SPACE), ("*PAPER_SPACE", PAPER_SPACE)];
 const ROOT_DICTIONARY: u32 = 0xC;
 const GROUP_DICTIONARY: u32 = 0xD;
 const FIRST_FREE_HANDLE: u32 = 0x30;
@@ -43,10 +45,7 @@ pub fn to_dxf(drawing: &Drawing, layers: &LayerNames) -> Vec<u8> {
                 Shape::Polygon { layer, points } => out.polygon(points, layers.of(*layer)),
                 Shape::Line { layer, ends, angle_deg } => {
                     out.line(ends.map(|end| end.extend(0.0)), layers.of(*layer));
-                    if let Some(angle) = angle_deg {
-                        out.pair(1001, APPLICATION);
-                        out.number(1040, *angle);
-                    }
+                    angle_deg.iter().for_each(|&angle| out.angle(angle));
                 }
                 Shape::Text { layer, text, spot } => out.text(text, spot, layers.of(*layer)),
             }
@@ -76,30 +75,49 @@ fn style(layer: Layer) -> (u8, &'static str) {
     }
 }
 
-/// Writes a file with these layers besides `0`. `units` is the value of `$INSUNITS`.
+/// Writes a file of AutoCAD 2000 with these layers besides `0`. `units` is the value of `$INSUNITS`.
 pub(crate) fn file(
     layers: &[FileLayer],
-    [low, high]: [DVec3; 2],
+    extent: [DVec3; 2],
     units: u8,
     generator: &str,
     entities: impl FnOnce(&mut Writer),
 ) -> Vec<u8> {
-    let mut body = Writer { text: String::new(), next_handle: FIRST_FREE_HANDLE };
+    complete(layers, extent, Some(units), generator, &[], |_, _| {}, entities)
+}
+
+/// Writes a file with blocks of these names, which `block` fills by their number. With `units` it is one of AutoCAD
+/// 2000, and of R13 without, which cannot name its unit.
+pub(crate) fn complete(
+    layers: &[FileLayer],
+    [low, high]: [DVec3; 2],
+    units: Option<u8>,
+    generator: &str,
+    blocks: &[String],
+    block: impl FnMut(&mut Writer, usize),
+    entities: impl FnOnce(&mut Writer),
+) -> Vec<u8> {
+    let mut body = Writer { text: String::new(), next_handle: FIRST_FREE_HANDLE, owner: MODEL_SPACE };
+    // Handles of the blocks' records.
+    let records: Vec<u32> = blocks.iter().map(|_| body.new_handle()).collect();
+    let named: Vec<(&str, u32)> = blocks.iter().map(String::as_str).zip(records).collect();
     body.section("CLASSES", |_| {});
-    body.section("TABLES", |out| out.tables(layers, [low, high]));
-    body.section("BLOCKS", Writer::blocks);
+    body.section("TABLES", |out| out.tables(layers, [low, high], &named));
+    body.section("BLOCKS", |out| out.blocks(&named, block));
     body.section("ENTITIES", entities);
-    body.section("OBJECTS", Writer::objects);
+    body.section("OBJECTS", |out| out.objects(units.is_some()));
     body.pair(0, "EOF");
 
     // The header contains the next free handle, so it is written after the body.
-    let mut file = Writer { text: String::new(), next_handle: body.next_handle };
+    let mut file = Writer { text: String::new(), next_handle: body.next_handle, owner: MODEL_SPACE };
     file.pair(999, one_line(generator));
     file.section("HEADER", |out| {
-        out.variable("$ACADVER", 1, "AC1015");
+        out.variable("$ACADVER", 1, if units.is_some() { "AC1015" } else { "AC1012" });
         out.variable("$DWGCODEPAGE", 3, "ANSI_1252");
-        out.variable("$INSUNITS", 70, units);
-        out.variable("$MEASUREMENT", 70, u8::from(!matches!(units, 1 | 2)));
+        if let Some(units) = units {
+            out.variable("$INSUNITS", 70, units);
+            out.variable("$MEASUREMENT", 70, u8::from(!matches!(units, 1 | 2)));
+        }
         out.variable("$HANDSEED", 5, format_args!("{:X}", body.next_handle));
         out.pair(9, "$EXTMIN");
         out.point(10, low);
@@ -117,6 +135,8 @@ fn one_line(text: &str) -> String {
 pub(crate) struct Writer {
     text: String,
     next_handle: u32,
+    /// Handle of the block record that entities belong to.
+    owner: u32,
 }
 
 impl Writer {
@@ -184,7 +204,7 @@ impl Writer {
         self.pair(70, 0);
     }
 
-    fn tables(&mut self, layers: &[FileLayer], [low, high]: [DVec3; 2]) {
+    fn tables(&mut self, layers: &[FileLayer], [low, high]: [DVec3; 2], blocks: &[(&str, u32)]) {
         let (sheet, middle) = (high - low, low.midpoint(high));
         self.table("VPORT", 1, |out, table| {
             out.record("VPORT", "AcDbViewportTableRecord", table, "*ACTIVE");
@@ -246,8 +266,8 @@ impl Writer {
         self.table("DIMSTYLE", 1, |out, table| {
             out.record("DIMSTYLE", "AcDbDimStyleTableRecord", table, "STANDARD");
         });
-        self.table("BLOCK_RECORD", 2, |out, table| {
-            for (name, handle) in [("*MODEL_SPACE", MODEL_SPACE), ("*PAPER_SPACE", PAPER_SPACE)] {
+        self.table("BLOCK_RECORD", SPACES.len() + blocks.len(), |out, table| {
+            for &(name, handle) in SPACES.iter().chain(blocks) {
                 out.pair(0, "BLOCK_RECORD");
                 out.handle(5, handle);
                 out.handle(330, table);
@@ -258,31 +278,37 @@ impl Writer {
         });
     }
 
-    /// Writes model space and paper space. Both blocks are empty, because the entities have their own section.
-    fn blocks(&mut self) {
-        for (name, record) in [("*MODEL_SPACE", MODEL_SPACE), ("*PAPER_SPACE", PAPER_SPACE)] {
-            self.entity("BLOCK", record, "0", "AcDbBlockBegin");
+    /// Writes model space and paper space, which are empty because their entities have a section of their own, and the
+    /// other blocks, which `fill` fills by their number.
+    fn blocks(&mut self, blocks: &[(&str, u32)], mut fill: impl FnMut(&mut Self, usize)) {
+        for (number, &(name, record)) in SPACES.iter().chain(blocks).enumerate() {
+            self.owner = record;
+            self.entity("BLOCK", "0", "AcDbBlockBegin");
             self.pair(2, name);
             self.pair(70, 0);
             self.point(10, DVec3::ZERO);
             self.pair(3, name);
             self.pair(1, "");
-            self.entity("ENDBLK", record, "0", "AcDbBlockEnd");
+            if let Some(number) = number.checked_sub(SPACES.len()) {
+                fill(self, number);
+            }
+            self.entity("ENDBLK", "0", "AcDbBlockEnd");
         }
+        self.owner = MODEL_SPACE;
     }
 
-    fn entity(&mut self, kind: &str, owner: u32, layer: &str, class: &str) {
+    fn entity(&mut self, kind: &str, layer: &str, class: &str) {
         let handle = self.new_handle();
         self.pair(0, kind);
         self.handle(5, handle);
-        self.handle(330, owner);
+        self.handle(330, self.owner);
         self.pair(100, "AcDbEntity");
         self.pair(8, layer);
         self.pair(100, class);
     }
 
     fn polygon(&mut self, points: &[DVec2], layer: &str) {
-        self.entity("LWPOLYLINE", MODEL_SPACE, layer, "AcDbPolyline");
+        self.entity("LWPOLYLINE", layer, "AcDbPolyline");
         self.pair(90, points.len());
         self.pair(70, 1);
         for point in points {
@@ -291,13 +317,58 @@ impl Writer {
         }
     }
 
+    /// Adds the angle of a fold to the line before.
+    pub(crate) fn angle(&mut self, angle_deg: f64) {
+        self.pair(1001, APPLICATION);
+        self.number(1040, angle_deg);
+    }
+
+    /// Writes a closed polygon as R13 has it: a list of vertices with an end.
+    pub(crate) fn old_polygon(&mut self, points: &[DVec2], layer: &str) {
+        self.entity("POLYLINE", layer, "AcDb2dPolyline");
+        self.pair(66, 1);
+        self.point(10, DVec3::ZERO);
+        self.pair(70, 1);
+        for point in points {
+            self.entity("VERTEX", layer, "AcDbVertex");
+            self.pair(100, "AcDb2dVertex");
+            self.point(10, point.extend(0.0));
+        }
+        let handle = self.new_handle();
+        self.pair(0, "SEQEND");
+        self.handle(5, handle);
+        self.handle(330, self.owner);
+        self.pair(100, "AcDbEntity");
+        self.pair(8, layer);
+    }
+
+    pub(crate) fn mark(&mut self, at: DVec3, layer: &str) {
+        self.entity("POINT", layer, "AcDbPoint");
+        self.point(10, at);
+    }
+
+    /// Writes a notch: a point of the outline, with the depth as its third coordinate, the width as its thickness, and
+    /// the direction into the piece in degrees.
+    pub(crate) fn notch(&mut self, at: DVec2, [depth, width, direction]: [f64; 3], layer: &str) {
+        self.mark(at.extend(depth), layer);
+        self.number(39, width);
+        self.number(50, direction);
+    }
+
+    /// Writes a block in its place.
+    pub(crate) fn insert(&mut self, name: &str, at: DVec2, layer: &str) {
+        self.entity("INSERT", layer, "AcDbBlockReference");
+        self.pair(2, name);
+        self.point(10, at.extend(0.0));
+    }
+
     pub(crate) fn line(&mut self, [start, end]: [DVec3; 2], layer: &str) {
-        self.entity("LINE", MODEL_SPACE, layer, "AcDbLine");
+        self.entity("LINE", layer, "AcDbLine");
         self.point(10, start);
         self.point(11, end);
     }
 
-    fn text(&mut self, text: &str, spot: &Spot, layer: &str) {
+    pub(crate) fn text(&mut self, text: &str, spot: &Spot, layer: &str) {
         let turn = libm::atan2(spot.direction.y, spot.direction.x).to_degrees();
         let start = spot.starts_left.then(|| spot.start(text));
         self.text_placed(text, start.unwrap_or(spot.at).extend(0.0), spot.height, turn, start.is_none(), layer);
@@ -310,7 +381,7 @@ impl Writer {
 
     /// Writes a text around its middle, or from the middle of its left end on.
     fn text_placed(&mut self, text: &str, at: DVec3, height: f64, turn: f64, is_amid: bool, layer: &str) {
-        self.entity("TEXT", MODEL_SPACE, layer, "AcDbText");
+        self.entity("TEXT", layer, "AcDbText");
         self.point(10, at);
         self.number(40, height);
         self.pair(1, ascii(text));
@@ -323,13 +394,15 @@ impl Writer {
         self.pair(73, 2);
     }
 
-    fn objects(&mut self) {
+    fn objects(&mut self, has_cloning: bool) {
         for (handle, owner, entry) in [(ROOT_DICTIONARY, 0, true), (GROUP_DICTIONARY, ROOT_DICTIONARY, false)] {
             self.pair(0, "DICTIONARY");
             self.handle(5, handle);
             self.handle(330, owner);
             self.pair(100, "AcDbDictionary");
-            self.pair(281, 1);
+            if has_cloning {
+                self.pair(281, 1);
+            }
             if entry {
                 self.pair(3, "ACAD_GROUP");
                 self.handle(350, GROUP_DICTIONARY);

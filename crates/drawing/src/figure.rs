@@ -2,12 +2,12 @@
 
 use crate::label::{self, LEAST_HEIGHT, Spot};
 use crate::metal::{self, Bend};
-use crate::options::{Allowances, Layer, PatternOptions, Profile};
+use crate::options::{Allowances, Layer, PatternOptions, Profile, Rotate};
 use crate::parameters::Refused;
-use crate::piece::{Fold, FoldKind, Missing, Pattern, Piece, Seam, Side, bounds};
+use crate::piece::{Edge, Fold, FoldKind, Piece, Seam, Side, bounds};
 use crate::polygon::{self, NOTCH_DEPTH, NOTCH_HALF_WIDTH};
-use plateau_archive::Contents;
 use plateau_mesh::DVec2;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A part of a drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,11 @@ pub enum Shape {
 
 impl Shape {
     pub(crate) fn moved(&self, place: impl Fn(DVec2) -> DVec2) -> Self {
+        self.placed(place, false)
+    }
+
+    /// Returns the shape moved by `place`, which also turns it counter-clockwise by 90 degrees if `is_turned`.
+    pub(crate) fn placed(&self, place: impl Fn(DVec2) -> DVec2, is_turned: bool) -> Self {
         match self {
             Self::Polygon { layer, points } => {
                 Self::Polygon { layer: *layer, points: points.iter().map(|&point| place(point)).collect() }
@@ -30,7 +35,9 @@ impl Shape {
                 Self::Line { layer: *layer, ends: ends.map(place), angle_deg: *angle_deg }
             }
             Self::Text { layer, text, spot } => {
-                Self::Text { layer: *layer, text: text.clone(), spot: Spot { at: place(spot.at), ..*spot } }
+                let direction = if is_turned { label::readable(spot.direction.perp()) } else { spot.direction };
+                let spot = Spot { at: place(spot.at), direction, ..*spot };
+                Self::Text { layer: *layer, text: text.clone(), spot }
             }
         }
     }
@@ -106,25 +113,20 @@ pub fn figures(pieces: &[Piece], options: &PatternOptions) -> Result<Vec<Figure>
     if options.angles && texts > MOST_MARKS {
         return Err(Refused::unsuitable("angles", format!("makes {texts} texts, more than {MOST_MARKS}")));
     }
-    pieces.iter().map(|piece| figure(piece, options)).collect()
+    // Bridges at which two pieces were one.
+    let mut at_bridges: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        for edge in &piece.edges {
+            if let Seam::Bridge(bridge) = edge.seam {
+                at_bridges.entry(bridge).or_default().insert(number);
+            }
+        }
+    }
+    let mates = at_bridges.into_iter().filter(|(_, pieces)| pieces.len() > 1).map(|(bridge, _)| bridge).collect();
+    pieces.iter().map(|piece| figure(piece, &mates, options)).collect()
 }
 
-/// Returns the figures of a result's flat pattern in millimetres.
-///
-/// # Errors
-/// Returns [`Refused::NoPattern`] unless the result is a ruled surface, and [`Refused::Unsuitable`] if the options do
-/// not suit it.
-pub fn of_result(contents: &Contents, options: &PatternOptions) -> Result<Vec<Figure>, Refused> {
-    let pattern = Pattern::of(contents, &options.cut_at).map_err(|missing| match missing {
-        Missing::Surface => Refused::NoPattern,
-        Missing::Bridge(detail) => Refused::unsuitable("cut_at", detail),
-    })?;
-    let millimetres = contents.unit.millimetres();
-    let pieces: Vec<Piece> = pattern.pieces.into_iter().map(|piece| piece.scaled(millimetres)).collect();
-    figures(&pieces, options)
-}
-
-fn figure(piece: &Piece, options: &PatternOptions) -> Result<Figure, Refused> {
+fn figure(piece: &Piece, mates: &BTreeSet<u32>, options: &PatternOptions) -> Result<Figure, Refused> {
     if piece.overlaps && options.profile != Profile::Plain {
         let detail = format!("{} overlaps itself when it lies flat; name a bridge that divides it", piece.name);
         return Err(Refused::unsuitable("cut_at", detail));
@@ -175,27 +177,52 @@ fn figure(piece: &Piece, options: &PatternOptions) -> Result<Figure, Refused> {
     if blank.is_some() {
         obstacles.extend((0..count).map(|k| [outline[k], outline[(k + 1) % count]]));
     }
+    let is_astm = options.profile == Profile::Astm;
+    let has_grain = is_astm || options.stock.is_some_and(|stock| stock.rotate == Rotate::Half);
+    if let Some(ends) = grain(&figure.cut).filter(|_| has_grain) {
+        obstacles.push(ends);
+        figure.shapes.push(Shape::Line { layer: Layer::Grain, ends, angle_deg: None });
+    }
+    let labels: Vec<Label> =
+        labels.into_iter().filter(|_| options.angles).chain(Label::of_mates(piece, mates)).collect();
     let texts = texts(piece, &figure, &obstacles, &labels, options);
     figure.shapes.extend(texts);
     Ok(figure)
 }
 
-/// The angle of a fold or of a bend, as it is printed.
+/// A text at a line of a piece: the angle of a fold or of a bend, or the number of a bridge at which the piece was cut.
 struct Label {
     text: String,
-    /// Number of the panel before the fold.
-    panel: usize,
-    /// Sides of the panels before and after the fold that run along it.
+    /// Numbers of the panels before and after the fold.
+    panels: [usize; 2],
+    /// The side of each panel that runs along the fold.
     sides: [[DVec2; 2]; 2],
 }
 
 impl Label {
     fn of_fold((panel, fold): (usize, &Fold)) -> Self {
-        Self { text: printed_angle(fold.angle_deg), panel, sides: [fold.ends; 2] }
+        Self { text: printed_angle(fold.angle_deg), panels: [panel, panel + 1], sides: [fold.ends; 2] }
     }
 
     fn of_bend(bend: &Bend) -> Self {
-        Self { text: printed_angle(bend.angle_deg), panel: bend.panel, sides: bend.sides }
+        Self { text: printed_angle(bend.angle_deg), panels: [bend.panel, bend.panel + 1], sides: bend.sides }
+    }
+
+    /// Returns the numbers of the bridges at the ends of a piece that another piece has too.
+    fn of_mates(piece: &Piece, mates: &BTreeSet<u32>) -> Vec<Self> {
+        let count = piece.outline.len();
+        let label = |(k, edge): (usize, &Edge)| {
+            let Seam::Bridge(bridge) = edge.seam else { return None };
+            let side = [piece.outline[k], piece.outline[(k + 1) % count]];
+            let has_side = |panel: &[DVec2; 3]| side.iter().all(|end| panel.contains(end));
+            let panel = piece.panels.iter().position(has_side).unwrap_or(piece.panels.len());
+            mates.contains(&bridge).then(|| Self {
+                text: format!("bridge {bridge}"),
+                panels: [panel; 2],
+                sides: [side; 2],
+            })
+        };
+        piece.edges.iter().enumerate().filter_map(label).collect()
     }
 }
 
@@ -263,7 +290,7 @@ fn depth(allowance: f64) -> f64 {
 }
 
 /// Returns the contour to cut, and the outline if the contour lies outside it.
-fn contour(
+pub(crate) fn contour(
     piece: &Piece,
     marks: &[Mark],
     options: &PatternOptions,
@@ -315,13 +342,15 @@ fn places(
     allowances: &Allowances,
 ) -> Vec<polygon::Notch> {
     let mut places: Vec<polygon::Notch> = Vec::with_capacity(marks.len());
+    // Edges of the contour by the edge of the outline that they belong to.
+    let mut by_edge: Vec<(usize, usize)> = edges.iter().copied().enumerate().map(|(k, edge)| (edge, k)).collect();
+    by_edge.sort_unstable();
     for mark in marks.iter().filter(|mark| !mark.at_corner) {
-        // An edge of the outline that vanished has none on the contour; the nearest edge takes its marks.
-        let own = |k: &usize| edges[*k] == mark.edge;
-        let all = 0..cut.len();
-        let candidates: Vec<usize> =
-            if all.clone().any(|k| own(&k)) { all.filter(own).collect() } else { all.collect() };
-        let nearest = candidates.into_iter().map(|k| {
+        let [from, to] = [mark.edge, mark.edge + 1].map(|edge| by_edge.partition_point(|(own, _)| *own < edge));
+        // An edge of the outline that vanished has none on the contour; a neighbour takes its marks.
+        let around = if from < to { from..to } else { from.saturating_sub(1)..(from + 1).min(by_edge.len()) };
+        let candidates = by_edge[around].iter().map(|&(_, k)| k);
+        let nearest = candidates.map(|k| {
             let (a, b) = (cut[k], cut[(k + 1) % cut.len()]);
             let fraction = ((mark.at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             (mark.at.distance(a.lerp(b, fraction)), k, fraction)
@@ -364,9 +393,10 @@ fn texts(
     options: &PatternOptions,
 ) -> Vec<Shape> {
     let least = LEAST_HEIGHT.min(options.text_height);
+    let obstacles = Columns::new(obstacles);
     let clear = |spot: &Spot, text: &str| {
         let corners = label::corners(spot, text);
-        !obstacles.iter().any(|&[from, to]| crosses_box(&corners, from, to))
+        !obstacles.near(bounds(&corners)).any(|[from, to]| crosses_box(&corners, from, to))
     };
     let mut shapes = Vec::new();
     let mut taken = vec![false; piece.panels.len()];
@@ -390,28 +420,26 @@ fn texts(
         put(&piece.name, spot);
     }
     let mut beside: Vec<(DVec2, String)> = Vec::new();
-    if options.angles {
-        for label in labels {
-            let text = &label.text;
-            let free = |&(panel, _): &(usize, [DVec2; 2])| panel < taken.len() && !taken[panel];
-            let beside_fold = [label.panel, label.panel + 1].into_iter().zip(label.sides).filter(free);
-            let spots = beside_fold.filter_map(|(panel, own)| {
-                let corners = piece.panels[panel];
-                let side = (0..3).find(|&side| {
-                    let ends = [corners[side], corners[(side + 1) % 3]];
-                    ends == own || ends == [own[1], own[0]]
-                })?;
-                let spot = label::inside(corners, Some(side), text, options.text_height)?;
-                (spot.height >= least && clear(&spot, text)).then_some((panel, spot))
-            });
-            let best = spots.reduce(|best, spot| if spot.1.height > best.1.height { spot } else { best });
-            match best {
-                Some((panel, spot)) => {
-                    take(&mut taken, panel);
-                    put(text, spot);
-                }
-                None => beside.push((label.sides[0][1].midpoint(label.sides[1][1]), text.clone())),
+    for label in labels {
+        let text = &label.text;
+        let free = |&(panel, _): &(usize, [DVec2; 2])| panel < taken.len() && !taken[panel];
+        let beside_fold = label.panels.into_iter().zip(label.sides).filter(free);
+        let spots = beside_fold.filter_map(|(panel, own)| {
+            let corners = piece.panels[panel];
+            let side = (0..3).find(|&side| {
+                let ends = [corners[side], corners[(side + 1) % 3]];
+                ends == own || ends == [own[1], own[0]]
+            })?;
+            let spot = label::inside(corners, Some(side), text, options.text_height)?;
+            (spot.height >= least && clear(&spot, text)).then_some((panel, spot))
+        });
+        let best = spots.reduce(|best, spot| if spot.1.height > best.1.height { spot } else { best });
+        match best {
+            Some((panel, spot)) => {
+                take(&mut taken, panel);
+                put(text, spot);
             }
+            None => beside.push((label.sides[0][1].midpoint(label.sides[1][1]), text.clone())),
         }
     }
     shapes.extend(texts_beside(piece, figure, beside, name.is_none(), options));
@@ -456,6 +484,63 @@ fn texts_beside(
         shapes.push(Shape::Text { layer: Layer::Text, text: piece.name.clone(), spot });
     }
     shapes
+}
+
+/// Number of heights at which a grain line is tried.
+const GRAIN_HEIGHTS: usize = 9;
+
+/// Returns a line along x inside a polygon: the middle half of its longest chord among some heights.
+fn grain(cut: &[DVec2]) -> Option<[DVec2; 2]> {
+    let [low, high] = bounds(cut);
+    let chords = (1..=GRAIN_HEIGHTS).flat_map(|k| {
+        let y = low.y + (high.y - low.y) * k as f64 / (GRAIN_HEIGHTS + 1) as f64;
+        let mut at: Vec<f64> = (0..cut.len())
+            .map(|k| [cut[k], cut[(k + 1) % cut.len()]])
+            .filter(|[a, b]| (a.y > y) != (b.y > y))
+            .map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
+            .collect();
+        at.sort_by(f64::total_cmp);
+        let pairs: Vec<[DVec2; 2]> =
+            at.chunks_exact(2).map(|pair| [pair[0], pair[1]].map(|x| DVec2::new(x, y))).collect();
+        pairs
+    });
+    let length = |[from, to]: [DVec2; 2]| to.x - from.x;
+    let longest = chords.reduce(|best, chord| if length(chord) > length(best) { chord } else { best })?;
+    Some([0.25, 0.75].map(|at| longest[0].lerp(longest[1], at)))
+}
+
+/// Segments by columns of equal width, so that those beside a text are found without looking at all of them.
+struct Columns<'a> {
+    segments: &'a [[DVec2; 2]],
+    columns: Vec<Vec<usize>>,
+    left: f64,
+    width: f64,
+}
+
+impl<'a> Columns<'a> {
+    /// Makes as many columns as there are segments. Short segments then lie in one or two columns each.
+    fn new(segments: &'a [[DVec2; 2]]) -> Self {
+        let ends: Vec<DVec2> = segments.iter().flatten().copied().collect();
+        let [low, high] = if ends.is_empty() { [DVec2::ZERO; 2] } else { bounds(&ends) };
+        let count = segments.len().max(1);
+        let width = ((high.x - low.x) / count as f64).max(f64::MIN_POSITIVE);
+        let mut all = Self { segments, columns: vec![Vec::new(); count], left: low.x, width };
+        for (number, [from, to]) in segments.iter().enumerate() {
+            all.range(from.x.min(to.x), from.x.max(to.x)).for_each(|column| all.columns[column].push(number));
+        }
+        all
+    }
+
+    fn range(&self, from: f64, to: f64) -> std::ops::RangeInclusive<usize> {
+        let column = |x: f64| (((x - self.left) / self.width).max(0.0) as usize).min(self.columns.len() - 1);
+        column(from)..=column(to)
+    }
+
+    /// Returns the segments in the columns of a box, some of them several times.
+    fn near(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = [DVec2; 2]> {
+        let columns = &self.columns[self.range(low.x, high.x)];
+        columns.iter().flatten().map(move |&number| self.segments[number])
+    }
 }
 
 /// Whether a segment meets a convex box.

@@ -1,17 +1,37 @@
 //! A flat pattern as JSON, with every number in all digits.
 
 use crate::figure::Figure;
+use crate::kinds;
 use crate::options::Layer;
 use crate::piece::Seam;
+use crate::sheets::{Layout, Place};
 use plateau_mesh::DVec2;
 use serde_json::{Value, json};
 
-/// Writes the figures. Lengths are in millimetres, with the origin of each piece at the lower left corner of its cut.
+/// Writes the figures. Lengths are in millimetres. The coordinates of a piece start at the lower left corner of its cut,
+/// or at that of its sheet.
 #[must_use]
-pub fn to_json(figures: &[Figure]) -> Vec<u8> {
-    let pieces: Vec<Value> = figures.iter().map(piece).collect();
+pub fn to_json(figures: &[Figure], layout: Option<&Layout>) -> Vec<u8> {
+    let place = |k: usize| layout.map(|layout| &layout.places[k]);
+    let pieces: Vec<Value> = figures.iter().enumerate().map(|(k, figure)| piece(figure, place(k))).collect();
     let bends: usize = figures.iter().map(bends).sum();
-    let document = json!({ "pieces": pieces, "bends": bends });
+    let sheet = |layout: &Layout, size: &DVec2| {
+        json!({
+            "width": layout.stock.size.x,
+            "height": layout.stock.size.y,
+            "size": { "width": size.x, "height": size.y },
+        })
+    };
+    let sheets = layout.map(|layout| layout.sheets.iter().map(|size| sheet(layout, size)).collect::<Vec<_>>());
+    let document = json!({
+        "pieces": pieces,
+        "sheets": sheets.unwrap_or_default(),
+        "utilisation": layout.map(|layout| layout.utilisation),
+        // A piece that fits no sheet is refused.
+        "unplaced": [],
+        "bends": bends,
+        "kinds": kinds::count(figures),
+    });
     // Serialization cannot fail because there are only lists, text and numbers.
     serde_json::to_vec(&document).unwrap_or_default()
 }
@@ -33,10 +53,10 @@ pub fn seam_name(seam: Seam) -> String {
     }
 }
 
-fn piece(figure: &Figure) -> Value {
+fn piece(figure: &Figure, place: Option<&Place>) -> Value {
     let [low, high] = figure.bounds();
     let size = high - low;
-    let point = |at: DVec2| (at - low).to_array();
+    let point = |at: DVec2| place.map_or(at - low, |place| place.point(at)).to_array();
     let points = |of: &[DVec2]| of.iter().map(|&at| point(at)).collect::<Vec<_>>();
     let lines: Vec<Value> = figure
         .lines
@@ -60,6 +80,8 @@ fn piece(figure: &Figure) -> Value {
         "size": { "width": size.x, "height": size.y },
         "outline": points(&figure.cut),
         "sew": figure.sew.as_deref().map(points),
+        "sheet": place.map(|place| place.sheet),
+        "turned_deg": place.map(Place::turned_deg),
         "lines": lines,
         "marks": marks,
     })

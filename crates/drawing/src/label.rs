@@ -62,7 +62,7 @@ fn on_side(corners: [DVec2; 3], base: usize, text: &str, height: f64) -> Option<
 }
 
 /// Turns a direction by 180 degrees if a text along it would be upside down.
-fn readable(direction: DVec2) -> DVec2 {
+pub(crate) fn readable(direction: DVec2) -> DVec2 {
     // A text that runs straight down would be read from the right; drawings are read from the left.
     let is_upside_down = direction.x < -1e-9 || (direction.x <= 1e-9 && direction.y < 0.0);
     if is_upside_down { -direction } else { direction }

@@ -30,10 +30,13 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 
+mod astm;
+pub mod divide;
 pub mod drawing;
 pub mod dxf;
 pub mod figure;
 pub mod json;
+mod kinds;
 pub mod label;
 pub mod metal;
 pub mod options;
@@ -42,6 +45,7 @@ pub mod pdf;
 pub mod piece;
 pub mod polygon;
 pub mod schedule;
+pub mod sheets;
 pub mod svg;
 
 pub use options::{Format, PatternOptions};
@@ -49,7 +53,8 @@ pub use parameters::{ParameterError, Refused};
 pub use piece::{Fold, Pattern, Piece};
 pub use schedule::{ScheduleOptions, schedule};
 
-use figure::Figure;
+use drawing::Drawing;
+use options::Profile;
 use plateau_archive::Contents;
 use plateau_archive::zip::Zip;
 
@@ -59,26 +64,41 @@ use plateau_archive::zip::Zip;
 /// Returns [`Refused::NoPattern`] unless the result is a ruled surface, [`Refused::Unsuitable`] if a parameter does not
 /// suit the result, and [`Refused::TooLarge`] if the format cannot hold the file.
 pub fn pattern(contents: &Contents, options: &PatternOptions) -> Result<Vec<u8>, Refused> {
-    let figures = figure::of_result(contents, options)?;
+    let figures = divide::of_result(contents, options)?;
+    let layout = options.stock.map(|stock| sheets::place(&figures, &stock)).transpose()?;
     if options.format == Format::Json {
-        return Ok(json::to_json(&figures));
+        return Ok(json::to_json(&figures, layout.as_ref()));
     }
-    let file = |figures: &[Figure], title: &str| {
-        let drawing = drawing::stacked(figures, options, title, &contents.generator);
-        match options.format {
-            Format::Dxf => Ok(dxf::to_dxf(&drawing, &options.layers)),
-            Format::Pdf => pdf::to_pdf(&drawing, options.paper),
-            Format::Svg | Format::Json => Ok(svg::to_svg(&drawing, &options.layers)),
-        }
+    let file = |drawing: &Drawing| match options.format {
+        Format::Dxf => Ok(dxf::to_dxf(drawing, &options.layers)),
+        Format::Pdf => pdf::to_pdf(drawing, options.paper),
+        Format::Svg | Format::Json => Ok(svg::to_svg(drawing, &options.layers)),
     };
+    let generator = contents.generator.as_str();
+    let is_astm = options.profile == Profile::Astm;
+    if is_astm && !options.split {
+        return Ok(astm::to_dxf(&figures, options, [&contents.title, generator]));
+    }
     if !options.split {
-        return file(&figures, &contents.title);
+        return file(&match &layout {
+            Some(layout) => {
+                let all = 0..layout.sheets.len();
+                drawing::on_sheets(&figures, layout, all, options, [&contents.title, generator])
+            }
+            None => drawing::stacked(&figures, options, &contents.title, generator),
+        });
     }
     let too_large = |_| Refused::TooLarge("ZIP");
     let (mut zip, mut bytes) = (Zip::default(), Vec::new());
-    for figure in &figures {
-        let content = file(std::slice::from_ref(figure), &figure.name)?;
-        let name = format!("{}.{}", figure.name, options.format.name());
+    let count = layout.as_ref().map_or(figures.len(), |layout| layout.sheets.len());
+    for k in 0..count {
+        let name = if layout.is_some() { format!("sheet {}", k + 1) } else { figures[k].name.clone() };
+        let content = match &layout {
+            Some(layout) => file(&drawing::on_sheets(&figures, layout, k..k + 1, options, [&name, generator]))?,
+            None if is_astm => astm::to_dxf(&figures[k..=k], options, [&contents.title, generator]),
+            None => file(&drawing::stacked(&figures[k..=k], options, &name, generator))?,
+        };
+        let name = format!("{name}.{}", options.format.name());
         bytes.extend(zip.entry(&name, &content).map_err(too_large)?);
         bytes.extend_from_slice(&content);
     }

@@ -112,12 +112,11 @@ impl Panel {
 /// Returns [`Refused::Unsuitable`] at `radius` for a bend that is too sharp or has no room between its neighbours, at
 /// `chord_error` for too many hits, and at `relief` for circles that do not fit.
 pub fn blank(piece: &Piece, metal: &Metal) -> Result<Blank, Refused> {
-    let Some([first, last]) = piece.ends else {
+    let Some(bridges) = piece.bridges() else {
         // A cap has no bends.
         return Ok(Blank { piece: piece.clone(), ..Blank::default() });
     };
-    let bridges: Vec<[DVec2; 2]> =
-        std::iter::once(first).chain(piece.folds.iter().map(|fold| fold.ends)).chain([last]).collect();
+    let first = bridges[0];
     let is_bend = |k: usize| k > 0 && k + 1 < bridges.len() && piece.folds[k - 1].kind() != FoldKind::Flat;
     let angle = |k: usize| piece.folds[k - 1].angle_deg;
     for k in (0..bridges.len()).filter(|&k| is_bend(k)) {

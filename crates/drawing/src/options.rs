@@ -13,6 +13,8 @@ pub enum Profile {
     Cut,
     /// The blank of thick sheet metal with its bend lines.
     SheetMetal,
+    /// Cloth, as ASTM D6673 exchanges sewn products: DXF of AutoCAD R13 with numbered layers and one block a piece.
+    Astm,
 }
 
 /// Format of a flat pattern.
@@ -197,6 +199,26 @@ pub struct Allowances {
     pub ends: f64,
 }
 
+/// Turns of a piece on its sheet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rotate {
+    /// By 0 or 180 degrees, so that the grain stays along the sheet.
+    #[default]
+    Half,
+    /// By quarter turns too.
+    Free,
+}
+
+/// Sheets that the pieces are cut from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stock {
+    /// Length along x, and width.
+    pub size: DVec2,
+    /// Distance between the boxes of two pieces.
+    pub gap: f64,
+    pub rotate: Rotate,
+}
+
 /// All options of a flat pattern.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PatternOptions {
@@ -212,6 +234,9 @@ pub struct PatternOptions {
     /// Full width of the cut.
     pub kerf: f64,
     pub cut_at: Vec<u32>,
+    pub stock: Option<Stock>,
+    /// Largest length of a piece along its strip.
+    pub max_length: Option<f64>,
     pub layers: LayerNames,
     /// Paper on which a PDF is tiled; one page of the drawing's size without it.
     pub paper: Option<Paper>,
@@ -222,6 +247,10 @@ pub struct PatternOptions {
 const LARGEST: f64 = 1e6;
 /// Largest allowance and kerf, in millimetres.
 const LARGEST_ALLOWANCE: f64 = 1e3;
+/// Smallest side of a sheet and smallest `max_length`, in millimetres.
+const LEAST_SHEET: f64 = 1.0;
+/// Distance between pieces on a sheet where none is given, in millimetres: enough for the heads of laser cutters.
+const GAP: f64 = 5.0;
 /// Smallest distance between notches, in millimetres: less than twice the width of a notch.
 const LEAST_SPACING: f64 = 1e-3;
 
@@ -234,9 +263,19 @@ impl PatternOptions {
     pub fn read(given: &[(String, String)]) -> Result<Self, Refused> {
         let mut values = Values::new(given);
         let formats = Format::ALL.map(|format| (format.name(), format));
-        let profiles = [("plain", Profile::Plain), ("cut", Profile::Cut), ("sheet-metal", Profile::SheetMetal)];
+        let profiles = [
+            ("plain", Profile::Plain),
+            ("cut", Profile::Cut),
+            ("sheet-metal", Profile::SheetMetal),
+            ("astm-d6673", Profile::Astm),
+        ];
         let profile = values.choice("profile", &profiles).unwrap_or_default();
-        let format = values.choice("format", &formats).unwrap_or_default();
+        let is_astm = profile == Profile::Astm;
+        let default = if is_astm { Format::Dxf } else { Format::default() };
+        let format = values.choice("format", &formats).unwrap_or(default);
+        if is_astm && format != Format::Dxf {
+            values.refuse("format", "must be dxf with profile=astm-d6673");
+        }
         let split = values.choice("split", &[("pieces", true)]);
         if split.is_some() && profile == Profile::Cut {
             values.refuse("split", "profile=cut has one file for each piece in any case");
@@ -262,7 +301,18 @@ impl PatternOptions {
             .map(|name| values.number(name, 0.0..=LARGEST_ALLOWANCE).or(all).unwrap_or(0.0));
         let kerf = values.number("kerf", 0.0..=LARGEST_ALLOWANCE).unwrap_or(0.0);
         let cut_at = bridges(&mut values);
+        let stock = stock(&mut values);
+        if is_astm && !values.is_missing("sheet") {
+            values.refuse("sheet", "is not allowed with profile=astm-d6673: a marker program lays the pieces out");
+        }
+        if split.is_some() && stock.is_some() {
+            values.refuse("split", "is not allowed with sheet, on which several pieces lie");
+        }
+        let max_length = values.number("max_length", LEAST_SHEET..=LARGEST);
         let layers = layers(&mut values);
+        if is_astm && !values.is_missing("layers") {
+            values.refuse("layers", "is not allowed with profile=astm-d6673, whose layers have numbers");
+        }
         let paper = values.choice("paper", &[("a4", Paper::A4), ("a3", Paper::A3)]);
         if paper.is_some() && format != Format::Pdf {
             values.refuse("paper", "is only allowed with format=pdf");
@@ -279,6 +329,8 @@ impl PatternOptions {
             allowances: Allowances { p: own[0], q: own[1], ends: own[2] },
             kerf,
             cut_at,
+            stock,
+            max_length,
             layers,
             paper,
             metal,
@@ -307,6 +359,29 @@ fn bridges(values: &mut Values<'_>) -> Vec<u32> {
             Vec::new()
         }
     }
+}
+
+fn stock(values: &mut Values<'_>) -> Option<Stock> {
+    let size = values.text("sheet").and_then(|text| {
+        let side = |text: &str| text.parse::<f64>().ok().filter(|side| (LEAST_SHEET..=LARGEST).contains(side));
+        let size = text.split_once(',').and_then(|(length, width)| Some(DVec2::new(side(length)?, side(width)?)));
+        if size.is_none() {
+            let detail =
+                format!("must be a length and a width from {LEAST_SHEET} to {LARGEST} with a comma between them");
+            values.refuse("sheet", detail);
+        }
+        size
+    });
+    let gap = values.number("gap", 0.0..=LARGEST_ALLOWANCE);
+    let rotate = values.choice("rotate", &[("half", Rotate::Half), ("free", Rotate::Free)]);
+    if values.is_missing("sheet") {
+        for (name, is_given) in [("gap", gap.is_some()), ("rotate", rotate.is_some())] {
+            if is_given {
+                values.refuse(name, "is only allowed with sheet");
+            }
+        }
+    }
+    size.map(|size| Stock { size, gap: gap.unwrap_or(GAP), rotate: rotate.unwrap_or_default() })
 }
 
 fn layers(values: &mut Values<'_>) -> LayerNames {
@@ -431,14 +506,15 @@ pub(crate) const fn parameter(name: &'static str, kind: Kind, description: &'sta
 pub const PARAMETERS: &[Parameter] = &[
     parameter(
         "profile",
-        Kind::Choice(&["plain", "cut", "sheet-metal"]),
+        Kind::Choice(&["plain", "cut", "sheet-metal", "astm-d6673"]),
         "What the drawing is for. `plain` (the default): outlines and folds. `cut`: closed cut lines alone, one file \
-         for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines.",
+         for each piece, in a ZIP. `sheet-metal`: the blank of thick metal with bend lines. `astm-d6673`: cloth, with \
+         one block for each piece and numbered layers, as DXF of AutoCAD R13.",
     ),
     parameter(
         "format",
         Kind::Choice(&["svg", "dxf", "pdf", "json"]),
-        "The default is `svg`. `cut` has `svg` and `dxf`. Every file is in \
+        "The default is `svg`. `cut` has `svg` and `dxf`, and `astm-d6673` only `dxf`. Every file is in \
          millimetres. Without `format`, `profile` and `split` the format follows `Accept`.",
     ),
     parameter("split", Kind::Choice(&["pieces"]), "`pieces` gives a ZIP with one file for each piece."),
@@ -473,6 +549,28 @@ pub const PARAMETERS: &[Parameter] = &[
         Kind::Text("^[0-9]{1,9}(,[0-9]{1,9})*$"),
         "Bridges at which strips are cut, counted from 0 over all strips, with commas between them. A closed strip \
          opens at its first one; without one, at the bridge of least fold.",
+    ),
+    parameter(
+        "sheet",
+        Kind::Text(r"^[1-9][0-9]{0,5}(\.[0-9]{1,6})?,[1-9][0-9]{0,5}(\.[0-9]{1,6})?$"),
+        "Length and width of the sheets in mm, such as `3000,1500`. The pieces lie on sheets, and strips that do not fit \
+         are cut at bridges.",
+    ),
+    parameter(
+        "gap",
+        Kind::Number(0.0, LARGEST_ALLOWANCE),
+        "Distance between the boxes of pieces on a sheet in mm. The default is 5.",
+    ),
+    parameter(
+        "rotate",
+        Kind::Choice(&["half", "free"]),
+        "Turns of pieces on a sheet: by 0 or 180 degrees (`half`, the default), which keeps the grain along the sheet, \
+         or by quarter turns too (`free`).",
+    ),
+    parameter(
+        "max_length",
+        Kind::Number(LEAST_SHEET, LARGEST),
+        "Largest length of a piece in mm. Longer strips are cut at bridges.",
     ),
     parameter(
         "layers",

@@ -81,6 +81,11 @@ impl<'a> Values<'a> {
         first
     }
 
+    /// Whether a parameter was not given.
+    pub(crate) fn is_missing(&self, name: &str) -> bool {
+        self.given.iter().all(|(given, _)| given != name)
+    }
+
     pub(crate) fn number(&mut self, name: &'static str, range: std::ops::RangeInclusive<f64>) -> Option<f64> {
         let text = self.text(name)?;
         match text.parse::<f64>() {

@@ -37,7 +37,7 @@ pub fn to_pdf(drawing: &Drawing, paper: Option<Paper>) -> Result<Vec<u8>, Refuse
                 let detail = "the drawing is larger than a page can be, 5080 mm; give paper=a4 or paper=a3";
                 return Err(Refused::unsuitable("paper", detail));
             }
-            vec![(size, page(drawing, DVec2::ZERO, drawing.size, None))]
+            vec![(size, page(&boxed(drawing), DVec2::ZERO, drawing.size, None))]
         }
         Some(paper) => tiles(drawing, paper.size())?,
     };
@@ -69,20 +69,32 @@ fn tiles(drawing: &Drawing, paper: DVec2) -> Result<Vec<(DVec2, String)>, Refuse
     }
     let (columns, rows) = (count.x as usize, count.y as usize);
     let mut pages = Vec::with_capacity(columns * rows);
+    let shapes = boxed(drawing);
     for row in 0..rows {
         for column in 0..columns {
             // The first row is the top of the drawing.
             let low = DVec2::new(column as f64, (rows - 1 - row) as f64) * tile;
             let name = format!("row {} of {rows}, column {} of {columns}", row + 1, column + 1);
-            pages.push((paper, page(drawing, low, tile, Some(&name))));
+            pages.push((paper, page(&shapes, low, tile, Some(&name))));
         }
     }
     Ok(pages)
 }
 
+/// Returns every shape of a drawing with its box.
+fn boxed(drawing: &Drawing) -> Vec<(&Shape, [DVec2; 2])> {
+    let shapes = drawing.groups.iter().flat_map(|group| &group.shapes);
+    let boxed = shapes.map(|shape| {
+        let mut points = Vec::new();
+        shape.extent(&mut points);
+        (shape, crate::piece::bounds(&points))
+    });
+    boxed.collect()
+}
+
 /// Returns the operators of a page that shows the drawing from `low` on. A tile is clipped, and has register marks in
 /// the corners of its frame.
-fn page(drawing: &Drawing, low: DVec2, size: DVec2, tile: Option<&str>) -> String {
+fn page(shapes: &[(&Shape, [DVec2; 2])], low: DVec2, size: DVec2, tile: Option<&str>) -> String {
     let mut out = String::new();
     // Writing to a String cannot fail. Display of f64 has no exponent, which PDF does not know.
     macro_rules! put {
@@ -93,10 +105,7 @@ fn page(drawing: &Drawing, low: DVec2, size: DVec2, tile: Option<&str>) -> Strin
         put!("q {MARGIN} {MARGIN} {} {} re W n", size.x, size.y);
     }
     let place = |point: DVec2| point - low + MARGIN;
-    for shape in drawing.groups.iter().flat_map(|group| &group.shapes) {
-        let mut points = Vec::new();
-        shape.extent(&mut points);
-        let [from, to] = crate::piece::bounds(&points);
+    for &(shape, [from, to]) in shapes {
         if tile.is_some() && (to.x < low.x || to.y < low.y || from.x > (low + size).x || from.y > (low + size).y) {
             continue;
         }

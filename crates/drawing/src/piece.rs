@@ -115,6 +115,46 @@ impl Piece {
         self
     }
 
+    /// Returns the bridges of a strip in order, from its first end to its last.
+    pub(crate) fn bridges(&self) -> Option<Vec<[DVec2; 2]>> {
+        let [first, last] = self.ends?;
+        Some(std::iter::once(first).chain(self.folds.iter().map(|fold| fold.ends)).chain([last]).collect())
+    }
+
+    /// Returns the part between two of its `bridges`, turned as a piece of its own would be, to measure it. The part has
+    /// no panels, and its seams are not those of the surface.
+    pub(crate) fn part(&self, bridges: &[[DVec2; 2]], from: usize, to: usize) -> Self {
+        let own = &bridges[from..=to];
+        let middle = |[p, q]: [DVec2; 2]| p.midpoint(q);
+        let along = (middle(own[own.len() - 1]) - middle(own[0])).try_normalize().unwrap_or(DVec2::X);
+        let chain = |side: usize| {
+            let mut points: Vec<DVec2> = own.iter().map(|bridge| bridge[side]).collect();
+            points.dedup();
+            points
+        };
+        let [p, q] = [chain(0), chain(1)];
+        let edge = |side: Side, seam: Seam| Edge { side, seam, arc: [0.0; 2] };
+        let mut edges = vec![edge(Side::P, Seam::Rail(0)); p.len() - 1];
+        // The two ends differ, so that a blank can tell which is which.
+        edges.push(edge(Side::End, Seam::Bridge(1)));
+        edges.extend(vec![edge(Side::Q, Seam::Rail(0)); q.len() - 1]);
+        edges.push(edge(Side::End, Seam::Bridge(0)));
+        let mut part = Self {
+            name: self.name.clone(),
+            outline: p.into_iter().chain(q.into_iter().rev()).collect(),
+            edges,
+            folds: self.folds[from..to - 1].to_vec(),
+            panels: Vec::new(),
+            ends: Some([own[0], own[own.len() - 1]]),
+            overlaps: false,
+        };
+        part.move_points(|point| DVec2::new(point.dot(along), along.perp_dot(point)));
+        if crate::polygon::area(&part.outline) < 0.0 {
+            part.reverse();
+        }
+        part
+    }
+
     fn move_points(&mut self, place: impl Fn(DVec2) -> DVec2) {
         self.outline.iter_mut().for_each(|point| *point = place(*point));
         self.folds.iter_mut().for_each(|fold| fold.ends = fold.ends.map(&place));
@@ -254,20 +294,20 @@ impl Stack<'_> {
             starts.push((bridge + own.len(), triangle + own.len() - usize::from(!self.closed)));
         }
         let mut pieces = Vec::with_capacity(flat.strips.len());
-        for (k, strip) in flat.strips.iter().enumerate() {
-            let (first_bridge, first_triangle) = starts[strip.strip];
-            let (next_bridge, next_triangle) = starts[strip.strip + 1];
+        for parts in flat.strips.chunk_by(|one, next| one.strip == next.strip) {
+            let number = parts[0].strip;
+            let (first_bridge, first_triangle) = starts[number];
+            let (next_bridge, next_triangle) = starts[number + 1];
             let own = &self.bridges[first_bridge..next_bridge];
             let triangles = &self.mesh.triangles[first_triangle..next_triangle];
             let rails = [self.rail(own, 0), self.rail(own, 1)];
-            let siblings = |piece: Option<&FlatStrip>| piece.is_some_and(|piece| piece.strip == strip.strip);
-            let part = flat.strips[..k].iter().rev().take_while(|piece| piece.strip == strip.strip).count() + 1;
-            let divided = part > 1 || siblings(flat.strips.get(k + 1));
-            let suffix = if divided { format!("-{part}") } else { String::new() };
-            pieces.push(Piece {
-                name: format!("strip {}{suffix}", strip.strip + 1),
-                ..self.strip_piece(strip, triangles, first_bridge, &rails)
-            });
+            for (part, strip) in parts.iter().enumerate() {
+                let suffix = if parts.len() > 1 { format!("-{}", part + 1) } else { String::new() };
+                pieces.push(Piece {
+                    name: format!("strip {}{suffix}", number + 1),
+                    ..self.strip_piece(strip, triangles, first_bridge, &rails)
+                });
+            }
         }
         pieces
     }

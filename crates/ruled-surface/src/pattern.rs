@@ -78,7 +78,8 @@ impl FlatPattern {
         let mut first = 0;
         for (number, own) in strips_of(bridges).enumerate() {
             let numbers = first..first + own.len() as u32;
-            let mut own_cuts: Vec<u32> = cuts.iter().copied().filter(|cut| numbers.contains(cut)).collect();
+            let [from, to] = [numbers.start, numbers.end].map(|end| cuts.partition_point(|&cut| cut < end));
+            let mut own_cuts: Vec<u32> = cuts[from..to].to_vec();
             let (start, length) = if closed {
                 let opening = own_cuts.first().copied();
                 (opening.unwrap_or_else(|| first + least_fold(vertices, own)), own.len() as u32)

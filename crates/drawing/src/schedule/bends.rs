@@ -1,7 +1,7 @@
 //! Bends of a flat pattern.
 
 use super::csv::{Cell, Table};
-use crate::figure;
+use crate::divide;
 use crate::metal;
 use crate::options::{Layer, PatternOptions};
 use crate::parameters::Refused;
@@ -23,7 +23,7 @@ pub(super) fn bends(contents: &Contents, options: Option<&PatternOptions>) -> Re
         "length_mm",
     ]);
     let mut bend = 0;
-    for figure in figure::of_result(contents, options)? {
+    for figure in divide::of_result(contents, options)? {
         let lines: Vec<_> = figure.lines.iter().filter(|line| line.layer != Layer::FoldFlat).collect();
         for hits in lines.chunk_by(|one, next| one.bridge == next.bridge) {
             let angle: f64 = hits.iter().map(|hit| hit.angle_deg).sum();

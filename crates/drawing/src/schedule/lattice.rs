@@ -207,10 +207,15 @@ pub(super) fn members(lattice: &Lattice, contents: &Contents, options: &Schedule
         format!("cut_length_{unit}"),
     ];
     let kinds = lattice.member_kinds(options.tolerance);
+    let at_nodes = setbacks(lattice, options);
     let mut table = Table::new(&columns);
     for (number, &[from, to]) in lattice.members.iter().enumerate() {
         let length = lattice.length(number as u32);
-        let setbacks = [from, to].map(|node| setback(lattice, number as u32, node as usize, options));
+        let setbacks = [from, to].map(|node| {
+            // A node has its members in increasing order.
+            let place = lattice.at_nodes[node as usize].partition_point(|&member| (member as usize) < number);
+            at_nodes[node as usize][place]
+        });
         let cut = length - setbacks[0] - setbacks[1];
         if cut <= 0.0 {
             let parameter = if options.setback > 0.0 { "setback" } else { "member_width" };
@@ -231,15 +236,44 @@ pub(super) fn members(lattice: &Lattice, contents: &Contents, options: &Schedule
     Ok(table)
 }
 
-fn setback(lattice: &Lattice, member: u32, node: usize, options: &ScheduleOptions) -> f64 {
-    if options.member_width == 0.0 {
-        return options.setback;
+/// Returns for each node the least setback of each of its members, in the order in which the node has them.
+fn setbacks(lattice: &Lattice, options: &ScheduleOptions) -> Vec<Vec<f64>> {
+    let setback = |least: f64| {
+        let needed = if least.is_finite() { 0.5 * options.member_width / libm::tan(0.5 * least) } else { 0.0 };
+        options.setback.max(needed)
+    };
+    let at_node = |node: usize| {
+        let members = &lattice.at_nodes[node];
+        if options.member_width == 0.0 {
+            return vec![options.setback; members.len()];
+        }
+        let directions: Vec<DVec3> = members.iter().map(|&member| lattice.direction(member, node)).collect();
+        least_angles(&directions).into_iter().map(setback).collect()
+    };
+    (0..lattice.nodes.len()).map(at_node).collect()
+}
+
+/// Returns for each unit vector the smallest angle to another one. The vectors are sorted along x, and each is compared
+/// with its neighbours on both sides until x alone differs by more than the nearest one found.
+fn least_angles(directions: &[DVec3]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..directions.len()).collect();
+    order.sort_by(|&one, &other| directions[one].x.total_cmp(&directions[other].x));
+    let mut least = vec![f64::INFINITY; directions.len()];
+    for (place, &k) in order.iter().enumerate() {
+        let own = directions[k];
+        let mut nearest = f64::INFINITY;
+        let mut compare = |other: usize| {
+            let is_near = (directions[other].x - own.x).abs() <= nearest;
+            if is_near {
+                nearest = nearest.min(own.distance(directions[other]));
+                least[k] = least[k].min(angle(own, directions[other]));
+            }
+            is_near
+        };
+        let _ = order[..place].iter().rev().all(|&other| compare(other));
+        let _ = order[place + 1..].iter().all(|&other| compare(other));
     }
-    let own = lattice.direction(member, node);
-    let others = lattice.at_nodes[node].iter().filter(|&&other| other != member);
-    let least = others.map(|&other| angle(own, lattice.direction(other, node))).fold(f64::INFINITY, f64::min);
-    let needed = if least.is_finite() { 0.5 * options.member_width / libm::tan(0.5 * least) } else { 0.0 };
-    options.setback.max(needed)
+    least
 }
 
 /// Returns the table of nodes, with one row for each member at each node. The azimuth runs counter-clockwise about the

@@ -66,7 +66,7 @@ fn refolded(piece: &Piece) -> Vec<[DVec3; 3]> {
 }
 
 /// Largest difference between the distances of the corners of a refolded piece and those of the mesh, over the size.
-fn refold_error(archive: &Archive, piece: &Piece, first: usize) -> f64 {
+pub fn refold_error(archive: &Archive, piece: &Piece, first: usize) -> f64 {
     let mesh = &archive.contents().mesh;
     let bridges = bridges_of(archive.contents()).unwrap();
     let folded = refolded(piece);
@@ -168,7 +168,7 @@ fn pieces_are_simple_counter_clockwise_and_have_the_area_of_the_mesh() {
 }
 
 /// Returns the pieces at each seam that is no end of an open strip, with their lengths along it.
-fn seams(pieces: &[Piece]) -> BTreeMap<Seam, Vec<f64>> {
+pub fn seams(pieces: &[Piece]) -> BTreeMap<Seam, Vec<f64>> {
     let mut seams: BTreeMap<Seam, Vec<f64>> = BTreeMap::new();
     for piece in pieces {
         let mut own: BTreeMap<(Seam, bool), f64> = BTreeMap::new();
@@ -372,7 +372,7 @@ fn notches_lie_in_the_cut_line_and_a_lost_one_shows_in_the_area() {
     }
 }
 
-fn figures_of(archive: &Archive, query: &str) -> Vec<Figure> {
+pub fn figures_of(archive: &Archive, query: &str) -> Vec<Figure> {
     let millimetres: Vec<Piece> = {
         // Pieces in millimetres, as the files have them: the same surface in this unit.
         let mut contents = archive.contents().clone();
@@ -429,7 +429,10 @@ fn texts_lie_clear_of_every_line() {
     use plateau_drawing::figure::Shape;
     use plateau_drawing::label::corners;
     for (name, archive) in all() {
-        for figure in figures_of(&archive, "angles=true&notches=200&allowance=8") {
+        let plain = figures_of(&archive, "angles=true&notches=200&allowance=8");
+        // With the grain.
+        let on_sheets = figures_of(&archive, "angles=true&notches=200&sheet=100000,100000");
+        for figure in plain.into_iter().chain(on_sheets) {
             let (mut texts, mut lines): (Vec<[DVec2; 4]>, Vec<[DVec2; 2]>) = (Vec::new(), Vec::new());
             for shape in &figure.shapes {
                 match shape {
@@ -492,6 +495,8 @@ fn bad_values_are_named() {
     }
     let unsuitable = [
         ("notches=0.1", "notches"),
+        // Millions of them.
+        ("notches=0.001", "notches"),
         ("notches=1.9&profile=cut", "notches"),
         ("format=pdf&paper=a4&text_height=500", "paper"),
         ("cut_at=99", "cut_at"),

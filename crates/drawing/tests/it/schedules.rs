@@ -9,7 +9,7 @@ use plateau_mesh::{DVec3, Mesh};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 
-fn make(archive: &Archive, query: &str) -> Result<String, Refused> {
+pub fn make(archive: &Archive, query: &str) -> Result<String, Refused> {
     let pairs: Vec<(String, String)> =
         query.split('&').map(|pair| pair.split_once('=').unwrap()).map(|(a, b)| (a.into(), b.into())).collect();
     let options = ScheduleOptions::read(&pairs)?;
@@ -312,5 +312,67 @@ fn bends_are_listed_with_their_radius_and_allowance() {
         // The line is shorter than the bridge by what the panels lose at their corners.
         let lengths = [&table, &plain].map(|table| table["length_mm"][k].parse::<f64>().unwrap());
         assert!(lengths[0] < lengths[1] && lengths[0] > 0.95 * lengths[1], "{lengths:?}");
+    }
+}
+
+/// Nodes with four members of the same directions up to a mirror, seen along the axis.
+#[test]
+fn nodes_that_are_mirror_images_are_two_kinds_and_turned_ones_are_one() {
+    // Azimuths of the members of each node; the axis is up, because all members point down alike.
+    let star = |azimuths: [f64; 4]| {
+        azimuths.map(|azimuth: f64| {
+            let (sine, cosine) = azimuth.to_radians().sin_cos();
+            DVec3::new(cosine, sine, -0.3)
+        })
+    };
+    let own = [0.0, 50.0, 170.0, 230.0];
+    let stars = [star(own), star(own.map(|azimuth| azimuth + 77.0)), star(own.map(|azimuth| 33.0 - azimuth))];
+    let (mut nodes, mut members, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
+    for (number, star) in stars.iter().enumerate() {
+        let first = nodes.len() as u32;
+        let centre = DVec3::new(10.0 * number as f64, 0.0, 0.0);
+        nodes.push(centre);
+        nodes.extend(star.map(|direction| centre + direction));
+        members.extend((1..5).map(|k| [first, first + k]));
+        // A triangle under the node gives it the axis z.
+        let corner = |x: f64, y: f64| centre + DVec3::new(x, y, 0.0);
+        nodes.extend([corner(1.0, 0.0), corner(0.0, 1.0)]);
+        triangles.push([first, first + 5, first + 6]);
+    }
+    let table = columns(&make(&net(nodes, members, triangles), "part=nodes").unwrap());
+    let kind = |node: usize| {
+        let row = table["node"].iter().position(|own| *own == node.to_string()).unwrap();
+        table["kind"][row].clone()
+    };
+    assert_eq!(kind(0), kind(7));
+    assert_ne!(kind(0), kind(14));
+}
+
+/// The wheel's hub has more members than could be compared pair by pair, and the angle between neighbours is known.
+#[test]
+fn setbacks_at_a_node_with_many_members_are_those_of_the_nearest_one() {
+    let count = 3000;
+    let spoke = |k: u32| {
+        let (sine, cosine) = (std::f64::consts::TAU * f64::from(k) / f64::from(count)).sin_cos();
+        DVec3::new(1000.0 * cosine, 1000.0 * sine, 0.0)
+    };
+    let nodes: Vec<DVec3> = std::iter::once(DVec3::ZERO).chain((0..count).map(spoke)).collect();
+    let archive = net(nodes, (1..=count).map(|k| [0, k]).collect(), Vec::new());
+    let table = columns(&make(&archive, "part=members&member_width=0.01").unwrap());
+    let expected = 0.005 / (std::f64::consts::PI / f64::from(count)).tan();
+    assert!(numbers(&table, "setback_from_m").iter().all(|found| (found - expected).abs() < 1e-6 * expected));
+    // Directions without any order, against all pairs.
+    let archive = lattice();
+    let table = columns(&make(&archive, "part=members&member_width=0.05").unwrap());
+    let contents = archive.contents();
+    let Lines::Segments(members) = &contents.line_sets[0].lines else { panic!() };
+    let at = |node: u32| contents.mesh.vertices[node as usize];
+    for (number, &[from, to]) in members.iter().enumerate() {
+        let away = |[a, b]: [u32; 2]| at(if a == from { b } else { a }) - at(from);
+        let own = at(to) - at(from);
+        let others = members.iter().filter(|pair| pair.contains(&from) && **pair != [from, to]);
+        let least = others.map(|&pair| own.angle_between(away(pair))).fold(f64::INFINITY, f64::min);
+        let expected = 0.025 / (0.5 * least).tan();
+        assert!((numbers(&table, "setback_from_m")[number] - expected).abs() < 1e-9, "member {number}");
     }
 }

@@ -3,14 +3,14 @@
 use crate::patterns::{make, options, pieces, refused};
 use crate::samples::{all, ring, ruled};
 use plateau_drawing::figure::{Shape, figures};
-use plateau_drawing::metal::{Bend, bend_allowance, blank, hits, setback};
+use plateau_drawing::metal::{Bend, Blank, bend_allowance, blank, hits, setback};
 use plateau_drawing::options::{Convention, Layer, Metal, Relief, Skin};
 use plateau_drawing::piece::{FoldKind, Piece};
 use plateau_drawing::{Refused, polygon};
 use plateau_mesh::{DVec2, DVec3};
 use plateau_ruled_surface::{Objective, Options};
 
-fn metal(radius: f64, thickness: f64, k: Option<f64>) -> Metal {
+pub fn metal(radius: f64, thickness: f64, k: Option<f64>) -> Metal {
     Metal { thickness, radius, k, ..Metal::default() }
 }
 
@@ -96,16 +96,15 @@ fn an_angle_profile_has_the_blank_of_the_text_books() {
     }
 }
 
-fn millimetres(archive: &plateau_archive::Archive) -> Vec<Piece> {
+pub fn millimetres(archive: &plateau_archive::Archive) -> Vec<Piece> {
     let mut contents = archive.contents().clone();
     contents.mesh.vertices.iter_mut().for_each(|vertex| *vertex *= 1000.0);
     pieces(&plateau_archive::Archive::new(contents).unwrap())
 }
 
-/// Gives each panel of a blank its setbacks back, and returns the largest difference of its sides from the piece, and
-/// of the widths of the zones from `allowance`.
-fn unmade_error(piece: &Piece, metal: &Metal, allowance: impl Fn(f64) -> f64) -> [f64; 2] {
-    let blank = blank(piece, metal).unwrap();
+/// Gives each panel of a blank the setbacks of `metal` back, and returns the largest difference of its sides from the
+/// piece, and of the widths of the zones from `allowance`.
+pub fn unmade_error(piece: &Piece, blank: &Blank, metal: &Metal, allowance: impl Fn(f64) -> f64) -> [f64; 2] {
     let mut errors = [0.0_f64; 2];
     for (zone, bend) in blank.zones.iter().zip(&blank.bends) {
         let [start, end] = *zone;
@@ -170,10 +169,10 @@ fn a_blank_bent_again_has_the_panels_of_the_strip_and_zones_as_wide_as_the_allow
                 let bends = piece.folds.iter().filter(|fold| fold.kind() != FoldKind::Flat).count();
                 assert_eq!((made.bends.len(), made.zones.len()), (bends, bends));
                 assert!(polygon::crossing(&made.piece.outline).is_none() && polygon::area(&made.piece.outline) > 0.0);
-                let errors = unmade_error(piece, &metal, |angle| bend_allowance(&metal, angle));
+                let errors = unmade_error(piece, &made, &metal, |angle| bend_allowance(&metal, angle));
                 assert!(errors[0] < 1e-8 && errors[1] < 1e-8, "{name} {} {errors:?}", piece.name);
                 // A fault: the allowance of another k-factor.
-                let wrong = unmade_error(piece, &metal, |angle| angle * (1.0 + 0.44 * 0.8));
+                let wrong = unmade_error(piece, &made, &metal, |angle| angle * (1.0 + 0.44 * 0.8));
                 assert!(wrong[1] > 1e-4);
                 seen += 1;
             }

@@ -61,8 +61,10 @@ fn unclosed(prepared: &Prepared) -> Option<Warning> {
         count if count <= MOST_LISTED => format!("directrices {} end where they begin", loops.join(", ")),
         count => format!("{count} directrices, {} and others, end where they begin", loops[..MOST_LISTED].join(", ")),
     };
-    let detail =
-        format!("{which}, but the strips are open: set closed for loops, so that each strip is joined to itself");
+    let detail = format!(
+        "{which}, and the strips are open: their flat patterns begin and end there. With closed each strip is joined to \
+         itself, and its pattern is cut at the bridge of least fold, or at the bridge that cut_at names"
+    );
     Some(Warning::new(WarningCode::UnclosedDirectrices, detail).with_count("count", loops.len()))
 }
 
@@ -146,6 +148,7 @@ mod tests {
         assert!(
             found[0].0 == "unclosed_directrices" && found[0].1.starts_with("directrices 0, 1 end where they begin")
         );
+        assert!(found[0].1.contains("cut at the bridge of least fold"), "{}", found[0].1);
         assert_eq!(codes(&[&low, &high], true), []);
     }
 }

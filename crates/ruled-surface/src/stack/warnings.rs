@@ -12,7 +12,7 @@ use plateau_mesh::DVec3;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, Warning};
 use plateau_mesh::measure::{double_area_vector, is_degenerate};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Area above which a strip is reported, as a multiple of the least area.
 const LARGE: f64 = 1.25;
@@ -27,7 +27,7 @@ pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// A fold counts as the strip's own if it exceeds the angle of both directrices at the ends of its bridge by more than
 /// this, in radians. A bridge that leans towards the bisector of a corner sees the corner as sharper: from 160°, a lean
 /// of 45° makes 166°.
-const SHARPER: f64 = 10.0 * (std::f64::consts::PI / 180.0);
+const SHARPER: f64 = 10.0 * (PI / 180.0);
 /// Number of triangles without area up to which a strip is not reported. An open strip whose directrices share both
 /// ends has two.
 const EMPTY_AT_ENDS: usize = 2;
@@ -51,7 +51,12 @@ pub(crate) fn of_strip(
         && let Some(fold) = largest_fold_back(strip, path, &triangles)
     {
         let degrees = fold.to_degrees();
-        let detail = format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°");
+        let undecided = if fold > PI - SMALLER_FOLD {
+            "; a fold of 180° lays one triangle upon the other, so that it is neither a mountain nor a valley"
+        } else {
+            ""
+        };
+        let detail = format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°{undecided}");
         warnings
             .push(Warning::new(WarningCode::Folds, detail).with_count("strip", k).with("largest_fold_deg", degrees));
     }
@@ -117,7 +122,8 @@ pub(crate) fn of_strip(
 }
 
 /// Returns the largest fold of more than 90° that is sharper than the directrices themselves at the bridge's ends. A
-/// profile's own sharp edge, such as the trailing edge of an aerofoil, is no fault of the strip.
+/// profile's own sharp edge, such as the trailing edge of an aerofoil, is no fault of the strip. A fold of 180° counts in
+/// any case, because the two triangles are in the same place.
 fn largest_fold_back(strip: &Rails, path: &[[u32; 2]], triangles: &[[u32; 3]]) -> Option<f64> {
     let normal = |t: usize| {
         let corners = strip.corners(triangles[t]);
@@ -132,7 +138,8 @@ fn largest_fold_back(strip: &Rails, path: &[[u32; 2]], triangles: &[[u32; 3]]) -
         let fold = angle(normal(left)?, normal(Some(k).filter(|&k| k < triangles.len())?)?);
         let [i, j] = path[k];
         let own = turn(&strip.p, i).max(turn(&strip.q, j));
-        (fold > FRAC_PI_2 + SMALLER_FOLD && fold > own + SHARPER).then_some(fold)
+        let is_whole = fold > PI - SMALLER_FOLD;
+        (is_whole || fold > FRAC_PI_2 + SMALLER_FOLD && fold > own + SHARPER).then_some(fold)
     };
     (0..path.len()).filter_map(fold).reduce(f64::max)
 }

@@ -63,6 +63,16 @@ fn a_fold_of_half_a_turn_is_seen_and_auto_takes_the_direction_without_it() {
     assert!(auto.warnings.is_empty(), "{:?}", auto.warnings);
 }
 
+/// Both rails run back upon themselves. A sharp edge of a profile is no fault of the strip, but here the two sides lie in
+/// one place.
+#[test]
+fn a_fold_of_half_a_turn_is_reported_where_the_rails_have_it_too() {
+    let rail = |y: f64, last: f64| [[0.0, y], [1.0, y], [last, y]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+    let folded = solved(&[rail(0.0, 0.2), rail(1.0, 0.2)], &Options::default());
+    let warning = folded.warnings.iter().find(|warning| warning.code == "folds").expect("a warning");
+    assert!(warning.detail.contains("by up to 180.0°; a fold of 180° lays one triangle upon"), "{}", warning.detail);
+}
+
 #[test]
 fn triangles_without_area_are_reported() {
     let same = solved(&[line(200, 6.0, 0.0), line(200, 6.0, 0.0)], &Options::default());

@@ -1,0 +1,93 @@
+//! Cloth by ASTM D6673.
+
+use crate::files::dxf_pairs;
+use crate::patterns::{make, pieces, refused};
+use crate::samples::all;
+use plateau_drawing::polygon;
+use plateau_mesh::DVec2;
+
+/// Returns the lists of pairs that begin with a pair of code 0, between two markers.
+fn entities(pairs: &[(u16, String)]) -> Vec<&[(u16, String)]> {
+    let starts: Vec<usize> = (0..pairs.len()).filter(|&k| pairs[k].0 == 0).collect();
+    starts.windows(2).map(|pair| &pairs[pair[0]..pair[1]]).collect()
+}
+
+fn value(entity: &[(u16, String)], code: u16) -> &str {
+    entity.iter().find(|(own, _)| *own == code).map_or("", |(_, value)| value.as_str())
+}
+
+fn number(entity: &[(u16, String)], code: u16) -> f64 {
+    value(entity, code).parse().unwrap()
+}
+
+#[test]
+fn each_piece_is_a_block_with_its_outline_on_layer_1() {
+    for (name, archive) in all() {
+        let file = make(&archive, "profile=astm-d6673&allowance=10&notches=150&angles=true").unwrap();
+        let text = std::str::from_utf8(&file).unwrap();
+        assert!(text.contains("$ACADVER\n  1\nAC1012\n") && !text.contains("INSUNITS") && !text.contains("LWPOLYLINE"));
+        let pairs = dxf_pairs(&file);
+        let all = entities(&pairs);
+        let expected = pieces(&archive);
+        let starts: Vec<usize> =
+            (0..all.len()).filter(|&k| all[k][0].1 == "BLOCK" && !value(all[k], 2).starts_with('*')).collect();
+        assert_eq!(starts.len(), expected.len(), "{name}");
+        for (&start, piece) in starts.iter().zip(&expected) {
+            let block = value(all[start], 2);
+            assert_eq!(block, piece.name.to_uppercase().replace(' ', "_"));
+            let end = (start..all.len()).find(|&k| all[k][0].1 == "ENDBLK").unwrap();
+            let own = &all[start + 1..end];
+            let on = |kind: &str, layer: &str| own.iter().filter(|e| e[0].1 == kind && value(e, 8) == layer).count();
+            let outline = |layer: &str| -> Vec<DVec2> {
+                let vertices = own.iter().filter(|e| e[0].1 == "VERTEX" && value(e, 8) == layer);
+                vertices.map(|e| DVec2::new(number(e, 10), number(e, 20))).collect()
+            };
+            assert_eq!((on("POLYLINE", "1"), on("POLYLINE", "14"), on("LINE", "7")), (1, 1, 1), "{name} {block}");
+            assert_eq!((outline("1"), outline("14")), (outline("84"), outline("87")));
+            let sewn = polygon::area(&outline("14"));
+            assert!((sewn - 1e6 * polygon::area(&piece.outline)).abs() < 1e-6, "{name} {block}");
+            assert_eq!(on("POINT", "2") + on("POINT", "3"), outline("1").len());
+            assert_eq!(on("LINE", "8"), piece.folds.len());
+            let angles = own.iter().filter(|e| value(e, 8) == "8").map(|e| number(e, 1040));
+            assert!(angles.eq(piece.folds.iter().map(|fold| fold.angle_deg)));
+            // A notch points from the cut into the allowance of 10 mm and is 3 mm deep.
+            let cut = outline("1");
+            for notch in own.iter().filter(|e| e[0].1 == "POINT" && value(e, 8) == "4") {
+                let (sine, cosine) = number(notch, 50).to_radians().sin_cos();
+                let at = DVec2::new(number(notch, 10), number(notch, 20));
+                assert!((number(notch, 30) - 3.0).abs() < 1e-9 && number(notch, 39) == 2.0);
+                assert!(polygon::contains(&cut, at + DVec2::new(cosine, sine)), "{name} {block} {at}");
+            }
+            assert!(on("POINT", "4") > 0);
+            let texts: Vec<&str> = own.iter().filter(|e| e[0].1 == "TEXT").map(|e| value(e, 1)).collect();
+            assert!(texts.contains(&format!("PIECE NAME: {}", piece.name).as_str()), "{texts:?}");
+        }
+        let inserts = all.iter().filter(|e| e[0].1 == "INSERT").map(|e| value(e, 2));
+        assert!(inserts.eq(starts.iter().map(|&k| value(all[k], 2))));
+        for text in ["UNITS: METRIC", "STYLE NAME: ruled surface", "ASTM/D13PROPOSAL 1 VERSION: D 6673-10"] {
+            assert!(all.iter().any(|e| e[0].1 == "TEXT" && value(e, 1) == text && value(e, 8) == "1"), "{text}");
+        }
+        let used = all.iter().filter(|e| !matches!(e[0].1.as_str(), "BLOCK" | "ENDBLK")).map(|e| value(e, 8));
+        let known = |layer: &str| {
+            layer.is_empty() || matches!(layer, "1" | "2" | "3" | "4" | "7" | "8" | "14" | "15" | "84" | "87")
+        };
+        assert!(used.into_iter().all(known), "{name}");
+    }
+}
+
+#[test]
+fn what_cloth_has_no_use_for_is_refused() {
+    let (_, archive) = all().remove(1);
+    for (query, parameter) in [
+        ("layers=cut:A", "layers"),
+        ("format=svg", "format"),
+        ("sheet=3000,1500", "sheet"),
+        ("thickness=1", "thickness"),
+    ] {
+        let query = format!("profile=astm-d6673&{query}");
+        assert_eq!(refused(make(&archive, &query)), (true, vec![parameter.to_owned()]), "{query}");
+    }
+    let zip = make(&archive, "profile=astm-d6673&split=pieces").unwrap();
+    let text = String::from_utf8_lossy(&zip);
+    assert!(text.contains("strip 2.dxf") && text.matches("\nINSERT\n").count() == 2);
+}
