@@ -224,7 +224,12 @@ def check_components():
 
 
 def check_files():
-    """The Grasshopper files in the repository are those of the server's components."""
+    """Patterns and schedules as lines, and the Grasshopper files in the repository."""
+    strip = solve("ruled-strip", curves("Rails", [polyline([(0, y, 0), (1, y, y / 4), (2, y, 0)]) for y in (0, 1)]))
+    drawing = solve("pattern", text("Job", strip["Job"][0]), text("Query", "format=dxf"))["Lines"]
+    assert drawing[0].strip() == "0" and drawing[1] == "SECTION" and drawing[-1] == "EOF", drawing[:4]
+    table = solve("schedule", text("Job", strip["Job"][0]), text("Query", "part=bends"))["Lines"]
+    assert len(table) > 1 and "," in table[0], table
     subprocess.run([sys.executable, str(Path(__file__).parent / "grasshopper_files.py"), "--check"], check=True)
     paths = sorted((Path(__file__).parent.parent / "clients" / "grasshopper").glob("*.ghx"))
     for path in paths:
@@ -236,7 +241,7 @@ def check_files():
         address = value["RemoteDefinitionLocation"]
         assert address == f"http://localhost:8080/hops/{path.stem}", address
         assert call(URL + f"/hops/{path.stem}")[2]["Nickname"] == value["NickName"]
-    print(f"files: {len(paths)} of Grasshopper")
+    print(f"files: pattern, schedule, {len(paths)} files of Grasshopper")
 
 
 def rails(random):

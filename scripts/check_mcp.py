@@ -24,10 +24,12 @@ async def check(server: StdioServerParameters | str, mode: str) -> None:
     async with Client(server, mode=mode) as client:
         listed = await client.list_tools()
         names = [tool.name for tool in listed.tools]
-        assert names == ["describe", "solve", "start", "get", "link"], names
+        assert names == ["describe", "solve", "start", "get", "cancel", "link"], names
         assert all(tool.output_schema and tool.description for tool in listed.tools)
 
         described = await client.call_tool("describe", {"kind": "minimal_surface"})
+        assert described.structured_content["members"]["boundaries"].startswith("Required. ")
+        described = await client.call_tool("describe", {"kind": "minimal_surface", "whole": True})
         assert "boundaries" in described.structured_content["request_schema"]["required"]
 
         request = json.loads(EXAMPLE.read_text())

@@ -28,7 +28,7 @@ function post(request: Schemas['RequestWithKind']) {
 
 async function solve(request: Schemas['RequestWithKind']) {
   // The answer is a mesh only if the request accepts one.
-  let job = found(await post(request)) as Job;
+  let job = found<unknown>(await post(request)) as Job;
   while (job.status === 'queued' || job.status === 'running') {
     job = found<Job>(await client.GET('/v1/jobs/{id}', { params: { path: { id: job.id }, header } }));
   }

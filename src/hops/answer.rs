@@ -83,6 +83,14 @@ impl<'a> Answer<'a> {
         Self { values: component.outputs.iter().map(empty).collect(), errors, warnings: Vec::new() }
     }
 
+    /// Returns the lines of a text as the only output of a component.
+    #[must_use]
+    pub fn of_lines(component: &Component, text: &str) -> Self {
+        let line = |line: &str| Item::new(Type::Text, &plain(&line.into()).into());
+        let lines = |output: &Output| Tree { name: output.name, items: Items::Made(text.lines().map(line).collect()) };
+        Self { values: component.outputs.iter().map(lines).collect(), ..Self::default() }
+    }
+
     /// Returns the outputs of a job that has not failed. `parts` is empty until the job has succeeded.
     #[must_use]
     pub fn of_job(component: &Component, job: &Job, parts: &Parts<'a>) -> Self {
@@ -108,6 +116,7 @@ impl<'a> Answer<'a> {
             Source::Job => Items::Made(vec![Item::new(Type::Text, &job.id.as_str().into())]),
             Source::Status => Items::Made(vec![Item::new(Type::Text, &job.status.name().into())]),
             Source::Progress => Items::Made(vec![Item::new(Type::Number, &job.progress.fraction.into())]),
+            Source::Lines => Items::Made(Vec::new()),
         };
         let tree = |output: &Output| Tree { name: output.name, items: items(output) };
         // Meshes of openNURBS are in double precision, so a warning about STL files does not concern them.

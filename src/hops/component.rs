@@ -15,6 +15,8 @@ pub enum Source {
     Job,
     Status,
     Progress,
+    /// The lines of a file.
+    Lines,
 }
 
 #[derive(Clone, Debug)]
@@ -49,6 +51,15 @@ pub enum Action {
     Start(Recipe),
     /// Shows the state of a job of this kind, and its result once there is one.
     Poll(Kind),
+    /// Returns a file of a finished job as lines of text.
+    Read(File),
+}
+
+/// A file that is made from a result on request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum File {
+    Pattern,
+    Schedule,
 }
 
 #[derive(Clone, Debug)]
@@ -95,14 +106,50 @@ pub fn components() -> &'static [Component] {
             inputs: POLL_INPUTS.to_vec(),
             outputs: [vec![STATUS, PROGRESS], outputs(kind)].concat(),
         });
-        solving.chain(starting).chain(polling).collect()
+        solving.chain(starting).chain(polling).chain(reading()).collect()
     });
     &COMPONENTS
+}
+
+/// Returns the components that return files of finished jobs.
+fn reading() -> [Component; 2] {
+    let component = |name: &str, title: &str, description: &str, file, preset, query| Component {
+        name: name.into(),
+        title: title.into(),
+        description: description.into(),
+        action: Action::Read(file),
+        inputs: vec![
+            Input::required("Job", "J", Type::Text, "Identifier of a job that has succeeded."),
+            Input::optional("Query", "Q", Preset::Text(preset), query),
+        ],
+        outputs: vec![LINES],
+    };
+    [
+        component(
+            "pattern",
+            "Flat Pattern",
+            "Flat pattern of a ruled strip as the text of an SVG or DXF file.",
+            File::Pattern,
+            "format=svg",
+            "Parameters as in an address, such as format=dxf&thickness=2&profile=sheet-metal. GET /openapi.json \
+             describes them at getPattern.",
+        ),
+        component(
+            "schedule",
+            "Schedule",
+            "Members, nodes, bends, cables or supports of a result as a table (CSV), or its numbered members as DXF.",
+            File::Schedule,
+            "part=members",
+            "Parameters as in an address: part=members, nodes, bends, cables or reactions, or format=dxf. \
+             GET /openapi.json describes them at getSchedule.",
+        ),
+    ]
 }
 
 /// Returns the component that Hops names: by its last part, by its path, or by its whole address.
 #[must_use]
 pub fn find(pointer: &str) -> Option<&'static Component> {
+    let pointer = pointer.trim_end_matches('/');
     let name = pointer.rsplit('/').next().unwrap_or(pointer);
     components().iter().find(|component| component.name == name)
 }
@@ -158,6 +205,8 @@ const STATUS: Output =
 const PROGRESS: Output =
     output("Progress", "P", Type::Number, Source::Progress, "Fraction of the work that is done, from 0 to 1.");
 
+const LINES: Output = output("Lines", "L", Type::Text, Source::Lines, "The file, line by line.");
+
 const STATISTICS: Output = output("Statistics", "S", Type::Text, Source::Statistics, "All figures, one on each line.");
 
 fn outputs(kind: Kind) -> Vec<Output> {
@@ -177,6 +226,7 @@ impl Component {
         let subcategory = match self.action {
             Action::Solve(_) => "Solve",
             Action::Start(_) | Action::Poll(_) => "Long jobs",
+            Action::Read(_) => "Files",
         };
         json!({
             "Uri": format!("{base}/hops/{}", self.name),

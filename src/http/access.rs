@@ -301,6 +301,7 @@ mod tests {
             "/problems/not-found",
             "/hops",
             "/hops/minimal-surface",
+            "/hops/minimal-surface/",
         ] {
             assert!(is_public(path), "{path}");
         }
@@ -313,6 +314,7 @@ mod tests {
             "/v1/examples",
             "/solve",
             "/hops/solve",
+            "/hops/minimal-surface/solve",
             "/hopsx",
         ] {
             assert!(!is_public(path), "{path}");

@@ -30,7 +30,7 @@ pub fn with_problems(mut responses: Value, names: &[(&str, &str)]) -> Value {
 }
 
 /// Returns the content of a response that is a file of one of these media types.
-pub fn file_content<'m>(media_types: impl IntoIterator<Item = &'m str>) -> Value {
+fn file_content<'m>(media_types: impl IntoIterator<Item = &'m str>) -> Value {
     let file =
         |media_type: &str| (media_type.to_owned(), json!({ "schema": { "type": "string", "format": "binary" } }));
     Value::Object(media_types.into_iter().map(file).collect())

@@ -8,7 +8,7 @@
 pub mod schemas;
 
 use crate::config::HttpConfig;
-use crate::http::parameters::checked;
+use crate::http::parameters::{checked, pairs};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
@@ -19,6 +19,7 @@ use crate::wire::objectives::{self, Limits};
 use axum::http::uri::Authority;
 use base64::Engine as _;
 use plateau_archive::formats::{MeshFormat, picture};
+use plateau_drawing::{PatternOptions, ScheduleOptions};
 use plateau_engine::kind::Kind;
 use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::schema;
@@ -29,19 +30,24 @@ use rmcp::model::{
 use rmcp::service::RequestContext;
 use rmcp::transport::async_rw::AsyncRwTransport;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
-use schemas::{Arguments, DescribeArguments, Description, GetArguments, LinkArguments, SolveArguments, StartArguments};
+use schemas::{
+    Arguments, CancelArguments, DescribeArguments, Description, File, GetArguments, LinkArguments, SolveArguments,
+    StartArguments,
+};
 use serde::Serialize;
 use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::time::Duration;
+use url::form_urlencoded;
 
 /// Returns the text that a client may give its model before the first call.
 fn instructions() -> String {
     let finds: Vec<&str> = Kind::ALL.iter().map(|kind| kind.finds()).collect();
     format!(
-        "Plateau finds forms: {}. Call describe to see the kinds, and describe with a kind for its request's schema \
-         and an example. Then call solve, or start and get for requests that take minutes. link gives the address of \
-         the mesh. Lengths are in the request's unit, and angles are in degrees.",
+        "Plateau finds forms: {}. Call describe to see the kinds, and describe with a kind for its request's members \
+         and an example. Then call solve, or start and get for requests that take minutes; cancel ends a job. link \
+         gives the address of the mesh, the flat pattern, the schedule of parts or the certificate. Lengths are in the \
+         request's unit, and angles are in degrees.",
         finds.join("; ")
     )
 }
@@ -112,7 +118,7 @@ impl Tools {
     }
 
     fn describe(&self, arguments: &Value) -> Result<CallToolResult, Failure> {
-        let DescribeArguments { kind, example } = schema::read(arguments)?;
+        let DescribeArguments { kind, example, whole } = schema::read(arguments)?;
         let wanted = |kind_of: Kind| kind.is_none_or(|kind| kind == kind_of);
         let mut objectives = objectives::objectives().objectives;
         objectives.retain(|objective| wanted(objective.kind));
@@ -120,21 +126,19 @@ impl Tools {
         examples.retain(|example| wanted(example.kind));
         let example = match (example, kind) {
             (Some(name), _) => Some(named_example(&name)?),
-            // The shortest example is enough to show the form of a request, and takes the least of a model's context.
-            (None, Some(kind)) => {
-                let of_kind = objectives::examples().iter().filter(|example| example.kind == kind);
-                of_kind.min_by_key(|example| example.request.to_string().len())
-            }
+            (None, Some(kind)) => short_example(kind),
             (None, None) => None,
         };
+        let of_schema = kind.filter(|_| whole);
         complete(
             &Description {
                 kinds: Kind::ALL.iter().copied().filter(|&kind| wanted(kind)).map(Into::into).collect(),
-                objectives,
-                examples,
                 limits: Limits::of(&self.app.config),
-                request_schema: kind.map(schemas::request),
-                statistics_schema: kind.map(|kind| Value::Object(schema::statistics(kind))),
+                members: kind.map(schemas::members),
+                objectives: whole.then_some(objectives),
+                examples: whole.then_some(examples),
+                request_schema: of_schema.map(schemas::request),
+                statistics_schema: of_schema.map(|kind| Value::Object(schema::statistics(kind))),
                 example,
             },
             Vec::new(),
@@ -173,22 +177,24 @@ impl Tools {
         self.answer(job).await
     }
 
+    async fn cancel(&self, arguments: Value) -> Result<CallToolResult, Failure> {
+        let CancelArguments { id } = read(arguments)?;
+        let job = self.app.jobs.cancel(&checked(&id)?, self.owner(), CancelReason::Client).await?;
+        complete(&JobSummary::from(job), Vec::new())
+    }
+
     async fn link(&self, arguments: Value) -> Result<CallToolResult, Failure> {
-        let LinkArguments { id, format } = read(arguments)?;
-        let job = self.app.jobs.get(&checked(&id)?, self.owner()).await?;
-        let mesh = job.links.mesh.filter(|_| job.status == Status::Succeeded);
-        let mesh = mesh.ok_or(JobsError::NoMesh(job.status))?;
-        // The schema admits only known names.
-        let format = MeshFormat::from_name(&format).unwrap_or(MeshFormat::Glb);
+        let arguments: LinkArguments = read(arguments)?;
+        let job = self.app.jobs.get(&checked(&arguments.id)?, self.owner()).await?;
+        if job.status != Status::Succeeded {
+            return Err(JobsError::NoMesh(job.status).into());
+        }
+        let (path, query, format, media_type) = file_of(&job, &arguments)?;
         // The job's links begin with the base path, and so does the address.
-        let path = mesh.strip_prefix(&self.app.config.http.public_base_path).unwrap_or(&mesh);
-        let link = schemas::Link {
-            url: format!("{}{path}?format={}", self.address, format.name()),
-            format: format.name(),
-            media_type: format.media_type(),
-            needs_key: self.app.keys.required(),
-        };
-        complete(&link, Vec::new())
+        let path = path.strip_prefix(&self.app.config.http.public_base_path).unwrap_or(&path);
+        let mark = if query.is_empty() { "" } else { "?" };
+        let url = format!("{}{path}{mark}{query}", self.address);
+        complete(&schemas::Link { url, format, media_type, needs_key: self.app.keys.required() }, Vec::new())
     }
 
     fn owner(&self) -> Option<&str> {
@@ -252,6 +258,60 @@ fn read<T: Arguments>(arguments: Value) -> Result<T, Failure> {
     Ok(schema::read(&arguments)?)
 }
 
+/// Returns the path, the query, the format and the media type of a file. Parameters that the server would refuse are
+/// refused here.
+fn file_of(job: &Job, arguments: &LinkArguments) -> Result<(String, String, String, &'static str), Failure> {
+    let LinkArguments { file, format, query, .. } = arguments;
+    let refused = |argument: &str, detail: String| Rejection::Invalid(vec![FieldError::new(argument, detail)]);
+    let mut given = pairs(query.as_deref());
+    if let Some(format) = format {
+        given.retain(|(name, _)| name != "format");
+        given.insert(0, ("format".into(), format.clone()));
+    }
+    let written = || form_urlencoded::Serializer::new(String::new()).extend_pairs(&given).finish();
+    match file {
+        File::Pattern => {
+            let none = || refused("/file", "this job has no pattern; ruled surfaces have one".into());
+            let path = job.links.pattern.clone().ok_or_else(none)?;
+            let options = PatternOptions::read(&given)?;
+            Ok((path, written(), options.extension().into(), options.media_type()))
+        }
+        File::Schedule => {
+            let options = ScheduleOptions::read(&given)?;
+            let path = format!("{}/schedule", job.links.this);
+            Ok((path, written(), options.extension().into(), options.media_type()))
+        }
+        File::Mesh | File::Certificate if query.is_some() => {
+            Err(refused("/query", "only a pattern and a schedule have further parameters".into()).into())
+        }
+        File::Mesh => {
+            let name = format.as_deref().unwrap_or(MeshFormat::Glb.name());
+            let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
+            let known = MeshFormat::from_name(name);
+            let format = known.ok_or_else(|| refused("/format", format!("must be one of {names}")))?;
+            let path = job.links.mesh.clone().ok_or(JobsError::NoMesh(job.status))?;
+            Ok((path, format!("format={}", format.name()), format.name().into(), format.media_type()))
+        }
+        File::Certificate if format.as_deref().is_some_and(|format| format != "json") => {
+            Err(refused("/format", "must be json for a certificate".into()).into())
+        }
+        File::Certificate => {
+            let path = job.links.certificate.clone().ok_or(JobsError::NoCertificate)?;
+            Ok((path, "format=json".into(), "json".into(), "application/json"))
+        }
+    }
+}
+
+/// Returns the example that shows the form of a kind's requests in the least of a model's context: the shortest one, or
+/// the shortest with a cable along an edge where the kind has such cables, because most requests with cables need them.
+fn short_example(kind: Kind) -> Option<&'static objectives::Example> {
+    let has_edge_cable = |request: &Value| {
+        request["cables"].as_array().is_some_and(|cables| cables.iter().any(|cable| cable.get("along").is_some()))
+    };
+    let of_kind = objectives::examples().iter().filter(|example| example.kind == kind);
+    of_kind.min_by_key(|example| (!has_edge_cable(&example.request), example.request.to_string().len()))
+}
+
 fn named_example(name: &str) -> Result<&'static objectives::Example, Failure> {
     let examples = objectives::examples();
     examples.iter().find(|example| example.name == name).ok_or_else(|| {
@@ -296,6 +356,7 @@ impl ServerHandler for Tools {
             schemas::SOLVE => self.solve(arguments, context).await,
             schemas::START => self.start(arguments).await,
             schemas::GET => self.get(arguments).await,
+            schemas::CANCEL => self.cancel(arguments).await,
             schemas::LINK => self.link(arguments).await,
             _ => {
                 let names: Vec<&str> = schemas::tools().iter().map(|tool| &*tool.name).collect();

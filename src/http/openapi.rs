@@ -66,7 +66,6 @@ fn document() -> Value {
                     "description": "API key of this server, created with `plateau key new`." },
             },
             "schemas": components(),
-            "callbacks": { "ended": ended() },
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.",
@@ -76,7 +75,8 @@ fn document() -> Value {
                  minute's again (`t`): `\"requests\";r=57;t=3`.", "schema": { "type": "string" } },
                 "RateLimitPolicy": { "description": "Requests that the key may make (`q`) in a number of seconds \
                  (`w`): `\"requests\";q=60;w=60`.", "schema": { "type": "string" } },
-                "RetryAfter": { "description": "Seconds to wait.", "schema": { "type": "integer", "minimum": 0 } },
+                "RetryAfter": { "description": "Seconds to wait.",
+                    "schema": { "type": "integer", "format": "int64", "minimum": 0 } },
             },
         },
     })
@@ -92,7 +92,8 @@ fn paths() -> Value {
             let negotiates = negotiates(operation);
             words::complete(operation);
             if operation["requestBody"].is_object() {
-                operation["callbacks"] = json!({ "ended": { "$ref": "#/components/callbacks/ended" } });
+                let name = operation["operationId"].as_str().unwrap_or_default();
+                operation["callbacks"] = json!({ "ended": ended(name) });
             }
             let responses = &mut operation["responses"];
             for (status, name) in [("400", "BadRequest"), ("406", "NotAcceptable")] {
@@ -118,15 +119,17 @@ fn paths() -> Value {
     Value::Object(paths)
 }
 
-/// Returns the message that the server sends to the callback URL of a job or a batch. It is a callback of the
-/// operations and no webhook of the document, because openapi-generator writes invalid Python for a webhook.
-fn ended() -> Value {
+/// Returns the message that the server sends to the callback URL of a job or a batch that this operation created. It is
+/// a callback of the operations and no webhook of the document, because openapi-generator writes invalid Python for a
+/// webhook. Each operation contains it, with an identifier of its own, because openapi-python-client cannot read a
+/// reference to a callback, and openapi-generator refuses an identifier that occurs twice.
+fn ended(operation: &str) -> Value {
     let example = json!({ "type": "job.succeeded", "timestamp": "2026-11-28T12:00:00.000Z", "data": {
         "id": "01KB5Y3F7Q8M2ZC4V9XJ6T1RDA", "kind": "minimal_surface", "status": "succeeded",
         "links": { "self": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA",
             "mesh": "/v1/jobs/01KB5Y3F7Q8M2ZC4V9XJ6T1RDA/mesh" } } });
     json!({ "{$request.body#/callback_url}": { "post": {
-        "operationId": "receiveCallback",
+        "operationId": format!("{operation}Ended"),
         "summary": "A job or a batch has ended",
         "description": "Sent to the `callback_url` of a request or a batch, signed as Standard Webhooks says, with the \
          headers `webhook-id`, `webhook-timestamp` and `webhook-signature`. A message may arrive twice, with one \

@@ -292,13 +292,22 @@ impl Failure {
     }
 }
 
+/// Error of a message without a key of this server, in Grasshopper's words. Hops sends the key in a header of its own.
+#[cfg(feature = "hops")]
+const HOPS_KEY: &str = "This server needs an API key, and Hops sent none that it knows. Enter a key in Grasshopper \
+    under File > Preferences > Solver as the API key of Hops, and recompute";
+
 /// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an
 /// answer in its own form. `base` is the base path of this server, and `path` is the request's path below it.
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         #[cfg(feature = "hops")]
         if is_message_of_hops(path) {
-            let answer = Answer::of_errors(vec![format!("{}: {}", problem.title, problem.detail)]);
+            let line = match response.status() {
+                StatusCode::UNAUTHORIZED => HOPS_KEY.into(),
+                _ => format!("{}: {}", problem.title, problem.detail),
+            };
+            let answer = Answer::of_errors(vec![line]);
             *response.body_mut() = Body::from(answer.to_json());
             response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
             return response;

@@ -71,8 +71,12 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
     #[cfg(feature = "hops")]
     resources.extend([
         Resource::at("/hops").get_beside_api(hops::list),
+        Resource::at("/hops/").get_beside_api(hops::list),
         Resource::at("/hops/{name}").get_beside_api(hops::describe),
+        Resource::at("/hops/{name}/").get_beside_api(hops::describe),
         Resource::at("/hops/solve").post_beside_api(hops::solve),
+        // The message for a component whose address ends in a slash.
+        Resource::at("/hops/{name}/solve").post_beside_api(hops::solve),
         Resource::at("/solve").post_beside_api(hops::solve),
     ]);
     #[cfg(feature = "studio")]

@@ -1,7 +1,7 @@
 //! `/hops`: descriptions of the components, and messages as Hops sends them.
 
 use crate::access::new_key;
-use crate::app::{MINIMAL, TestApp, small_film};
+use crate::app::{MINIMAL, TestApp, example, small_film};
 use crate::hold::until;
 use crate::pairs::some_pairs;
 use plateau::hops::envelope;
@@ -176,7 +176,9 @@ async fn components_are_described_as_hops_reads_them() {
     let starting = solving.map(|name| format!("{name}-start"));
     let polling = ["ruled-strip", "minimal-surface", "uniform-mesh", "tensile-structure", "cable-net", "enlargement"]
         .map(|name| format!("{name}-poll"));
-    let expected: Vec<String> = solving.map(str::to_owned).into_iter().chain(starting).chain(polling).collect();
+    let reading = ["pattern", "schedule"].map(str::to_owned);
+    let solving = solving.map(str::to_owned).into_iter();
+    let expected: Vec<String> = solving.chain(starting).chain(polling).chain(reading).collect();
     assert_eq!(names, expected);
     assert_eq!(app.get("/hops/nothing").await.status(), StatusCode::NOT_FOUND);
     // `solve` is not a component, so it has no description.
@@ -232,8 +234,11 @@ async fn messages_go_to_either_path_and_name_the_component_in_any_of_three_ways(
     let values = [curves("Boundaries", &[square(0.4)]), number("Triangles", 100)];
     let address = format!("{}/hops/minimal-surface", app.url);
     let mut areas = Vec::new();
-    for path in ["/solve", "/hops/solve"] {
-        for pointer in ["minimal-surface", "hops/minimal-surface", "/hops/minimal-surface", &address] {
+    // Beside an address that ends in a slash is the third path.
+    for path in ["/solve", "/hops/solve", "/hops/minimal-surface/solve"] {
+        let slash = format!("{address}/");
+        let pointers = ["minimal-surface", "hops/minimal-surface", "/hops/minimal-surface", &address, &slash];
+        for pointer in pointers {
             let response = app.post(path, &message(pointer, &values)).await;
             assert_eq!(response.status(), StatusCode::OK, "{path} {pointer}");
             areas.push(output(&response.json().await.unwrap(), "Area")[0].clone());
@@ -241,6 +246,54 @@ async fn messages_go_to_either_path_and_name_the_component_in_any_of_three_ways(
     }
     areas.dedup();
     assert_eq!(areas.len(), 1);
+    for path in ["/hops", "/hops/minimal-surface"] {
+        assert_eq!(app.get_json(&format!("{path}/")).await, app.get_json(path).await);
+    }
+    assert_eq!(app.get("/hops/nothing/").await.status(), StatusCode::NOT_FOUND);
+}
+
+fn lines(answer: &Value) -> Vec<String> {
+    output(answer, "Lines").iter().map(|line| line.as_str().unwrap().to_owned()).collect()
+}
+
+#[tokio::test]
+async fn patterns_and_schedules_of_finished_jobs_come_as_lines() {
+    let app = TestApp::start().await;
+    let strip = app.solve("/v1/ruled-surfaces", &example("two-rails")).await;
+    let id = strip["id"].as_str().unwrap();
+    for (component, query) in [
+        ("pattern", "format=svg"),
+        ("pattern", "format=dxf&notches=100"),
+        ("pattern", "profile=sheet-metal&thickness=0.01&radius=0.01&format=dxf"),
+        ("schedule", "part=bends"),
+    ] {
+        let answer = app.run(component, &[text("Job", id), text("Query", query)]).await;
+        let file = app.get(&format!("/v1/jobs/{id}/{component}?{query}")).await;
+        assert_eq!(file.status(), StatusCode::OK, "{component} {query}");
+        let file = file.text().await.unwrap();
+        // Hops reads no escapes, so every quotation mark arrives as an apostrophe.
+        let expected: Vec<String> = file.lines().map(|line| line.replace(['"', '\\'], "'")).collect();
+        assert!(expected.len() > 2, "{file}");
+        assert_eq!(lines(&answer), expected, "{component} {query}");
+    }
+    // Without a query, the default of the input counts.
+    let svg = lines(&app.run("pattern", &[text("Job", id)]).await);
+    assert!(svg.iter().any(|line| line.starts_with("<svg ")), "{svg:?}");
+    let film = app.solve("/v1/minimal-surfaces", &small_film(0.3)).await;
+    let film = film["id"].as_str().unwrap();
+    let unknown = "0".repeat(26);
+    for (component, id, query, status, expected) in [
+        ("pattern", id, "profile=cut", 422, "Query: asks for a zip file"),
+        ("pattern", id, "format=pdf", 422, "Query: asks for a pdf file"),
+        ("pattern", id, "profile=paper", 400, "profile"),
+        ("schedule", id, "part=walls", 400, "part"),
+        ("pattern", film, "", 404, "pattern"),
+        ("schedule", &unknown, "part=bends", 404, "no such job"),
+    ] {
+        let response = app.hops(component, &[text("Job", id), text("Query", query)]).await;
+        let errors = app.refused(component, response, status).await;
+        assert!(errors[0].contains(expected), "{component} {query}: {errors:?}");
+    }
 }
 
 #[tokio::test]
@@ -659,15 +712,18 @@ async fn keys_come_in_the_header_of_hops_and_descriptions_need_none() {
     assert_eq!(app.get("/hops/minimal-surface").await.status(), StatusCode::OK);
     assert_eq!(app.get("/hops").await.status(), StatusCode::OK);
     let body = message("minimal-surface", &[curves("Boundaries", &[square(0.5)]), number("Triangles", 100)]);
-    for path in ["/solve", "/hops/solve"] {
+    for path in ["/solve", "/hops/solve", "/hops/minimal-surface/solve"] {
         let refused = app.post(path, &body).await;
         assert_eq!(refused.status(), StatusCode::UNAUTHORIZED);
         assert_eq!(refused.headers()["www-authenticate"], "Bearer");
         let answer: Value = refused.json().await.unwrap();
-        assert!(errors(&answer)[0].starts_with("A valid API key is required"), "{answer}");
+        let expected = "Enter a key in Grasshopper under File > Preferences > Solver as the API key of Hops";
+        assert!(errors(&answer)[0].contains(expected), "{answer}");
         let send =
             |name: &'static str, value: String| app.request(Method::POST, path).header(name, value).json(&body).send();
-        assert_eq!(send("RhinoComputeKey", "wrong".into()).await.unwrap().status(), StatusCode::UNAUTHORIZED);
+        let wrong = send("RhinoComputeKey", "wrong".into()).await.unwrap();
+        assert_eq!(wrong.status(), StatusCode::UNAUTHORIZED);
+        assert!(errors(&wrong.json().await.unwrap())[0].contains(expected));
         assert_eq!(send("RhinoComputeKey", key.clone()).await.unwrap().status(), StatusCode::OK);
         assert_eq!(send("authorization", format!("Bearer {key}")).await.unwrap().status(), StatusCode::OK);
     }

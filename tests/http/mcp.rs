@@ -66,20 +66,20 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
     let answer: Value = post(&app, None, &message("tools/list", json!({}))).await.json().await.unwrap();
     let tools = answer["result"]["tools"].as_array().unwrap();
     let names: Vec<&str> = tools.iter().map(|tool| tool["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["describe", "solve", "start", "get", "link"]);
+    assert_eq!(names, ["describe", "solve", "start", "get", "cancel", "link"]);
     for tool in tools {
         for schema in [&tool["inputSchema"], &tool["outputSchema"]] {
             assert_eq!(schema["type"], "object", "{tool:#}");
             jsonschema::validator_for(schema).expect("a valid schema without outer references");
         }
     }
-    let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
+    let described = &succeed(&app, "describe", &json!({ "whole": true })).await["structuredContent"];
     // There are five kinds, and one more that only builds for tests have.
     assert_eq!(described["kinds"].as_array().unwrap().len(), 6);
     assert_eq!(described["limits"], app.get_json("/v1/limits").await);
     assert_eq!(described["objectives"], app.get_json("/v1/objectives").await["objectives"]);
     for kind in ["ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure", "cable_net"] {
-        let described = &succeed(&app, "describe", &json!({ "kind": kind })).await["structuredContent"];
+        let described = &succeed(&app, "describe", &json!({ "kind": kind, "whole": true })).await["structuredContent"];
         let request = &described["example"]["request"];
         assert_eq!(request["kind"], kind);
         let schema = jsonschema::validator_for(&described["request_schema"]).unwrap();
@@ -95,10 +95,96 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
     assert_eq!(helicoid["example"]["request"], example("helicoid"));
 }
 
+/// A description of a kind took 9,000 tokens, at four characters a token.
+#[tokio::test]
+async fn a_description_is_short_unless_the_whole_is_wanted() {
+    let app = TestApp::start_with(&[ON]).await;
+    let length = |value: &Value| value.to_string().len();
+    let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
+    assert!(length(described) < 6_000, "{}", length(described));
+    let kinds = described["kinds"].as_array().unwrap();
+    let examples: Vec<&Value> = kinds.iter().flat_map(|kind| kind["examples"].as_array().unwrap()).collect();
+    let listed = app.get_json("/v1/examples").await;
+    assert_eq!(examples.len(), listed["examples"].as_array().unwrap().len());
+    for kind in ["ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure", "cable_net"] {
+        let described = &succeed(&app, "describe", &json!({ "kind": kind })).await["structuredContent"];
+        assert!(length(described) < 10_000, "{kind}: {}", length(described));
+        let whole = &succeed(&app, "describe", &json!({ "kind": kind, "whole": true })).await["structuredContent"];
+        let (members, schema) = (described["members"].as_object().unwrap(), &whole["request_schema"]);
+        let properties = schema["properties"].as_object().unwrap();
+        assert!(members.len() == properties.len() && members.keys().all(|name| properties.contains_key(name)));
+        for (name, text) in members {
+            let is_required = schema["required"].as_array().unwrap().contains(&name.as_str().into());
+            let text = text.as_str().unwrap();
+            assert_eq!(text.starts_with("Required. "), is_required, "{kind} {name}: {text}");
+            assert!(text.len() > 10 && text.ends_with('.'), "{kind} {name}: {text}");
+        }
+        let names = described["kinds"][0]["objectives"].as_array().unwrap().iter();
+        assert!(names.eq(whole["objectives"].as_array().unwrap().iter().map(|objective| &objective["name"])));
+    }
+    let sail = &succeed(&app, "describe", &json!({ "kind": "tensile_structure" })).await["structuredContent"];
+    assert!(sail["example"]["request"]["cables"][0]["along"].is_object(), "{sail:#}");
+}
+
+#[tokio::test]
+async fn a_job_is_cancelled_by_its_owner_and_stays_cancelled() {
+    let app = TestApp::start_with(&[ON]).await;
+    app.hold.at("claimed");
+    let started = succeed(&app, "start", &json!({ "request": example("two-rails") })).await["structuredContent"].take();
+    let arguments = json!({ "id": started["id"] });
+    let cancelled = succeed(&app, "cancel", &arguments).await["structuredContent"].take();
+    assert_eq!((&cancelled["status"], &cancelled["cancelled_because"]), (&"cancelled".into(), &"client".into()));
+    let again = succeed(&app, "cancel", &arguments).await["structuredContent"].take();
+    assert_eq!(again["status"], "cancelled");
+    assert!(fail(&app, None, "cancel", &json!({ "id": "0".repeat(26) })).await.contains("not-found"));
+}
+
+#[tokio::test]
+async fn links_lead_to_every_file_of_a_job() {
+    let app = TestApp::start_with(&[ON]).await;
+    let strip = succeed(&app, "solve", &json!({ "request": example("two-rails") })).await["structuredContent"].take();
+    let mut film = small_film(0.7);
+    film["kind"] = "minimal_surface".into();
+    film["certify"] = true.into();
+    let film = succeed(&app, "solve", &json!({ "request": film })).await["structuredContent"].take();
+    for (job, arguments, format) in [
+        (&strip, json!({ "file": "pattern" }), "svg"),
+        (&strip, json!({ "file": "pattern", "format": "dxf" }), "dxf"),
+        (&strip, json!({ "file": "pattern", "format": "dxf", "query": "profile=cut&kerf=0.2" }), "zip"),
+        (&strip, json!({ "file": "schedule", "query": "part=bends" }), "csv"),
+        (&film, json!({ "file": "certificate" }), "json"),
+    ] {
+        let mut arguments = arguments;
+        arguments["id"] = job["id"].clone();
+        let link = &succeed(&app, "link", &arguments).await["structuredContent"];
+        assert_eq!(link["format"], format, "{arguments}");
+        let file = app.client.get(link["url"].as_str().unwrap()).send().await.unwrap();
+        assert_eq!(file.status(), StatusCode::OK, "{link:#}");
+        let media_type = file.headers()["content-type"].to_str().unwrap();
+        assert_eq!(media_type.split(';').next(), link["media_type"].as_str(), "{link:#}");
+    }
+    for (job, arguments, expected) in [
+        (&film, json!({ "file": "pattern" }), "/file: this job has no pattern"),
+        (&strip, json!({ "file": "certificate" }), "certif"),
+        (&strip, json!({ "file": "pattern", "query": "profile=paper" }), "profile"),
+        (&strip, json!({ "file": "schedule" }), "part: is required"),
+        (&strip, json!({ "file": "pattern", "format": "glb" }), "format"),
+        (&strip, json!({ "file": "mesh", "format": "fbx" }), "/format: must be one of glb, "),
+        (&strip, json!({ "query": "kerf=1" }), "/query"),
+        (&strip, json!({ "file": "shadow" }), "/file: must be one of mesh, pattern, schedule, certificate"),
+    ] {
+        let mut arguments = arguments;
+        arguments["id"] = job["id"].clone();
+        let text = fail(&app, None, "link", &arguments).await;
+        assert!(text.contains(expected), "{arguments}: {text}");
+    }
+}
+
 #[tokio::test]
 async fn a_kind_that_only_the_table_names_is_described_and_solved() {
     let app = TestApp::start_with(&[ON]).await;
-    let described = &succeed(&app, "describe", &json!({ "kind": "enlargement" })).await["structuredContent"];
+    let described =
+        &succeed(&app, "describe", &json!({ "kind": "enlargement", "whole": true })).await["structuredContent"];
     assert_eq!(described["kinds"][0]["summary"], "Enlarges the mesh of a finished job");
     let film = app.solve("/v1/minimal-surfaces", &small_film(0.3)).await;
     let request = enlargement(&film, 2.0);
@@ -162,14 +248,15 @@ async fn a_wrong_argument_is_named_by_its_pointer() {
         ("get", json!({ "id": 7 }), "/id"),
         ("get", json!({ "id": unknown }), "not-found"),
         ("get", json!({ "id": "../limits" }), "not-found"),
-        ("link", json!({ "id": unknown, "format": "fbx" }), "/format: must be one of glb, "),
+        ("link", json!({ "id": unknown, "file": "fbx" }), "/file: must be one of mesh, "),
+        ("cancel", json!({ "id": 7 }), "/id"),
     ] {
         let text = fail(&app, None, tool, &arguments).await;
         assert!(text.contains(expected), "{tool} {arguments}: {text}");
     }
     let answer: Value = post(&app, None, &call("melt", &json!({}))).await.json().await.unwrap();
     let text = answer["error"]["message"].as_str().unwrap();
-    assert!(text.contains("describe, solve, start, get, link"), "{text}");
+    assert!(text.contains("describe, solve, start, get, cancel, link"), "{text}");
 }
 
 #[tokio::test]
@@ -192,7 +279,7 @@ async fn mcp_is_behind_the_same_checks_as_every_other_resource() {
     let solved = result_of(&app, Some(&alice), "solve", &json!({ "request": request })).await;
     assert_eq!(solved["structuredContent"]["status"], "succeeded", "{solved:#}");
     let id = &solved["structuredContent"]["id"];
-    for tool in ["get", "link"] {
+    for tool in ["get", "cancel", "link"] {
         assert!(fail(&app, Some(&bob), tool, &json!({ "id": id })).await.contains("not-found"));
         let own = result_of(&app, Some(&alice), tool, &json!({ "id": id })).await;
         assert_eq!(own["isError"], false, "{own:#}");

@@ -50,6 +50,46 @@ fn without_test_kind(document: &str) -> String {
     serde_json::to_string_pretty(&document).expect("JSON") + "\n"
 }
 
+/// The clients of Go and Java read a number without a format as one of 32 bits, and `bytes_kept` of the limits is
+/// larger.
+#[tokio::test]
+async fn every_number_says_how_large_it_is() {
+    fn walk(value: &Value, place: &str) {
+        match value {
+            Value::Object(map) => {
+                let is = |name: &str| match map.get("type") {
+                    Some(Value::Array(names)) => names.iter().any(|one| one == name),
+                    one => one.is_some_and(|one| one == name),
+                };
+                let format = map.get("format").and_then(Value::as_str);
+                assert!(!is("number") || format == Some("double"), "{place} may have 32 bits");
+                let is_small = map.get("maximum").and_then(Value::as_i64).is_some_and(|it| it <= i32::MAX.into());
+                assert!(!is("integer") || is_small || format == Some("int64"), "{place} may have 32 bits");
+                let schemas = map.iter().filter(|(name, _)| !["example", "examples"].contains(&name.as_str()));
+                schemas.for_each(|(name, value)| walk(value, &format!("{place}/{name}")));
+            }
+            Value::Array(list) => list.iter().enumerate().for_each(|(k, value)| walk(value, &format!("{place}/{k}"))),
+            _ => {}
+        }
+    }
+    walk(&TestApp::start().await.get_json("/openapi.json").await, "");
+}
+
+/// openapi-python-client cannot read a reference to a callback, and openapi-generator refuses two equal identifiers.
+#[tokio::test]
+async fn every_operation_contains_its_callback_with_an_identifier_of_its_own() {
+    let document = TestApp::start().await.get_json("/openapi.json").await;
+    let posts = document["paths"].as_object().unwrap().values().filter_map(|item| item.get("post"));
+    let creates = posts.filter(|post| post["requestBody"].is_object());
+    let mut found = 0;
+    for post in creates {
+        let message = &post["callbacks"]["ended"]["{$request.body#/callback_url}"]["post"];
+        assert_eq!(message["operationId"], format!("{}Ended", post["operationId"].as_str().unwrap()));
+        found += 1;
+    }
+    assert!(found >= 6 && document["components"].get("callbacks").is_none());
+}
+
 #[tokio::test]
 async fn every_reference_resolves_and_every_response_is_described() {
     let app = TestApp::start().await;

@@ -492,7 +492,9 @@ impl Parameter {
     pub fn schema(&self) -> serde_json::Value {
         match self.kind {
             Kind::Choice(values) => serde_json::json!({ "type": "string", "enum": values }),
-            Kind::Number(low, high) => serde_json::json!({ "type": "number", "minimum": low, "maximum": high }),
+            Kind::Number(low, high) => {
+                serde_json::json!({ "type": "number", "format": "double", "minimum": low, "maximum": high })
+            }
             Kind::Text(pattern) => serde_json::json!({ "type": "string", "pattern": pattern }),
         }
     }

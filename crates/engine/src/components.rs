@@ -163,6 +163,10 @@ fn plain(schema: &mut Schema) {
     let Some(keywords) = schema.as_object_mut() else { return };
     if keywords.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
         keywords.remove("format");
+        // An integer without a format is one of 32 bits in the clients of Go and Java.
+        if !keywords.get("maximum").and_then(Value::as_f64).is_some_and(|maximum| maximum <= f64::from(i32::MAX)) {
+            keywords.insert("format".into(), "int64".into());
+        }
     }
     if let Some(parts) = keywords.remove("anyOf") {
         keywords.insert("oneOf".into(), parts);
@@ -313,11 +317,13 @@ mod tests {
             "default": { "type": ["number", "null"], "default": null },
             "up": { "$ref": "#/x", "description": "Axis.", "default": "z" },
             "seed": { "type": "integer", "format": "uint32", "default": 1 },
+            "rounds": { "type": "integer", "format": "uint32", "maximum": 50 },
         } });
         let expected = json!({ "properties": {
             "default": { "type": ["number", "null"] },
             "up": { "$ref": "#/x", "description": "Axis. Default: `z`.", "x-default": "z" },
-            "seed": { "type": "integer", "description": "Default: `1`.", "x-default": 1 },
+            "seed": { "type": "integer", "format": "int64", "description": "Default: `1`.", "x-default": 1 },
+            "rounds": { "type": "integer", "maximum": 50 },
         } });
         assert_eq!(plainly(schema), expected);
     }

@@ -66,7 +66,7 @@ pub fn events_entry() -> Value {
                 "data": { "type": "string",
                     "description": "JSON text. For a `status` event it is the job as it was right after that change. \
                      For a `progress` event it is an object with the job's `id`, `status` and `progress`." },
-                "retry": { "type": "integer", "minimum": 0 },
+                "retry": { "type": "integer", "format": "int64", "minimum": 0 },
             },
         } } },
     });

@@ -42,7 +42,7 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
 }
 
 pub fn ready_entry() -> Value {
-    let solvers = json!({ "unresponsive_solvers": { "type": "integer", "minimum": 0,
+    let solvers = json!({ "unresponsive_solvers": { "type": "integer", "format": "int64", "minimum": 0,
         "description": "Number of solvers that did not end in time after a cancel or their deadline, and were given \
          up. The process ends by itself if there are `jobs.unresponsive_max`." } });
     entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")], solvers)

@@ -4,12 +4,12 @@
 //! reads, errors too.
 
 use crate::hops::answer::{Answer, Parts, geometry};
-use crate::hops::component::{Action, Component, components, poll_name};
+use crate::hops::component::{Action, Component, File, components, find, poll_name};
 use crate::hops::recipe::{UncheckedRequest, draft};
 use crate::hops::{HopsError, values};
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::parameters::checked;
+use crate::http::parameters::{checked, pairs};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
@@ -21,6 +21,8 @@ use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use plateau_archive::Archive;
+use plateau_drawing::{PatternOptions, ScheduleOptions};
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::refuse_too_many_values;
 use plateau_engine::rejection::{FieldError, Rejection};
@@ -36,8 +38,7 @@ pub async fn list(State(app): State<App>) -> Result<Json<Vec<Value>>, Failure> {
 
 pub async fn describe(State(app): State<App>, Path(name): Path<String>) -> Result<Json<Value>, Failure> {
     check_enabled(&app)?;
-    let component = components().iter().find(|component| component.name == name);
-    let component = component.ok_or_else(|| Failure::not_found("no such component; see GET /hops"))?;
+    let component = find(&name).ok_or_else(|| Failure::not_found("no such component; see GET /hops"))?;
     Ok(Json(component.description(&app.config.http.public_base_path)))
 }
 
@@ -61,7 +62,7 @@ pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body
         let values = values::read(&message, max_points).map_err(refused)?;
         let made = match component.action {
             Action::Solve(recipe) | Action::Start(recipe) => Some(draft(recipe, &values, max_points).map_err(refused)?),
-            Action::Poll(_) => None,
+            Action::Poll(_) | Action::Read(_) => None,
         };
         Ok((component, values, made))
     };
@@ -83,6 +84,7 @@ pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body
         Action::Solve(_) => run.solve().await,
         Action::Start(_) => run.start().await,
         Action::Poll(kind) => run.poll(kind, values.text("Job")).await,
+        Action::Read(file) => run.read(file, values.text("Job"), values.text("Query")).await,
     };
     Ok(done.unwrap_or_else(|failure| {
         let line = |error: &FieldError| match &made {
@@ -145,6 +147,44 @@ impl Run<'_> {
         }
         // Hops caches only answers with the status 200, so Hops will ask for the state of this job again.
         Ok(respond(StatusCode::ACCEPTED, &Answer::of_job(self.component, &job, &Parts::default())))
+    }
+
+    /// Answers with the lines of a file that is made from the result. `query` has the parameters of its address.
+    async fn read(&self, file: File, id: &str, query: &str) -> Result<Response, Failure> {
+        let id = &checked(id.trim())?;
+        let given = pairs(Some(query.trim()));
+        let owner = self.caller.owner();
+        let file = match file {
+            File::Pattern => {
+                let options = PatternOptions::read(&given)?;
+                if !matches!(options.extension(), "svg" | "dxf") {
+                    // Hops reads no escapes in text, so JSON does not pass, and PDF and ZIP files are no text.
+                    let detail = format!(
+                        "asks for a {} file, which Hops cannot pass on; ask for svg or dxf, or fetch \
+                         /v1/jobs/{id}/pattern?{}",
+                        options.extension(),
+                        query.trim()
+                    );
+                    return Err(Rejection::Invalid(vec![FieldError::new("Query", detail)]).into());
+                }
+                let key = format!("pattern {options:?}");
+                let make = move |archive: &Archive| {
+                    plateau_drawing::pattern(archive.contents(), &options).map_err(JobsError::NoDrawing)
+                };
+                self.app.jobs.convert(id, owner, key, make).await?
+            }
+            File::Schedule => {
+                let options = ScheduleOptions::read(&given)?;
+                let key = format!("schedule {options:?}");
+                let make = move |archive: &Archive| {
+                    plateau_drawing::schedule(archive.contents(), &options).map_err(JobsError::NoDrawing)
+                };
+                self.app.jobs.convert(id, owner, key, make).await?
+            }
+        };
+        let bytes = file.bytes().await?;
+        let text = String::from_utf8_lossy(&bytes);
+        Ok(respond(StatusCode::OK, &Answer::of_lines(self.component, &text)))
     }
 
     async fn begin(&self, waited_for: bool) -> Result<Job, Failure> {

@@ -152,7 +152,7 @@ pub fn mesh_entry() -> Value {
         "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of \
          the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the \
          largest length or force. GLB and glTF state the scale in `extras.color_range`.",
-        json!({ "type": "number", "exclusiveMinimum": 0 }),
+        json!({ "type": "number", "format": "double", "exclusiveMinimum": 0 }),
     );
     json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",
         "parameters": [id_parameter("job"), format, origin, lines, encoding, colors, range], "responses": responses })

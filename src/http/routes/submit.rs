@@ -3,7 +3,7 @@
 use super::mesh::{bytes_of, describe, mesh_file};
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::entry::{file_content, prefer_parameter, reference, with_problems};
+use crate::http::entry::{prefer_parameter, reference, with_problems};
 use crate::http::negotiate::{accepted, prefer_wait_s};
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
@@ -134,20 +134,15 @@ fn entry(kind: Kind) -> Value {
         to its job. A job without a mesh is then answered with 409, and the problem's `type` is that of the job's \
         `error`."
         .into();
-    // The description of this operation says when the answer is a file. `getMesh` has the file's own media types too.
-    let files = file_content(MeshFormat::ALL.map(MeshFormat::media_type));
-    if let (Some(content), Value::Object(files)) = (post["responses"]["200"]["content"].as_object_mut(), files) {
-        content.extend(files);
+    // The description of this operation says when the answer is a mesh. These strings have no format `binary`, because
+    // orval reads every answer of an operation with such a string as a blob, jobs too.
+    let answers = &mut post["responses"]["200"]["content"];
+    for media_type in MeshFormat::ALL.map(MeshFormat::media_type) {
+        answers[media_type]["schema"] = json!({ "type": "string", "contentMediaType": media_type });
     }
+    answers[MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
     post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
     post["responses"]["406"] = json!({ "$ref": "#/components/responses/NotAcceptable" });
-    let meshes = file_content(MeshFormat::ALL.map(MeshFormat::media_type));
-    if let (Some(content), Value::Object(meshes)) = (post["responses"]["200"]["content"].as_object_mut(), meshes) {
-        for (media_type, schema) in meshes {
-            content.entry(media_type).or_insert(schema);
-        }
-    }
-    post["responses"]["200"]["content"][MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
     if kind.has_source() {
         post["responses"]["404"] = json!({ "$ref": "#/components/responses/NotFound" });
         post["responses"]["410"] = json!({ "$ref": "#/components/responses/Gone" });

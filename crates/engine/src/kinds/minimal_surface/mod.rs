@@ -387,16 +387,18 @@ impl Topology {
 #[serde(untagged)]
 pub enum ProcessStage {
     One(Process),
-    Several(Processes),
+    Several(AlternatingProcesses),
 }
 
 union!(ProcessStage { name: One, object: Several });
 
 /// Processes that take turns in one stage.
-// An object instead of a bare list, because the generated clients of Java and Python cannot read a list of lists.
+// An object instead of a bare list, because the generated clients of Java and Python cannot read a list of lists. The
+// type's name precedes `Process` in the alphabet, because openapi-generator sorts the alternatives of `ProcessStage` by
+// name, and its TypeScript compiles only if the object comes first.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Processes {
+pub struct AlternatingProcesses {
     /// The processes in the order of each turn.
     pub together: List<Process, 1, 16>,
 }

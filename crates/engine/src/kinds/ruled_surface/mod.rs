@@ -166,7 +166,7 @@ pub enum SamplingRule {
 #[serde(untagged)]
 pub enum Goal {
     Named(Objective),
-    Weighted(WeightedSum),
+    Weighted(ObjectiveSum),
 }
 
 union!(Goal { name: Named, object: Weighted });
@@ -178,9 +178,11 @@ impl Default for Goal {
 }
 
 /// The sum of the named objectives times their weights.
+// The type's name precedes `RuledSurfaceObjective` in the alphabet, because openapi-generator sorts the alternatives of
+// `Goal` by name, and its TypeScript compiles only if the object comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct WeightedSum {
+pub struct ObjectiveSum {
     pub weights: Weights,
     /// Whether each term is first divided by its own optimum on the strip, because the terms have different units.
     #[serde(default = "yes")]
@@ -352,7 +354,7 @@ impl From<Goal> for geometry::Objective {
             Goal::Named(Objective::MinimalBendingEnergy) => Self::MinimalBendingEnergy,
             Goal::Named(Objective::MinimalMeanCurvatureVariation) => Self::MinimalMeanCurvatureVariation,
             Goal::Named(Objective::MinimalNormalVariation) => Self::MinimalNormalVariation,
-            Goal::Weighted(WeightedSum { weights, normalise }) => Self::Weighted(geometry::Weights {
+            Goal::Weighted(ObjectiveSum { weights, normalise }) => Self::Weighted(geometry::Weights {
                 area: weights.minimal_area.get(),
                 twist: weights.minimal_twist.get(),
                 bending_energy: weights.minimal_bending_energy.get(),
