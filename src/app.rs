@@ -31,7 +31,7 @@ pub enum Role {
     Mcp,
 }
 
-/// Reason why the process did not start, or why it ended by itself.
+/// Reason why the process did not start.
 #[derive(Debug)]
 pub enum StartError {
     Configuration(String),
@@ -54,8 +54,7 @@ const BALLAST_BYTES: u64 = 32 << 20;
 /// input ends.
 ///
 /// # Errors
-/// Fails if a setting is invalid, if the store cannot be opened or an address cannot be bound, or if the process ended
-/// because too many solvers did not answer.
+/// Fails if a setting is invalid, or if the store cannot be opened or an address cannot be bound.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
     let config = Arc::new(Config { http: with_descriptors(config.http, role), ..config });
@@ -126,14 +125,9 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tokio::join!(serving, until_input_ends);
     }
     jobs.idle().await;
-    let too_many = jobs.has_too_many_unresponsive();
     // If shutdown interrupts a webhook attempt, another process repeats it.
     tasks.iter().for_each(JoinHandle::abort);
     store.close().await;
-    if too_many {
-        let detail = format!("{} solvers did not answer (jobs.unresponsive_max)", jobs.unresponsive());
-        return Err(StartError::Failed(detail));
-    }
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use crate::app;
 use crate::auth;
 use crate::config::Config;
 use crate::http::{openapi, parameters};
+use crate::jobs::child;
 use crate::telemetry;
 use crate::threads::STACK_BYTES;
 use crate::webhook::Secret;
@@ -66,6 +67,9 @@ enum Command {
     },
     /// Print the OpenAPI document.
     Openapi,
+    /// Solve the job that another process sends.
+    #[command(name = child::COMMAND, hide = true)]
+    Child,
 }
 
 #[derive(Debug, Subcommand)]
@@ -143,6 +147,9 @@ const USAGE: u8 = 2;
 
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
+    if matches!(cli.command, Some(Command::Child)) {
+        return child::run();
+    }
     let defaults = match cli.command {
         #[cfg(feature = "mcp")]
         Some(Command::Mcp) => Config::of_mcp(),

@@ -192,10 +192,16 @@ pub struct JobsConfig {
     pub queue_length: usize,
     /// Time limit of a solver, which then returns the best mesh that it has reached.
     pub deadline_ms: u64,
-    /// Time for a solver to end after a cancel or its deadline. After it the job fails as `unresponsive`, and the
-    /// solver's thread is given up and replaced.
+    /// Largest memory of the jobs that run on a thread of this process, by estimate. A larger job, and each further
+    /// attempt at a job, runs in a process of its own, whose memory the system limits. Without `/proc` every job runs
+    /// on a thread.
+    pub thread_bytes: u64,
+    /// Time for a solver to end after its deadline, and for a thread also after a cancel, which kills a process at
+    /// once. After it the job fails as `unresponsive`, and the solver's process is killed, or its thread is given up
+    /// and replaced.
     pub unresponsive_ms: u64,
-    /// Number of given-up threads at which the process ends with status 1, so that its supervisor starts it anew.
+    /// Number of given-up threads at which every further job runs in a process of its own. Without `/proc`, a thread
+    /// beyond this number is not replaced.
     pub unresponsive_max: usize,
     /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
@@ -222,6 +228,7 @@ impl Default for JobsConfig {
             small_workers: None,
             queue_length: 1000,
             deadline_ms: 600_000,
+            thread_bytes: 8 << 20,
             unresponsive_ms: 30_000,
             unresponsive_max: 4,
             lease_ms: 15_000,

@@ -8,6 +8,8 @@
 mod attempt;
 pub(crate) mod batch;
 pub(crate) mod callbacks;
+pub(crate) mod child;
+mod children;
 pub(crate) mod converters;
 pub(crate) mod events;
 mod fair_permits;
@@ -18,6 +20,7 @@ pub mod progress;
 mod reading;
 pub(crate) mod service;
 mod shares;
+mod solving;
 mod sources;
 pub(crate) mod submission;
 mod view;

@@ -37,6 +37,11 @@ const STATEMENTS: &str = "statements";
 /// Separates the texts in the files [`FAULT`] and [`STATEMENTS`]. No statement contains this character or [`END`].
 const BETWEEN: char = '\u{1}';
 const END: char = '\u{2}';
+/// Names of the files that make a child process take memory without end, end itself, recurse without end, or write what
+/// is no answer, in place of solving.
+const MISBEHAVIOURS: [&str; 4] = ["allocate", "abort", "overflow", "rubbish"];
+/// Variable that makes every job run on a thread, as on a system without `/proc`.
+const NO_CHILDREN: &str = "PLATEAU_TEST_NO_CHILDREN";
 /// Interval at which a held job checks whether the file of its hold still exists.
 const PAUSE: Duration = Duration::from_millis(5);
 
@@ -107,6 +112,38 @@ impl<'a, F: Fn() -> bool> Holds<'a, F> {
 /// during its submission, because the hold would block a thread that serves requests.
 pub(crate) fn holds(kind: &str) -> bool {
     STAGES.iter().chain([&EACH_PROGRESS, &STUBBORN]).any(|stage| is_held(stage, kind))
+}
+
+/// Returns true if no child process may be started.
+pub(crate) fn forbids_children() -> bool {
+    std::env::var_os(NO_CHILDREN).is_some()
+}
+
+/// Returns the variables of the hooks, which a child process needs too.
+pub(crate) fn variables() -> impl Iterator<Item = (String, String)> {
+    [HOLD_DIR, DELAY_MS].into_iter().filter_map(|name| Some((name.to_owned(), std::env::var(name).ok()?)))
+}
+
+/// Does what the folder asks of a child process that solves a job of this kind.
+pub(crate) fn misbehave(kind: &str) {
+    fn overflow(depth: u64) -> u64 {
+        std::hint::black_box(if depth == u64::MAX { 0 } else { overflow(depth + 1) + 1 })
+    }
+    match MISBEHAVIOURS.into_iter().find(|name| is_held(name, kind)) {
+        Some("allocate") => {
+            let mut taken = Vec::new();
+            loop {
+                taken.push(vec![1_u8; 1 << 20]);
+            }
+        }
+        Some("abort") => std::process::abort(),
+        Some("overflow") => drop(overflow(0)),
+        Some("rubbish") => {
+            // The main thread holds the lock of the standard output, so the pipe is opened once more.
+            let _ = std::fs::write("/proc/self/fd/1", [b'x'; 4096]);
+        }
+        _ => {}
+    }
 }
 
 fn is_held(stage: &str, kind: &str) -> bool {

@@ -11,7 +11,8 @@ from pathlib import Path
 PATHS = {"minimal_surface": "/v1/minimal-surfaces", "ruled_surface": "/v1/ruled-surfaces", "uniform_mesh": "/v1/uniform-meshes",
          "tensile_structure": "/v1/tensile-structures", "cable_net": "/v1/cable-nets"}
 # Failures that are never the request's fault.
-DEFECTS = {"audit-failed", "solver-panicked", "internal", "invalid-mesh", "worker-lost", "unresponsive"}
+DEFECTS = {"audit-failed", "solver-panicked", "solver-crashed", "memory-limit", "internal", "invalid-mesh", "worker-lost",
+           "unresponsive"}
 
 
 class Outcome:

@@ -1,21 +1,19 @@
-//! An attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
-//! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
+//! An attempt at a job. The solver runs on its own thread or in its own process, so that it does not stall the async
+//! runtime. Meanwhile the attempt renews the claim and stores progress. When the solver has ended, the attempt stores
+//! the outcome.
 
+use super::children::Child;
 use super::memory::Share;
 use super::progress::SolverLink;
-use super::{Jobs, sources, view};
+use super::solving::{self, SolverEnd, guarded, text_of};
+use super::{Jobs, sources};
 use crate::status::Status;
-use crate::store::{Claimed, Outcome, Renewed, StoreError};
+use crate::store::{Artefact, Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
-use crate::wire::job::JobFailure;
-use plateau_archive::Archive;
-use plateau_engine::kind::Kind;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::report::SolveError;
 use plateau_engine::request::Request;
-use plateau_engine::solved::{self, Solved, Unsolved};
+use plateau_engine::source::Source;
 use sha2::{Digest, Sha256};
-use std::cell::Cell;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -68,36 +66,22 @@ pub(super) enum AttemptEnd {
     HandedBack,
 }
 
-/// Result of a solver that has ended.
-enum Left {
-    Outcome(Outcome),
-    /// The solver was told to stop, so there is no outcome.
-    Nothing,
-    /// This version cannot read the request. The text is the error, as JSON, of a job that no version can read.
-    Unread(String),
-}
-
 /// Reason why the wait for a solver ended.
 enum WaitEnd {
-    SolverEnded(Left),
+    SolverEnded(SolverEnd),
     /// The solver did not end within [`JobsConfig::unresponsive_ms`](crate::config::JobsConfig::unresponsive_ms).
     Unresponsive,
     /// The shutdown's grace time is over.
     ShutDown,
 }
 
-/// How a solver ended.
-enum SolverEnd {
-    Solved(Box<Solved>),
-    Unsolved(Unsolved),
-    /// The request or its kind is unknown to this version, or beyond this worker's limits.
-    Unread(SolveError),
-    Panicked,
-    Unresponsive,
+/// A running solver.
+struct Solver {
+    /// Receives how the solver ended. A thread that ends without sending has panicked.
+    ended: oneshot::Receiver<SolverEnd>,
+    /// False for a solver in a child process, which is killed if it does not answer.
+    is_thread: bool,
 }
-
-/// Receives what the solver's thread leaves behind. A thread that ends without sending has panicked.
-type Solver = oneshot::Receiver<Left>;
 
 /// Runs one attempt at a claimed job, whose memory is reserved.
 pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit, share: Share) {
@@ -180,16 +164,39 @@ impl Attempt {
     /// Solves the request on this thread. The request must be `quick`, because its memory is not reserved.
     pub(super) fn solve(&self, request: &Request, request_hash: &[u8; 32]) -> Option<Outcome> {
         let _entered = self.span.enter();
-        let ended = guarded(|| solve(&self.id, request, &self.link));
+        let ended = guarded(|| solving::solve(&self.id, request, &self.link));
         note_audit(&ended, &self.kind, || *request_hash);
-        match left(ended) {
-            Left::Outcome(outcome) => Some(outcome),
-            Left::Nothing | Left::Unread(_) => None,
-        }
+        ended.outcome().ok()
     }
 
-    fn spawn_solver(&self, claimed: Claimed, mut share: Share) -> Solver {
-        let (sender, receiver) = oneshot::channel();
+    fn spawn_solver(&self, claimed: Claimed, share: Share) -> Solver {
+        if self.jobs.solves_in_a_child(&claimed) {
+            match Child::start() {
+                Ok(child) => return self.spawn_in(child, claimed, share),
+                Err(error) => tracing::warn!(%error, "cannot start a process for the solver, which runs on a thread"),
+            }
+        }
+        self.spawn_thread(claimed, share)
+    }
+
+    fn spawn_in(&self, child: Child, claimed: Claimed, mut share: Share) -> Solver {
+        let (sender, ended) = oneshot::channel();
+        let (jobs, link) = (self.jobs.clone(), self.link.clone());
+        let run = async move {
+            let source = sources::bytes(&jobs, &claimed, &link);
+            let job = (&claimed, source);
+            let end = child.solve(jobs.children(), jobs.config(), job, &link, &mut share).await;
+            note_audit(&end, &claimed.kind, || Sha256::digest(&claimed.request).into());
+            drop(share);
+            // The receiver is gone if a shutdown did not wait for the child.
+            let _ = sender.send(end);
+        };
+        tokio::spawn(run.instrument(self.span.clone()));
+        Solver { ended, is_thread: false }
+    }
+
+    fn spawn_thread(&self, claimed: Claimed, mut share: Share) -> Solver {
+        let (sender, ended) = oneshot::channel();
         let (jobs, link, span) = (self.jobs.clone(), self.link.clone(), self.span.clone());
         let run = move || {
             let _entered = span.enter();
@@ -197,7 +204,7 @@ impl Attempt {
             note_audit(&ended, &claimed.kind, || Sha256::digest(&claimed.request).into());
             drop(share);
             // The receiver is gone if this solver was given up.
-            if sender.send(left(ended)).is_err() {
+            if sender.send(ended).is_err() {
                 tracing::warn!("a solver that was given up has ended");
                 jobs.solver_came_back();
             }
@@ -205,7 +212,7 @@ impl Attempt {
         // Tokio reuses idle blocking threads. The slots and the solvers that were given up bound the number that run
         // solvers.
         tokio::task::spawn_blocking(run);
-        receiver
+        Solver { ended, is_thread: true }
     }
 
     /// Renews the claim until the solver ends, and then stores the outcome.
@@ -215,48 +222,65 @@ impl Attempt {
             tokio::time::sleep(Duration::from_millis(self.jobs.config().http.shutdown_grace_ms)).await;
         };
         let mut grace: Pin<&mut (dyn Future<Output = ()> + Send)> = std::pin::pin!(grace);
-        let left = match self.renew_until_solved(&mut solver, &mut grace).await {
-            WaitEnd::SolverEnded(left) => left,
-            WaitEnd::Unresponsive => self.give_up(solver),
+        let (ended, slot) = match self.renew_until_solved(&mut solver, &mut grace).await {
+            WaitEnd::SolverEnded(ended) => (ended, Some(slot)),
+            WaitEnd::Unresponsive => self.give_up(solver, slot),
             WaitEnd::ShutDown => {
                 self.link.stop();
-                let ended = tokio::time::timeout(STOP_PATIENCE, &mut solver).await.is_ok();
+                let ended = tokio::time::timeout(STOP_PATIENCE, &mut solver.ended).await.is_ok();
                 // A solver that checked the signal recently is not defective: a long factorisation may run for seconds
                 // between two checks.
-                if ended || self.link.not_looked_for() < self.patience() {
+                if ended || !solver.is_thread || self.link.not_looked_for() < self.patience() {
                     return self.hand_back().await;
                 }
-                self.give_up(solver)
+                self.give_up(solver, slot)
             }
         };
         // The slot is released before the outcome is stored, so that the next solver need not wait for the disk.
         drop(slot);
-        match left {
-            Left::Outcome(outcome) => self.store_outcome(outcome, &mut grace).await,
-            Left::Nothing if self.link.hands_back() => {
-                tracing::info!("makes room for the job of another key");
-                self.hand_back().await
-            }
-            Left::Nothing => AttemptEnd::Dropped,
-            Left::Unread(error) => {
+        match ended.outcome() {
+            Ok(outcome) => self.store_outcome(outcome, &mut grace).await,
+            Err(SolverEnd::Unread(error)) => {
+                let error = text_of(&error);
                 tracing::warn!(error, "this version cannot read the request, which is handed back");
                 self.jobs.cannot_read(&self.id);
                 self.hand_back_as(Some(&error)).await
             }
+            Err(SolverEnd::Killed) => self.lose().await,
+            Err(_) if self.link.hands_back() => {
+                tracing::info!("makes room for the job of another key");
+                self.hand_back().await
+            }
+            Err(_) => AttemptEnd::Dropped,
         }
     }
 
     /// Gives up a solver that does not answer, unless it has just ended. Its thread goes on and keeps its memory.
-    fn give_up(&self, mut solver: Solver) -> Left {
-        self.jobs.give_up_solver();
-        solver.close();
-        if let Ok(left) = solver.try_recv() {
+    /// Returns the slot, unless the thread keeps it too.
+    fn give_up(&self, mut solver: Solver, slot: OwnedSemaphorePermit) -> (SolverEnd, Option<OwnedSemaphorePermit>) {
+        // It is counted first, because it may come back at any moment.
+        let slot = self.jobs.give_up_solver(slot);
+        solver.ended.close();
+        if let Ok(ended) = solver.ended.try_recv() {
             self.jobs.solver_came_back();
-            return left;
+            return (ended, slot);
         }
         let not_looked_for_ms = self.link.not_looked_for().as_millis() as u64;
         tracing::error!(not_looked_for_ms, "the solver does not answer, and is given up");
-        left(SolverEnd::Unresponsive)
+        (SolverEnd::unresponsive(), slot)
+    }
+
+    /// Ends an attempt whose solver was killed. The attempt counts, and the job is tried
+    /// again.
+    async fn lose(&self) -> AttemptEnd {
+        tracing::warn!("the process of the solver was killed; the attempt counts as lost");
+        // If this fails, the lease runs out a little later.
+        let _ = self.jobs.store().renew(&self.id, self.number, Duration::ZERO).await;
+        AttemptEnd::HandedBack
+    }
+
+    fn has_lost_patience(&self) -> bool {
+        self.link.asked_to_end_for().is_some_and(|time| time > self.patience())
     }
 
     /// Time limit for a solver to end after it was asked to end.
@@ -273,9 +297,11 @@ impl Attempt {
         progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
         loop {
             let renewed = tokio::select! {
-                ended = &mut *solver => return WaitEnd::SolverEnded(ended.unwrap_or_else(|_| left(SolverEnd::Panicked))),
+                ended = &mut solver.ended => {
+                    return WaitEnd::SolverEnded(ended.unwrap_or_else(|_| SolverEnd::panicked()));
+                }
                 _ = progress.tick() => match self.link.take() {
-                    _ if self.link.asked_to_end_for().is_some_and(|time| time > self.patience()) => {
+                    _ if solver.is_thread && self.has_lost_patience() => {
                         return WaitEnd::Unresponsive;
                     }
                     Some(progress) => {
@@ -389,145 +415,25 @@ impl Drop for Attempt {
 }
 
 fn read_and_solve(jobs: &Jobs, claimed: &Claimed, link: &SolverLink, share: &mut Share) -> SolverEnd {
-    let Some(kind) = Kind::from_name(&claimed.kind) else {
-        let detail = "the workers' version does not know this kind of job";
-        return SolverEnd::Unread(JobFailure::Refused.error(detail, Vec::new()));
-    };
-    let source_lost = Cell::new(false);
-    let find = |_: &str| {
-        let found = sources::claimed(jobs, claimed.source.as_deref(), link);
-        source_lost.set(found.is_err());
-        found
-    };
-    let request = match Request::read_stored(kind, &claimed.request, &find, &jobs.config().limits.requests()) {
-        Ok(request) => request,
-        Err(_) if link.is_asked_to_end() => return SolverEnd::Unsolved(Unsolved::Cancelled),
-        Err(rejection) if source_lost.get() => return SolverEnd::Unsolved(Unsolved::Failed(refused(rejection))),
-        Err(rejection) => return SolverEnd::Unread(refused(rejection)),
-    };
-    share.raise_to(request.memory_bytes);
-    solve(&claimed.id, &request, link)
-}
-
-#[cfg_attr(not(feature = "test-hooks"), expect(unused_variables, reason = "only the hooks need the identifier"))]
-fn solve(id: &str, request: &Request, link: &SolverLink) -> SolverEnd {
-    let report = |progress| link.report(progress);
-    #[cfg(feature = "test-hooks")]
-    let holds =
-        crate::test_hooks::Holds::claimed(id, request.kind().name(), || link.signal() == solved::Signal::Continue);
-    #[cfg(feature = "test-hooks")]
-    let report = |progress: plateau_engine::report::Progress| {
-        let fraction = progress.fraction;
-        report(progress);
-        holds.progress(fraction, || link.is_taken());
-    };
-    let solved = request.solve(&|| link.signal(), &report);
-    #[cfg(feature = "test-hooks")]
-    holds.solved();
-    match solved {
-        Ok(solved) => SolverEnd::Solved(Box::new(solved)),
-        Err(unsolved) => SolverEnd::Unsolved(unsolved),
+    let named = |archive, artefact: Artefact| Source::new(archive, artefact.hash);
+    let find = |_: &str| sources::claimed(jobs, claimed.source.as_deref(), link, named);
+    match solving::read(&claimed.kind, &claimed.request, &jobs.config().limits.requests(), &find, link) {
+        Ok(request) => {
+            share.raise_to(request.memory_bytes);
+            solving::solve(&claimed.id, &request, link)
+        }
+        Err(end) => end,
     }
-}
-
-/// Turns a panic of the solver into a failed job, so that the worker survives. Data that the solver touched is not used
-/// afterwards.
-fn guarded(solve: impl FnOnce() -> SolverEnd) -> SolverEnd {
-    std::panic::catch_unwind(std::panic::AssertUnwindSafe(solve)).unwrap_or_else(|_| {
-        tracing::error!("the solver panicked");
-        SolverEnd::Panicked
-    })
 }
 
 /// Logs and counts a result that the audit withheld. The log has the hash of the request as the store has it, never the
 /// request itself.
 fn note_audit(ended: &SolverEnd, kind: &str, request_hash: impl FnOnce() -> [u8; 32]) {
-    let SolverEnd::Unsolved(Unsolved::Failed(error)) = ended else { return };
+    let SolverEnd::Failed(error) = ended else { return };
     if !error.is_of_the_audit() {
         return;
     }
     let request_hash: String = request_hash().iter().map(|byte| format!("{byte:02x}")).collect();
     tracing::error!(request_hash, detail = error.detail, "the audit withheld the result");
     metrics::counter!(metric::AUDIT_FAILURES, "kind" => kind.to_owned()).increment(1);
-}
-
-/// Returns the error of a job whose stored request a worker does not accept.
-fn refused(rejection: Rejection) -> SolveError {
-    let (detail, errors) = match rejection {
-        Rejection::Malformed(detail) => (detail, Vec::new()),
-        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
-    };
-    JobFailure::Refused.error(detail, errors)
-}
-
-/// Returns what a solver that ended leaves behind.
-fn left(ended: SolverEnd) -> Left {
-    let error = match ended {
-        SolverEnd::Solved(solved) => match solved.archive.to_bytes() {
-            Ok(artefact) => {
-                return Left::Outcome(Outcome::Succeeded {
-                    summary: view::summary_of(&solved.statistics),
-                    statistics: solved.statistics,
-                    // Serialization cannot fail because warnings have only strings.
-                    warnings: serde_json::to_string(&solved.warnings).unwrap_or_else(|_| "[]".into()),
-                    artefact_hash: Archive::checksum(&artefact),
-                    artefact,
-                    reusable: solved.reproducible,
-                });
-            }
-            Err(defect) => SolveError::internal(defect.to_string()),
-        },
-        SolverEnd::Unsolved(Unsolved::Cancelled) => return Left::Nothing,
-        SolverEnd::Unsolved(Unsolved::Failed(error)) => error,
-        SolverEnd::Unread(error) => return Left::Unread(text_of(&error)),
-        SolverEnd::Unresponsive => {
-            let detail = "the solver did not end in time after a cancel, its deadline or a shutdown, which is a defect \
-                of this server; the request is not the cause";
-            JobFailure::Unresponsive.error(detail, Vec::new())
-        }
-        SolverEnd::Panicked => {
-            let detail = "the solver hit a defect of this server; the request is not the cause";
-            JobFailure::SolverPanicked.error(detail, Vec::new())
-        }
-    };
-    Left::Outcome(Outcome::Failed { error: text_of(&error) })
-}
-
-fn text_of(error: &SolveError) -> String {
-    // Serialization cannot fail because an error has only strings.
-    serde_json::to_string(error).unwrap_or_default()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use plateau_engine::rejection::FieldError;
-
-    #[test]
-    fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {
-        let ended = guarded(|| panic!("a defect"));
-        let Left::Outcome(Outcome::Failed { error }) = left(ended) else { panic!("should have failed") };
-        let error: SolveError = serde_json::from_str(&error).unwrap();
-        assert_eq!(error.kind, "/problems/solver-panicked");
-    }
-
-    #[test]
-    fn the_error_of_a_stored_request_that_is_not_accepted_has_the_cause_as_its_detail() {
-        let errors = vec![FieldError::new("/boundaries", "is too large"), FieldError::new("/units", "is unknown")];
-        for (rejection, detail) in [
-            (Rejection::Invalid(errors), "/boundaries is too large; one more error is listed in errors"),
-            (Rejection::Malformed("the body is UTF-16".into()), "the body is UTF-16"),
-        ] {
-            let Left::Unread(error) = left(SolverEnd::Unread(refused(rejection))) else { panic!("is handed back") };
-            let error: SolveError = serde_json::from_str(&error).unwrap();
-            assert_eq!((error.kind.as_str(), error.detail.as_str()), ("/problems/refused", detail));
-        }
-    }
-
-    #[test]
-    fn a_cancelled_job_has_no_outcome_and_a_missed_deadline_is_a_failed_one() {
-        assert!(matches!(left(SolverEnd::Unsolved(Unsolved::Cancelled)), Left::Nothing));
-        let missed = left(SolverEnd::Unsolved(Unsolved::deadline()));
-        assert!(matches!(missed, Left::Outcome(Outcome::Failed { .. })));
-    }
 }

@@ -1,19 +1,20 @@
 //! The handle of the job service: its start, its shutdown, and what its modules share.
 
+use super::children::Children;
 use super::converters::{Converters, Length};
 use super::files::FileCache;
 use super::memory::MemoryBudget;
 use super::shares::Running;
 use super::{JobsError, view};
 use crate::config::Config;
-use crate::store::{BatchRow, JobRow, Store};
+use crate::store::{BatchRow, Claimed, JobRow, Store};
 use crate::telemetry::metric;
 use crate::webhook::Sender;
 use crate::wire::batch::Batch;
 use crate::wire::job::Job;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
@@ -44,6 +45,9 @@ pub(super) struct Inner {
     pub(super) solvers: usize,
     /// Number of solvers that were given up because they did not answer, and that have not ended since.
     pub(super) unresponsive: AtomicUsize,
+    /// Slots that solvers keep after they were given up.
+    kept_slots: Mutex<Vec<OwnedSemaphorePermit>>,
+    children: Children,
     /// Permits of the workers and attempts that a shutdown waits for.
     pub(super) under_way: Arc<Semaphore>,
     /// Name of this process in the records of attempts.
@@ -74,6 +78,8 @@ impl Jobs {
             slots: Arc::new(Semaphore::new(solvers)),
             solvers,
             unresponsive: AtomicUsize::new(0),
+            kept_slots: Mutex::default(),
+            children: Children::new(),
             under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
@@ -99,12 +105,6 @@ impl Jobs {
     #[must_use]
     pub fn unresponsive(&self) -> usize {
         self.0.unresponsive.load(Ordering::Relaxed)
-    }
-
-    /// Returns true if so many solvers were given up that the process must be restarted.
-    #[must_use]
-    pub fn has_too_many_unresponsive(&self) -> bool {
-        self.unresponsive() >= self.0.config.jobs.unresponsive_max
     }
 
     #[must_use]
@@ -162,20 +162,44 @@ impl Jobs {
         unread.push_back(id.to_owned());
     }
 
-    /// Counts a solver that is given up. Shuts the process down if there are too many.
-    pub(super) fn give_up_solver(&self) {
+    /// Returns true if the job is to be solved in a child process. Large jobs are, and so are jobs whose earlier
+    /// attempt did not end, because it may have ended its process. After too many threads were given up, every job is.
+    pub(super) fn solves_in_a_child(&self, job: &Claimed) -> bool {
+        let is_risky = job.memory_bytes > self.0.config.jobs.thread_bytes || job.attempt > 1;
+        self.0.children.possible && (is_risky || self.has_too_many_unresponsive())
+    }
+
+    pub(super) fn children(&self) -> &Children {
+        &self.0.children
+    }
+
+    fn has_too_many_unresponsive(&self) -> bool {
+        self.unresponsive() >= self.0.config.jobs.unresponsive_max
+    }
+
+    /// Counts a solver that is given up, and returns its slot. If there are too many and the next one cannot run in a
+    /// child either, the solver keeps its slot, so that the number of threads stays bounded.
+    pub(super) fn give_up_solver(&self, slot: OwnedSemaphorePermit) -> Option<OwnedSemaphorePermit> {
+        let keeps_its_slot = self.has_too_many_unresponsive() && !self.0.children.possible;
         self.0.unresponsive.fetch_add(1, Ordering::Relaxed);
         metrics::gauge!(metric::UNRESPONSIVE).increment(1.0);
-        if self.has_too_many_unresponsive() {
-            tracing::error!(solvers = self.unresponsive(), "too many solvers do not answer; this process ends");
-            self.shut_down();
+        if keeps_its_slot {
+            tracing::error!(solvers = self.unresponsive(), "too many solvers do not answer; this one keeps its slot");
+            self.kept_slots().push(slot);
+            return None;
         }
+        Some(slot)
     }
 
     /// Counts a solver that was given up and has ended nevertheless.
     pub(super) fn solver_came_back(&self) {
         self.0.unresponsive.fetch_sub(1, Ordering::Relaxed);
         metrics::gauge!(metric::UNRESPONSIVE).decrement(1.0);
+        drop(self.kept_slots().pop());
+    }
+
+    fn kept_slots(&self) -> MutexGuard<'_, Vec<OwnedSemaphorePermit>> {
+        self.0.kept_slots.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(super) fn memory(&self) -> &MemoryBudget {

@@ -5,6 +5,7 @@ use plateau_engine::solved::Signal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::sync::Notify;
 
 /// State that a running solver shares with its attempt.
 #[derive(Debug)]
@@ -12,6 +13,8 @@ pub struct SolverLink {
     started: Instant,
     deadline: Instant,
     stopped: OnceLock<Instant>,
+    /// Wakes the task that waits for a stop.
+    stop: Notify,
     /// True if the solver was stopped to make room for the job of another owner.
     hands_back: AtomicBool,
     /// Time of the solver's last look at the signal, in milliseconds since the start.
@@ -27,6 +30,7 @@ impl SolverLink {
             started,
             deadline: started + deadline,
             stopped: OnceLock::new(),
+            stop: Notify::new(),
             hands_back: AtomicBool::new(false),
             looked_ms: AtomicU64::new(0),
             latest: Mutex::new(None),
@@ -36,6 +40,20 @@ impl SolverLink {
     /// Asks the solver to stop without a result.
     pub fn stop(&self) {
         self.stopped.get_or_init(Instant::now);
+        self.stop.notify_one();
+    }
+
+    /// Waits until the solver is asked to stop. One task may wait.
+    pub async fn stopped(&self) {
+        while !self.is_asked_to_end() {
+            self.stop.notified().await;
+        }
+    }
+
+    /// Returns the time until the deadline.
+    #[must_use]
+    pub fn remaining(&self) -> Duration {
+        self.deadline.saturating_duration_since(Instant::now())
     }
 
     /// Asks the solver to stop, after which its job goes back to the queue.

@@ -39,6 +39,11 @@ impl Jobs {
         Ok(self.0.store.check().await?)
     }
 
+    /// Adds the child processes to the metrics of this process.
+    pub fn note_usage_of_children(&self) {
+        self.children().note_usage();
+    }
+
     /// Returns the number of jobs that wait.
     ///
     /// # Errors

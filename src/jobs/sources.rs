@@ -7,12 +7,14 @@
 use super::progress::SolverLink;
 use super::{Jobs, JobsError};
 use crate::status::Status;
-use crate::store::{Artefact, Lookup};
+use crate::store::{Artefact, Claimed, Lookup};
 use plateau_archive::Archive;
+use plateau_engine::kind::Kind;
 use plateau_engine::rejection::Rejection;
 use plateau_engine::solved::Signal;
 use plateau_engine::source::Source;
 use std::cell::RefCell;
+use std::sync::Arc;
 use std::time::Duration;
 use tokio::runtime::Handle;
 
@@ -78,7 +80,8 @@ impl Sources {
         if row.status != Status::Succeeded {
             return Err(JobsError::NoMesh(row.status));
         }
-        source(&self.jobs, store.artefact(id, owner).await?).await
+        let (archive, artefact) = parsed(&self.jobs, store.artefact(id, owner).await?).await?;
+        Ok(Source::new(archive, artefact.hash))
     }
 
     /// Returns the error for a request that was refused. If its source was not found, the error names that cause.
@@ -100,26 +103,43 @@ impl Sources {
     }
 }
 
-/// Returns the stored result with this name, from which the request of a claimed job begins. While the store cannot be
-/// reached, it is asked again until the solver is told to end. Must be called on a blocking thread of the runtime.
+/// Returns the stored result with this name, from which the request of a claimed job begins, in the form that `of`
+/// gives it. While the store cannot be reached, it is asked again until the solver is told to end. Must be called on a
+/// blocking thread of the runtime.
 ///
 /// # Errors
 /// Returns, as a phrase, the reason why the result cannot be read.
-pub(super) fn claimed(jobs: &Jobs, name: Option<&[u8]>, link: &SolverLink) -> Result<Source, String> {
+pub(super) fn claimed<T>(
+    jobs: &Jobs,
+    name: Option<&[u8]>,
+    link: &SolverLink,
+    of: impl FnOnce(Archive, Artefact) -> T,
+) -> Result<T, String> {
     let name = name.ok_or("names a job, and its result was not kept")?;
     loop {
-        let read = async { source(jobs, jobs.store().artefact_named(name).await?).await };
+        let read = async { parsed(jobs, jobs.store().artefact_named(name).await?).await };
         match Handle::current().block_on(read) {
             Err(JobsError::Unavailable(_)) if link.signal() == Signal::Continue => std::thread::sleep(PAUSE),
-            read => return read.map_err(|error| reason(&error)),
+            Err(error) => return Err(reason(&error)),
+            Ok((archive, artefact)) => return Ok(of(archive, artefact)),
         }
     }
 }
 
-async fn source(jobs: &Jobs, artefact: Option<Artefact>) -> Result<Source, JobsError> {
+/// Same as [`claimed`], for a child process, which needs the bytes. Does not block.
+pub(super) async fn bytes(jobs: &Jobs, job: &Claimed, link: &Arc<SolverLink>) -> Result<(Vec<u8>, Vec<u8>), String> {
+    if !Kind::from_name(&job.kind).is_some_and(Kind::has_source) {
+        return Err("the kind has no source".into());
+    }
+    let (jobs, name, link) = (jobs.clone(), job.source.clone(), link.clone());
+    let read = move || claimed(&jobs, name.as_deref(), &link, |_, artefact| (artefact.hash, artefact.bytes));
+    tokio::task::spawn_blocking(read).await.map_err(|error| error.to_string())?
+}
+
+async fn parsed(jobs: &Jobs, artefact: Option<Artefact>) -> Result<(Archive, Artefact), JobsError> {
     let artefact = artefact.ok_or(JobsError::Lost)?;
     match Archive::from_bytes(&artefact.bytes) {
-        Ok(archive) => Ok(Source::new(archive, artefact.hash)),
+        Ok(archive) => Ok((archive, artefact)),
         Err(defect) => Err(jobs.unreadable(&defect, &artefact).await),
     }
 }

@@ -14,7 +14,9 @@ use serde_json::{Map, Value};
 failure_kinds! {
     /// Failures that have nothing to do with the geometry.
     JobFailure {
+        MemoryLimit = "memory-limit": "Solving took more memory than its estimate allows",
         Refused = "refused": "The request exceeds this worker's limits or is unknown to its version",
+        SolverCrashed = "solver-crashed": "The solver's process crashed",
         SolverPanicked = "solver-panicked": "The solver failed",
         Unresponsive = "unresponsive": "The solver did not answer",
         WorkerLost = "worker-lost": "The workers of this job died",

@@ -2,6 +2,7 @@
 
 use crate::hold::{self, Hold};
 use reqwest::{Client, Response, StatusCode};
+use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::Stdio;
@@ -78,6 +79,13 @@ impl Process {
     /// Sends SIGKILL, so that no handler runs and nothing is flushed.
     pub async fn kill(&mut self) {
         self.child.kill().await.expect("the process dies");
+    }
+
+    /// Sends SIGKILL to the processes of its large jobs, and returns their number.
+    pub fn kill_children(&self) -> usize {
+        let children = hold::children_of(self.child.id().expect("the process runs"));
+        let ids = children.into_iter().filter_map(|id| Pid::from_raw(id.cast_signed()));
+        ids.filter(|id| kill_process(*id, Signal::KILL).is_ok()).count()
     }
 
     /// Sends SIGTERM.

@@ -249,6 +249,36 @@ async fn a_server_killed_on_postgresql_loses_nothing() {
     server_killed(Some(postgres.database().await), "server on PostgreSQL").await;
 }
 
+/// Kills the processes of the jobs that run, every job of the queue being in one.
+async fn children_killed(database: Option<String>, what: &str) {
+    let cluster = hardened(database).set("PLATEAU_JOBS__THREAD_BYTES", 0);
+    let server = cluster.serve(2).await;
+    let load = Load::start(&server.url);
+    let mut moments = Moments(17);
+    for number in 0..kills() {
+        load.some_are_accepted().await;
+        moments.next(&cluster, number, 2).await;
+        until("a child is killed", async || server.kill_children() > 0).await;
+        cluster.hold.release_all();
+        if number % KILLS_IN_A_ROW == KILLS_IN_A_ROW - 1 {
+            load.all_have_ended(&server).await;
+        }
+    }
+    let accepted = load.finish().await;
+    every_job_ended_once(&server, &accepted, what).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn children_killed_while_the_server_lives_lose_nothing_on_sqlite() {
+    children_killed(None, "children on SQLite").await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn children_killed_while_the_server_lives_lose_nothing_on_postgresql() {
+    let Some(postgres) = Postgres::start() else { return };
+    children_killed(Some(postgres.database().await), "children on PostgreSQL").await;
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn workers_killed_while_the_server_lives_lose_nothing() {
     let Some(postgres) = Postgres::start() else { return };

@@ -69,6 +69,18 @@ impl Hold {
     }
 }
 
+/// Returns the child processes of a process, which solve its large jobs.
+pub fn children_of(id: u32) -> Vec<u32> {
+    let entries = std::fs::read_dir("/proc").expect("procfs").filter_map(Result::ok);
+    let ids = entries.filter_map(|entry| entry.file_name().to_str()?.parse::<u32>().ok());
+    // A process may end while the folder is read. Its name is in parentheses, and a state and its parent follow.
+    let parent = |child: u32| -> Option<u32> {
+        let stat = std::fs::read_to_string(format!("/proc/{child}/stat")).ok()?;
+        stat.rsplit(") ").next()?.split(' ').nth(1)?.parse().ok()
+    };
+    ids.filter(|child| parent(*child) == Some(id)).collect()
+}
+
 /// Waits until the condition holds. Fails after a time that no step takes on any machine.
 pub async fn until(what: &str, condition: impl AsyncFn() -> bool) {
     let started = Instant::now();

@@ -50,8 +50,12 @@ impl TestApp {
     }
 
     pub async fn start_in(folder: TempDir, environment: &[(&str, &str)]) -> Self {
+        Self::start_program(binary(), folder, environment).await
+    }
+
+    pub async fn start_program(mut program: Command, folder: TempDir, environment: &[(&str, &str)]) -> Self {
         let hold = Hold::new(&folder.path().join("hold"));
-        let mut child = binary()
+        let mut child = program
             .args(["--listen", "127.0.0.1:0", "--data"])
             .arg(folder.path().join("data"))
             .env("PLATEAU_LOG__LEVEL", "warn")
@@ -113,6 +117,17 @@ impl TestApp {
         let line = format!("plateau_submissions_total{{kind=\"minimal_surface\",outcome=\"created\"}} {count}");
         let counted = async || self.get("/metrics").await.text().await.expect("text").lines().any(|one| one == line);
         hold::until(&line, counted).await;
+    }
+
+    /// Returns the processes of the server's large jobs.
+    pub fn children(&self) -> Vec<u32> {
+        hold::children_of(self.child.id().expect("the server runs"))
+    }
+
+    /// Waits until the server has one child process, and returns it.
+    pub async fn only_child(&self) -> u32 {
+        hold::until("one child runs", async || self.children().len() == 1).await;
+        self.children()[0]
     }
 
     /// Returns the resident memory of the server in bytes.

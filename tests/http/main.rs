@@ -13,6 +13,8 @@ mod cancel;
 mod catalogue;
 #[cfg(feature = "certificates")]
 mod certificates;
+#[cfg(feature = "test-hooks")]
+mod children;
 mod command_line;
 mod compression;
 mod connections;

@@ -1,4 +1,4 @@
-//! Solvers that do not answer: their jobs fail, others take their places, and the process ends when it should.
+//! Solvers that do not answer: their jobs fail, and others take their places, however many there are.
 
 use crate::app::{MINIMAL, TestApp, example, small_film};
 use crate::hold::until;
@@ -61,16 +61,48 @@ async fn a_solver_that_overlooks_its_deadline_makes_its_job_fail() {
     app.hold.release(STUBBORN);
 }
 
+const DEADLINE: (&str, &str) = ("PLATEAU_JOBS__DEADLINE_MS", "100");
+const ONE_AT_MOST: (&str, &str) = ("PLATEAU_JOBS__UNRESPONSIVE_MAX", "1");
+
+/// Posts a film whose solver loops, and waits until it has failed for that reason.
+async fn failed_film(app: &TestApp, height: f64) {
+    let job: Value = app.post(MINIMAL, &small_film(height)).await.json().await.unwrap();
+    let job = app.ended(job).await;
+    assert_eq!(job["error"]["type"], "/problems/unresponsive", "{job:#}");
+}
+
 #[tokio::test]
-async fn the_process_ends_by_itself_when_too_many_solvers_do_not_answer() {
-    let settings =
-        [ONE_WORKER, PATIENCE, ("PLATEAU_JOBS__DEADLINE_MS", "100"), ("PLATEAU_JOBS__UNRESPONSIVE_MAX", "1")];
-    let app = TestApp::start_with(&settings).await;
-    let job = stubborn_film(&app).await;
-    let (status, folder) = app.exited().await;
-    assert_eq!(status.code(), Some(1));
-    let job = after_restart(folder, job).await;
-    assert_eq!(job["error"]["type"], "/problems/unresponsive");
+async fn jobs_run_in_children_when_too_many_threads_do_not_answer() {
+    let app = TestApp::start_with(&[ONE_WORKER, PATIENCE, DEADLINE, ONE_AT_MOST]).await;
+    app.hold.at(STUBBORN);
+    for number in 0..4 {
+        failed_film(&app, 0.1 + f64::from(number)).await;
+        assert_eq!(given_up(&app).await, 1, "the children were killed");
+    }
+    app.hold.release(STUBBORN);
+    until("the solver is back", async || given_up(&app).await == 0).await;
+}
+
+/// Without `/proc`, the threads that do not answer are at most as many as the limit and the solvers. The process
+/// lives.
+#[tokio::test]
+async fn without_children_a_thread_beyond_the_limit_keeps_its_slot() {
+    let no_children = ("PLATEAU_TEST_NO_CHILDREN", "1");
+    let app = TestApp::start_with(&[ONE_WORKER, PATIENCE, DEADLINE, ONE_AT_MOST, no_children]).await;
+    app.hold.at(STUBBORN);
+    failed_film(&app, 0.1).await;
+    failed_film(&app, 0.2).await;
+    assert_eq!(given_up(&app).await, 2);
+    let waiting: Value = app.post(UNIFORM, &example("floor-equal-members")).await.json().await.unwrap();
+    until("the metrics see no running job", async || {
+        let metrics = app.get("/metrics").await.text().await.unwrap();
+        metrics.lines().any(|line| line == "plateau_jobs_running 0")
+    })
+    .await;
+    assert_eq!(app.get_json(waiting["links"]["self"].as_str().unwrap()).await["status"], "queued");
+    app.hold.release(STUBBORN);
+    until("the solvers are back", async || given_up(&app).await == 0).await;
+    assert_ne!(app.ended(waiting).await["status"], "queued");
 }
 
 #[tokio::test]

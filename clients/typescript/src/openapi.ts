@@ -4324,7 +4324,7 @@ export interface operations {
                      */
                     "application/json": {
                         status: string;
-                        /** @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. The process ends by itself if there are `jobs.unresponsive_max`. */
+                        /** @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. They go on in threads of this process. From `jobs.unresponsive_max` on, further jobs are solved in processes of their own, which are killed instead. */
                         unresponsive_solvers?: number;
                     };
                 };

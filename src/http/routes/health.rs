@@ -44,7 +44,8 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
 pub fn ready_entry() -> Value {
     let solvers = json!({ "unresponsive_solvers": { "type": "integer", "format": "int64", "minimum": 0,
         "description": "Number of solvers that did not end in time after a cancel or their deadline, and were given \
-         up. The process ends by itself if there are `jobs.unresponsive_max`." } });
+         up. They go on in threads of this process. From `jobs.unresponsive_max` on, further jobs are solved in \
+         processes of their own, which are killed instead." } });
     entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")], solvers)
 }
 
@@ -61,5 +62,6 @@ pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, 
     metrics::gauge!(metric::QUEUE_LENGTH).set(jobs.queue_length().await? as f64);
     // The figures of this process, under the names that Prometheus uses in every program.
     metrics_process::Collector::default().collect();
+    jobs.note_usage_of_children();
     Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], handle.render()).into_response())
 }

@@ -223,8 +223,16 @@ impl Run<'_> {
 
 /// The types of failed jobs that show a defect of the server instead of a fault of the request. Hops is answered with
 /// the status 500.
-const DEFECTS: [&str; 6] =
-    ["audit-failed", "internal", "invalid-mesh", "solver-panicked", "unresponsive", "worker-lost"];
+const DEFECTS: [&str; 8] = [
+    "audit-failed",
+    "internal",
+    "invalid-mesh",
+    "memory-limit",
+    "solver-crashed",
+    "solver-panicked",
+    "unresponsive",
+    "worker-lost",
+];
 
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
 fn failed(error: &SolveError) -> Failure {
