@@ -583,12 +583,26 @@ export interface components {
     schemas: {
         /** @description A part of a boundary, in the boundary's direction. Points are counted from 0. */
         Along: {
-            /** @description Default: `0`. */
+            /**
+             * Format: int64
+             * @description Default: `0`.
+             */
             boundary?: number | null;
-            /** @description Number of the point at which the cable begins. */
+            /**
+             * Format: int64
+             * @description Number of the point at which the cable begins.
+             */
             from: number;
-            /** @description Number of the point at which it ends. */
+            /**
+             * Format: int64
+             * @description Number of the point at which it ends.
+             */
             to: number;
+        };
+        /** @description Processes that take turns in one stage. */
+        AlternatingProcesses: {
+            /** @description The processes in the order of each turn. */
+            together: components["schemas"]["Process"][];
         };
         AngleRange: {
             /**
@@ -624,15 +638,30 @@ export interface components {
         };
         /** @description Number of jobs of a batch in each state. */
         BatchCounts: {
-            /** @description Number of cancelled jobs. */
+            /**
+             * Format: int64
+             * @description Number of cancelled jobs.
+             */
             cancelled: number;
-            /** @description Number of failed jobs. */
+            /**
+             * Format: int64
+             * @description Number of failed jobs.
+             */
             failed: number;
-            /** @description Number of jobs that wait. */
+            /**
+             * Format: int64
+             * @description Number of jobs that wait.
+             */
             queued: number;
-            /** @description Number of jobs that are being solved. */
+            /**
+             * Format: int64
+             * @description Number of jobs that are being solved.
+             */
             running: number;
-            /** @description Number of jobs that have succeeded. */
+            /**
+             * Format: int64
+             * @description Number of jobs that have succeeded.
+             */
             succeeded: number;
         };
         /**
@@ -642,7 +671,10 @@ export interface components {
         BatchJob: {
             /** @description ULID, which sorts by time of submission. */
             id: string;
-            /** @description Index of the job's request in the batch, counted from 0. */
+            /**
+             * Format: int64
+             * @description Index of the job's request in the batch, counted from 0.
+             */
             index: number;
             /** @description Kind of a request. */
             kind: components["schemas"]["Kind"];
@@ -674,9 +706,15 @@ export interface components {
         };
         /** @description A point of a boundary, counted from 0. */
         BoundaryPoint: {
-            /** @description Default: `0`. */
+            /**
+             * Format: int64
+             * @description Default: `0`.
+             */
             boundary?: number | null;
-            /** @description Number of the point, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the point, counted from 0.
+             */
             point: number;
         };
         /**
@@ -962,7 +1000,10 @@ export interface components {
             converged: boolean;
             /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
-            /** @description Number of edges. */
+            /**
+             * Format: int64
+             * @description Number of edges.
+             */
             edges: number;
             /** @description Unit of the forces. */
             force_unit: string;
@@ -971,7 +1012,10 @@ export interface components {
              * @description Largest derivative of the loss by the logarithm of a force density.
              */
             gradient: number;
-            /** @description Number of iterations. */
+            /**
+             * Format: int64
+             * @description Number of iterations.
+             */
             iterations: number;
             /**
              * Format: double
@@ -998,9 +1042,15 @@ export interface components {
             residual: number;
             /** @description Reason for which the solver stopped. */
             stop_reason: string;
-            /** @description Always 0: a net has no triangles. */
+            /**
+             * Format: int64
+             * @description Always 0: a net has no triangles.
+             */
             triangles: number;
-            /** @description Number of vertices. */
+            /**
+             * Format: int64
+             * @description Number of vertices.
+             */
             vertices: number;
         };
         /**
@@ -1082,9 +1132,13 @@ export interface components {
              * @description The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
              */
             gap: number | null;
-            /** @description Number of iterations. */
+            /**
+             * Format: int64
+             * @description Number of iterations.
+             */
             iterations: number;
             /**
+             * Format: int64
              * @description Number of fields. Up to six boundaries each orientation of them has its own. With more, a field covers all
              *     directions of the boundaries that it leaves free.
              */
@@ -1099,7 +1153,10 @@ export interface components {
             seconds: number;
             /** @description The result in words. */
             statement: string;
-            /** @description Number of tetrahedra of all fields together. */
+            /**
+             * Format: int64
+             * @description Number of tetrahedra of all fields together.
+             */
             tetrahedra: number;
         };
         /** @description Whether and how to prove a lower bound of the area. */
@@ -1123,7 +1180,10 @@ export interface components {
          *     mean, which stand for the ground. It has exactly one of `pressure` and `volume`.
          */
         Chamber: {
-            /** @description Number of the layer, counted from 0. Default: `0`. */
+            /**
+             * Format: int64
+             * @description Number of the layer, counted from 0. Default: `0`.
+             */
             below?: number | null;
             /**
              * Format: double
@@ -1138,7 +1198,10 @@ export interface components {
         };
         /** @description A chamber of the found shape. */
         ChamberState: {
-            /** @description Number of the layer above it. */
+            /**
+             * Format: int64
+             * @description Number of the layer above it.
+             */
             below: number;
             /**
              * Format: double
@@ -1174,14 +1237,20 @@ export interface components {
              * @description Bending energy of the strip, without a unit.
              */
             bending_energy: number;
-            /** @description Number of bridges, which are the edges between the rails. */
+            /**
+             * Format: int64
+             * @description Number of bridges, which are the edges between the rails.
+             */
             bridges: number;
             /**
              * Format: double
              * @description Number of locally convex bridges over the number of bridges.
              */
             convex_bridge_ratio: number;
-            /** @description Number of bridges that are locally convex. */
+            /**
+             * Format: int64
+             * @description Number of bridges that are locally convex.
+             */
             convex_bridges: number;
             /**
              * Format: double
@@ -1233,7 +1302,10 @@ export interface components {
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
         };
         /**
@@ -1262,7 +1334,10 @@ export interface components {
         Delivery: {
             /** @description Time at which the attempt ended (RFC 3339, UTC). */
             at: string;
-            /** @description Number of the attempt, counted from 1. */
+            /**
+             * Format: int64
+             * @description Number of the attempt, counted from 1.
+             */
             attempt: number;
             /**
              * @description How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the
@@ -1303,7 +1378,10 @@ export interface components {
         };
         /** @description The supports along the fixed parts of a boundary together. */
         EdgeReaction: {
-            /** @description Number of the boundary, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the boundary, counted from 0.
+             */
             boundary: number;
             /** @description Force of the supports on the structure. */
             force: number[];
@@ -1317,7 +1395,10 @@ export interface components {
              * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
              */
             lowest_eigenvalue: number;
-            /** @description Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one. */
+            /**
+             * Format: int64
+             * @description Number of negative eigenvalues of the second variation. Null if rounding does not decide the sign of one.
+             */
             morse_index: number | null;
             /** @description Whether the Morse index is 0: a true local minimum of the energy. Null where `morse_index` is. */
             stable: boolean | null;
@@ -1474,10 +1555,13 @@ export interface components {
             vertices?: components["schemas"]["Polygon"] | null;
         };
         /** @description A named objective, or a weighted sum. */
-        Goal: components["schemas"]["RuledSurfaceObjective"] | components["schemas"]["WeightedSum"];
+        Goal: components["schemas"]["RuledSurfaceObjective"] | components["schemas"]["ObjectiveSum"];
         /** @description Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group. */
         GroupLengths: {
-            /** @description Number of members. */
+            /**
+             * Format: int64
+             * @description Number of members.
+             */
             count: number;
             /**
              * Format: double
@@ -1527,7 +1611,10 @@ export interface components {
              * @description Area after it, in u².
              */
             area: number;
-            /** @description The number of the iteration, from 1. */
+            /**
+             * Format: int64
+             * @description The number of the iteration, from 1.
+             */
             iteration: number;
             /** @description The solver's phase. */
             phase: string;
@@ -1669,7 +1756,10 @@ export interface components {
              *     curve ends with its first vertex.
              */
             curves: number[][];
-            /** @description Number of mesh edges with three triangles. */
+            /**
+             * Format: int64
+             * @description Number of mesh edges with three triangles.
+             */
             edges: number;
             /** @description Angles between neighbouring triangles around the junctions' edges. */
             facet_angles_deg: components["schemas"]["Spread"];
@@ -1695,11 +1785,15 @@ export interface components {
              */
             mean_deviation_deg: number;
             /**
+             * Format: int64
              * @description Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed, or if
              *     rounding does not decide the sign of one.
              */
             morse_index: number | null;
-            /** @description Number of vertices inside the film where such curves meet. */
+            /**
+             * Format: int64
+             * @description Number of vertices inside the film where such curves meet.
+             */
             points: number;
             /**
              * Format: double
@@ -1709,7 +1803,10 @@ export interface components {
             residual: number;
             /** @description Angles between the pulls of neighbouring sheets at the junctions' inner vertices. */
             sheet_angles_deg: components["schemas"]["Spread"];
-            /** @description Number of parts of the film that are connected without crossing a junction. */
+            /**
+             * Format: int64
+             * @description Number of parts of the film that are connected without crossing a junction.
+             */
             sheets: number;
         };
         /**
@@ -1726,7 +1823,10 @@ export interface components {
             area: number;
             /** @description Null if the forces could not be balanced. */
             stress: components["schemas"]["FilmStress"] | null;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
         };
         /**
@@ -1763,39 +1863,77 @@ export interface components {
          *     address stands for the key.
          */
         Limits: {
-            /** @description Largest number of requests of one batch. */
+            /**
+             * Format: int64
+             * @description Largest number of requests of one batch.
+             */
             batch_requests: number;
-            /** @description Largest size of a request's body in bytes. */
+            /**
+             * Format: int64
+             * @description Largest size of a request's body in bytes.
+             */
             body_bytes: number;
             /**
+             * Format: int64
              * @description Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest
              *     results lose their oldest ones. 0 means no limit.
              */
             bytes_kept: number;
-            /** @description Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached. */
+            /**
+             * Format: int64
+             * @description Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached.
+             */
             deadline_ms: number;
-            /** @description Largest number of cells of the grids of all strips of a ruled surface. */
+            /**
+             * Format: int64
+             * @description Largest number of cells of the grids of all strips of a ruled surface.
+             */
             grid_cells: number;
-            /** @description Largest `max_iterations`. */
+            /**
+             * Format: int64
+             * @description Largest `max_iterations`.
+             */
             iterations: number;
-            /** @description Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones. */
+            /**
+             * Format: int64
+             * @description Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones.
+             */
             jobs_kept: number;
-            /** @description Number of requests that one key may have open at once: event streams, waits, downloads and uploads. */
+            /**
+             * Format: int64
+             * @description Number of requests that one key may have open at once: event streams, waits, downloads and uploads.
+             */
             open_requests_per_key: number;
-            /** @description Largest number of points of all polylines of a request, and of vertices of a cable net. */
+            /**
+             * Format: int64
+             * @description Largest number of points of all polylines of a request, and of vertices of a cable net.
+             */
             points: number;
-            /** @description Number of jobs that may wait in the queue. */
+            /**
+             * Format: int64
+             * @description Number of jobs that may wait in the queue.
+             */
             queue_length: number;
-            /** @description Number of jobs of one key that may wait in the queue. */
+            /**
+             * Format: int64
+             * @description Number of jobs of one key that may wait in the queue.
+             */
             queue_length_per_key: number;
-            /** @description Time in seconds after its end at which a job is removed with its mesh. 0 means never. */
+            /**
+             * Format: int64
+             * @description Time in seconds after its end at which a job is removed with its mesh. 0 means never.
+             */
             retention_s: number;
             /**
+             * Format: int64
              * @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable
              *     net.
              */
             triangles: number;
-            /** @description Longest wait that `Prefer: wait` can ask for, in seconds. */
+            /**
+             * Format: int64
+             * @description Longest wait that `Prefer: wait` can ask for, in seconds.
+             */
             wait_max_s: number;
             /** @description Whether requests may name a `callback_url`. */
             webhooks: boolean;
@@ -1992,11 +2130,17 @@ export interface components {
              * @description Area, in square units of the request's unit of length.
              */
             area: number;
-            /** @description Number of closed loops of boundary edges. */
+            /**
+             * Format: int64
+             * @description Number of closed loops of boundary edges.
+             */
             boundary_loops: number;
             /** @description Proven lower bound of the area. Null without `certify`. */
             certificate: components["schemas"]["Certificate"] | null;
-            /** @description Number of connected parts. */
+            /**
+             * Format: int64
+             * @description Number of connected parts.
+             */
             components: number;
             /**
              * @description Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
@@ -2004,11 +2148,17 @@ export interface components {
              *     `least_squares_tolerance` for `minimal_mean_curvature`.
              */
             converged: boolean;
-            /** @description Number of triangles without an area, up to rounding. */
+            /**
+             * Format: int64
+             * @description Number of triangles without an area, up to rounding.
+             */
             degenerate_triangles: number;
             /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
-            /** @description Number of edges that were flipped. */
+            /**
+             * Format: int64
+             * @description Number of edges that were flipped.
+             */
             edges_swapped: number;
             /**
              * Format: int64
@@ -2017,7 +2167,10 @@ export interface components {
             euler_characteristic: number;
             /** @description Null if the boundary's points do not allow a second resolution, and for unstable surfaces. */
             extrapolated_area: components["schemas"]["ExtrapolatedArea"] | null;
-            /** @description Number of triangles that are turned over against their neighbours. */
+            /**
+             * Format: int64
+             * @description Number of triangles that are turned over against their neighbours.
+             */
             flipped_triangles: number;
             /**
              * Format: int64
@@ -2033,7 +2186,10 @@ export interface components {
             initial_area: number;
             /** @description Initial mesh that was built. */
             initial_mesh: string;
-            /** @description Number of iterations. */
+            /**
+             * Format: int64
+             * @description Number of iterations.
+             */
             iterations: number;
             /** @description Null unless the initial mesh of the film has edges with three triangles. */
             junctions: components["schemas"]["Junctions"] | null;
@@ -2062,6 +2218,7 @@ export interface components {
              */
             residual_full: number;
             /**
+             * Format: int64
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
              *     mesh. Null if not all pairs were looked at.
              */
@@ -2076,9 +2233,15 @@ export interface components {
             stability: components["schemas"]["Stability"] | null;
             /** @description Rule or limit that ended the solver. */
             stop_reason: string;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
-            /** @description Number of vertices. */
+            /**
+             * Format: int64
+             * @description Number of vertices.
+             */
             vertices: number;
         };
         /** @description A job: an accepted request and its state. */
@@ -2212,7 +2375,10 @@ export interface components {
             processes?: components["schemas"]["ProcessStage"][] | null;
             /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
             resolution?: components["schemas"]["Resolution"] | null;
-            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`. */
+            /**
+             * Format: int64
+             * @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`.
+             */
             seed?: number | null;
             /** @description Method that minimises the area. Only with `objective: minimal_area`. */
             solver?: components["schemas"]["Solver"] | null;
@@ -2323,7 +2489,10 @@ export interface components {
             processes?: components["schemas"]["ProcessStage"][] | null;
             /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
             resolution?: components["schemas"]["Resolution"] | null;
-            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`. */
+            /**
+             * Format: int64
+             * @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. Only with `initial_mesh: barycentres`, or `objective: minimal_mean_curvature` and `initial_mesh: auto`.
+             */
             seed?: number | null;
             /** @description Method that minimises the area. Only with `objective: minimal_area`. */
             solver?: components["schemas"]["Solver"] | null;
@@ -2384,7 +2553,10 @@ export interface components {
             axial_stiffness: number | null;
             /** @description Smallest and largest value. */
             edge_lengths: components["schemas"]["ValueRange"];
-            /** @description Number of its edges. */
+            /**
+             * Format: int64
+             * @description Number of its edges.
+             */
             edges: number;
             /**
              * Format: double
@@ -2420,7 +2592,10 @@ export interface components {
             length_deviation: number | null;
             /** @description Name. */
             name: string;
-            /** @description Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension. */
+            /**
+             * Format: int64
+             * @description Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension.
+             */
             slack_edges: number;
             /**
              * Format: double
@@ -2440,7 +2615,10 @@ export interface components {
         NetReaction: {
             /** @description Force of the support on the net. */
             force: number[];
-            /** @description Number of the vertex, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the vertex, counted from 0.
+             */
             vertex: number;
         };
         /** @description A NURBS patch. */
@@ -2491,6 +2669,13 @@ export interface components {
                 [key: string]: string[];
             }[];
         };
+        /** @description The sum of the named objectives times their weights. */
+        ObjectiveSum: {
+            /** @description Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`. */
+            normalise?: boolean | null;
+            /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
+            weights: components["schemas"]["Weights"];
+        };
         /**
          * @description Treatment of a stationary surface that is not a local minimum.
          *
@@ -2519,7 +2704,10 @@ export interface components {
         };
         /** @description A change of topology. */
         Pinch: {
-            /** @description Number of the iteration, counted from 1. */
+            /**
+             * Format: int64
+             * @description Number of the iteration, counted from 1.
+             */
             iteration: number;
             /** @description Place of the change in the request's unit and axes. */
             place: number[];
@@ -2604,12 +2792,7 @@ export interface components {
          */
         Process: "laplacian_fairing" | "area_minimising" | "edge_swapping";
         /** @description One process, or several that take turns. */
-        ProcessStage: components["schemas"]["Process"] | components["schemas"]["Processes"];
-        /** @description Processes that take turns in one stage. */
-        Processes: {
-            /** @description The processes in the order of each turn. */
-            together: components["schemas"]["Process"][];
-        };
+        ProcessStage: components["schemas"]["Process"] | components["schemas"]["AlternatingProcesses"];
         /** @description Progress of a job. */
         Progress: {
             /**
@@ -2617,7 +2800,10 @@ export interface components {
              * @description Fraction of the work that is done, from 0 to 1. It never falls within one attempt.
              */
             fraction: number;
-            /** @description Number of the iteration, counted from 1. */
+            /**
+             * Format: int64
+             * @description Number of the iteration, counted from 1.
+             */
             iteration: number;
             /**
              * Format: double
@@ -2665,7 +2851,10 @@ export interface components {
         Ring: {
             /** @description Direction in which the ring moves. It needs no unit length. */
             axis: number[];
-            /** @description Number of the boundary, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the boundary, counted from 0.
+             */
             boundary: number;
             /**
              * Format: double
@@ -2677,7 +2866,10 @@ export interface components {
         };
         /** @description A ring of the found shape. */
         RingPosition: {
-            /** @description Number of the boundary, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the boundary, counted from 0.
+             */
             boundary: number;
             /**
              * Format: double
@@ -2697,7 +2889,10 @@ export interface components {
              * @description Bending energy of the strip, without a unit.
              */
             bending_energy: number;
-            /** @description Number of bridges, which are the edges between the rails. */
+            /**
+             * Format: int64
+             * @description Number of bridges, which are the edges between the rails.
+             */
             bridges: number;
             /** @description Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`. */
             comparison: components["schemas"]["Comparison"][] | null;
@@ -2706,7 +2901,10 @@ export interface components {
              * @description Number of locally convex bridges over the number of bridges.
              */
             convex_bridge_ratio: number;
-            /** @description Number of bridges that are locally convex. */
+            /**
+             * Format: int64
+             * @description Number of bridges that are locally convex.
+             */
             convex_bridges: number;
             /**
              * Format: double
@@ -2758,6 +2956,7 @@ export interface components {
              */
             secondary_value: number | null;
             /**
+             * Format: int64
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
              *     mesh. Null if not all pairs were looked at.
              */
@@ -2776,9 +2975,15 @@ export interface components {
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
-            /** @description Number of vertices of the mesh. */
+            /**
+             * Format: int64
+             * @description Number of vertices of the mesh.
+             */
             vertices: number;
         };
         /** @description A job: an accepted request and its state. */
@@ -3022,14 +3227,20 @@ export interface components {
              * @description The same difference before the nodes moved.
              */
             deviation_before: number;
-            /** @description Number of different lengths. */
+            /**
+             * Format: int64
+             * @description Number of different lengths.
+             */
             lengths: number;
         };
         /** @description A support without friction. What slides is exactly one of `along`, `boundary` and `point`. */
         SlidingSupport: {
             /** @description Part of a boundary, without its two ends. */
             along?: components["schemas"]["Along"] | null;
-            /** @description Number of a boundary that slides as a whole. */
+            /**
+             * Format: int64
+             * @description Number of a boundary that slides as a whole.
+             */
             boundary?: number | null;
             /**
              * Format: double
@@ -3133,7 +3344,10 @@ export interface components {
             lowest_eigenvalue: number;
             /** @description Method that gave the index. */
             method: components["schemas"]["StabilityMethod"];
-            /** @description Number of negative eigenvalues. Null if rounding does not decide the sign of one. */
+            /**
+             * Format: int64
+             * @description Number of negative eigenvalues. Null if rounding does not decide the sign of one.
+             */
             morse_index: number | null;
             /**
              * @description Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. Null where
@@ -3164,11 +3378,20 @@ export interface components {
         };
         /** @description One group of members at one stage. */
         StageGroup: {
-            /** @description Number of members. */
+            /**
+             * Format: int64
+             * @description Number of members.
+             */
             count: number;
-            /** @description Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one. */
+            /**
+             * Format: int64
+             * @description Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one.
+             */
             distinct_lengths: number;
-            /** @description Number of members within the tolerance of the edge length. */
+            /**
+             * Format: int64
+             * @description Number of members within the tolerance of the edge length.
+             */
             equal_edges: number;
             /**
              * Format: double
@@ -3229,14 +3452,20 @@ export interface components {
              * @description Bending energy of the strip, without a unit.
              */
             bending_energy: number;
-            /** @description Number of bridges, which are the edges between the rails. */
+            /**
+             * Format: int64
+             * @description Number of bridges, which are the edges between the rails.
+             */
             bridges: number;
             /**
              * Format: double
              * @description Number of locally convex bridges over the number of bridges.
              */
             convex_bridge_ratio: number;
-            /** @description Number of bridges that are locally convex. */
+            /**
+             * Format: int64
+             * @description Number of bridges that are locally convex.
+             */
             convex_bridges: number;
             /**
              * Format: double
@@ -3284,18 +3513,30 @@ export interface components {
              * @description Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
              */
             total_normal_twist: number;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
         };
         /** @description A support at the end of a cable. */
         SupportReaction: {
-            /** @description Number of the boundary, or null for a support in the air. */
+            /**
+             * Format: int64
+             * @description Number of the boundary, or null for a support in the air.
+             */
             boundary: number | null;
             /** @description Force of the support on the structure. */
             force: number[];
-            /** @description Number of the boundary's point. */
+            /**
+             * Format: int64
+             * @description Number of the boundary's point.
+             */
             point: number | null;
-            /** @description Number of the vertex, counted from 0. */
+            /**
+             * Format: int64
+             * @description Number of the vertex, counted from 0.
+             */
             vertex: number;
         };
         /** @description The mesh beside the curved surface that it stands for. All nodes lie on the surface. */
@@ -3397,17 +3638,26 @@ export interface components {
             contact_angle_deg: components["schemas"]["AngleRange"] | null;
             /** @description Whether the solver has met its own rule. */
             converged: boolean;
-            /** @description Number of triangles without an area, up to rounding. */
+            /**
+             * Format: int64
+             * @description Number of triangles without an area, up to rounding.
+             */
             degenerate_triangles: number;
             /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
             /** @description Supports along the fixed parts of the boundaries. */
             edge_reactions: components["schemas"]["EdgeReaction"][];
-            /** @description Number of triangles that are turned over against their neighbours. */
+            /**
+             * Format: int64
+             * @description Number of triangles that are turned over against their neighbours.
+             */
             flipped_triangles: number;
             /** @description Unit of the forces. */
             force_unit: string;
-            /** @description Number of iterations. */
+            /**
+             * Format: int64
+             * @description Number of iterations.
+             */
             iterations: number;
             /** @description The layers. A single film is one. */
             layers: components["schemas"]["LayerFigures"][];
@@ -3445,7 +3695,10 @@ export interface components {
             residual: number;
             /** @description The rings with their places. */
             rings: components["schemas"]["RingPosition"][];
-            /** @description Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at. */
+            /**
+             * Format: int64
+             * @description Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at.
+             */
             self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_pairs`, `deadline_passed`. */
             self_intersections_skipped: string | null;
@@ -3455,9 +3708,15 @@ export interface components {
             stop_reason: string;
             /** @description Stresses of all layers. Null if the forces could not be balanced. */
             stress: components["schemas"]["FilmStress"] | null;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
-            /** @description Number of vertices. */
+            /**
+             * Format: int64
+             * @description Number of vertices.
+             */
             vertices: number;
             /**
              * Format: double
@@ -3530,7 +3789,7 @@ export interface components {
              *     `pressure` and `volume`.
              */
             chambers?: components["schemas"]["Chamber"][] | null;
-            /** @description The film. Required unless there are `layers`. */
+            /** @description The film between boundaries and cables. Required unless there are `layers`. */
             film?: components["schemas"]["TensileFilm"] | null;
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
@@ -3629,7 +3888,7 @@ export interface components {
              *     `pressure` and `volume`.
              */
             chambers?: components["schemas"]["Chamber"][] | null;
-            /** @description The film. Required unless there are `layers`. */
+            /** @description The film between boundaries and cables. Required unless there are `layers`. */
             film?: components["schemas"]["TensileFilm"] | null;
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
@@ -3900,13 +4159,22 @@ export interface components {
              *     says by how much.
              */
             converged: boolean;
-            /** @description Number of different lengths of members. */
+            /**
+             * Format: int64
+             * @description Number of different lengths of members.
+             */
             distinct_lengths: number;
             /** @description Minimum, mean, maximum and standard deviation (of the whole population) of a list of values. */
             edge_lengths: components["schemas"]["Spread"];
-            /** @description Number of edges. */
+            /**
+             * Format: int64
+             * @description Number of edges.
+             */
             edges: number;
-            /** @description Number of members within the tolerance of the edge length. */
+            /**
+             * Format: int64
+             * @description Number of members within the tolerance of the edge length.
+             */
             equal_edges: number;
             /** @description Lengths of the members of the lattice. */
             lattice_edges: components["schemas"]["GroupLengths"];
@@ -3918,27 +4186,38 @@ export interface components {
              */
             length_tolerance: number;
             /**
+             * Format: int64
              * @description For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
              *     Null for curved domains.
              */
             node_lower_bound: number | null;
-            /** @description Number of nodes. */
+            /**
+             * Format: int64
+             * @description Number of nodes.
+             */
             nodes: number;
             /** @description Name of the objective, as in `GET /v1/objectives`. */
             objective: string;
-            /** @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`. */
+            /**
+             * Format: int64
+             * @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`.
+             */
             objective_value: number;
             /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
             origin: number[];
             /** @description The first 200 members that are out of range. */
             out_of_range: components["schemas"]["OutOfRange"][];
-            /** @description Number of members whose length is outside the range of the objective. */
+            /**
+             * Format: int64
+             * @description Number of members whose length is outside the range of the objective.
+             */
             out_of_range_edges: number;
             /** @description Number of members that are out of range, for each reason. */
             out_of_range_reasons: {
                 [key: string]: number;
             };
             /**
+             * Format: int64
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
              *     mesh. Null if not all pairs were looked at.
              */
@@ -3951,7 +4230,10 @@ export interface components {
             stages: components["schemas"]["Stage"][];
             /** @description Curved domains: the mesh beside its surface. Null for polygons. */
             surface: components["schemas"]["SurfaceFit"] | null;
-            /** @description Number of triangles. */
+            /**
+             * Format: int64
+             * @description Number of triangles.
+             */
             triangles: number;
             /** @description Entry k is the number of nodes with k members. */
             valence_histogram: number[];
@@ -4027,13 +4309,6 @@ export interface components {
             warp: components["schemas"]["StressRange"];
             /** @description The stress along the weft. */
             weft: components["schemas"]["StressRange"];
-        };
-        /** @description The sum of the named objectives times their weights. */
-        WeightedSum: {
-            /** @description Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`. */
-            normalise?: boolean | null;
-            /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
-            weights: components["schemas"]["Weights"];
         };
         /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
         Weights: {
@@ -4324,7 +4599,10 @@ export interface operations {
                      */
                     "application/json": {
                         status: string;
-                        /** @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. They go on in threads of this process. From `jobs.unresponsive_max` on, further jobs are solved in processes of their own, which are killed instead. */
+                        /**
+                         * Format: int64
+                         * @description Number of solvers that did not end in time after a cancel or their deadline, and were given up. They go on in threads of this process. From `jobs.unresponsive_max` on, further jobs are solved in processes of their own, which are killed instead.
+                         */
                         unresponsive_solvers?: number;
                     };
                 };
@@ -4440,40 +4718,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T20:23:43.642Z",
-                     *       "finished_at": "2026-11-28T20:23:43.642Z",
-                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *       "created_at": "2026-11-29T00:04:32.337Z",
+                     *       "finished_at": "2026-11-29T00:04:32.337Z",
+                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
+                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
-                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
+                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
+                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
-                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
+                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
-                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
+                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
+                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4501,40 +4779,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T20:23:43.642Z",
-                     *       "finished_at": "2026-11-28T20:23:43.642Z",
-                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *       "created_at": "2026-11-29T00:04:32.337Z",
+                     *       "finished_at": "2026-11-29T00:04:32.337Z",
+                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
+                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
-                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
+                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
+                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
-                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
+                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
-                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
+                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
+                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4589,40 +4867,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T20:23:43.642Z",
-                     *       "finished_at": "2026-11-28T20:23:43.642Z",
-                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *       "created_at": "2026-11-29T00:04:32.337Z",
+                     *       "finished_at": "2026-11-29T00:04:32.337Z",
+                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
+                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
-                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
+                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
+                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
-                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
+                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
-                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
+                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
+                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4789,40 +5067,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-28T20:23:43.642Z",
-                     *       "finished_at": "2026-11-28T20:23:43.642Z",
-                     *       "id": "01M8HX7XRTEPC2F3VSJAWBD9PE",
+                     *       "created_at": "2026-11-29T00:04:32.337Z",
+                     *       "finished_at": "2026-11-29T00:04:32.337Z",
+                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8HX7XRS57EQ9H7V234AC2B9",
+                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9/request",
-                     *             "self": "/v1/jobs/01M8HX7XRS57EQ9H7V234AC2B9"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
+                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8HX7XRSQGKKD5D18DSHG51K",
+                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE",
-                     *             "events": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K/request",
-                     *             "self": "/v1/jobs/01M8HX7XRSQGKKD5D18DSHG51K"
+                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
+                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE/meshes",
-                     *         "self": "/v1/batches/01M8HX7XRTEPC2F3VSJAWBD9PE"
+                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
+                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4953,18 +5231,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.629Z",
+                     *       "created_at": "2026-11-29T00:04:32.324Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.634Z",
-                     *       "finished_at": "2026-11-28T20:23:43.634Z",
-                     *       "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
+                     *       "expires_at": "2026-12-06T00:04:32.329Z",
+                     *       "finished_at": "2026-11-29T00:04:32.329Z",
+                     *       "id": "01M8J9W7Y4RH26ABBXEB996S0B",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
-                     *         "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
+                     *         "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
+                     *         "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -4974,7 +5252,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.051711199014824e-16
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.631Z",
+                     *       "started_at": "2026-11-29T00:04:32.326Z",
                      *       "statistics": {
                      *         "balance": {
                      *           "imbalance": 8.322848724585886e-17,
@@ -5104,18 +5382,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.629Z",
+                     *       "created_at": "2026-11-29T00:04:32.324Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
+                     *       "id": "01M8J9W7Y4RH26ABBXEB996S0B",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/cancel",
-                     *         "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
-                     *         "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
-                     *         "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
+                     *         "cancel": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/cancel",
+                     *         "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
+                     *         "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
+                     *         "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5298,18 +5576,18 @@ export interface operations {
                      *       "jobs": [
                      *         {
                      *           "cancelled_because": null,
-                     *           "created_at": "2026-11-28T20:23:43.629Z",
+                     *           "created_at": "2026-11-29T00:04:32.324Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T20:23:43.634Z",
-                     *           "finished_at": "2026-11-28T20:23:43.634Z",
-                     *           "id": "01M8HX7XRDWPF1ESZSH1D19BMQ",
+                     *           "expires_at": "2026-12-06T00:04:32.329Z",
+                     *           "finished_at": "2026-11-29T00:04:32.329Z",
+                     *           "id": "01M8J9W7Y4RH26ABBXEB996S0B",
                      *           "kind": "cable_net",
                      *           "label": "an example",
                      *           "links": {
-                     *             "events": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ/request",
-                     *             "self": "/v1/jobs/01M8HX7XRDWPF1ESZSH1D19BMQ"
+                     *             "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
+                     *             "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5319,24 +5597,24 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.051711199014824e-16
                      *           },
-                     *           "started_at": "2026-11-28T20:23:43.631Z",
+                     *           "started_at": "2026-11-29T00:04:32.326Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         },
                      *         {
                      *           "cancelled_because": null,
-                     *           "created_at": "2026-11-28T20:23:43.609Z",
+                     *           "created_at": "2026-11-29T00:04:32.301Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-05T20:23:43.624Z",
-                     *           "finished_at": "2026-11-28T20:23:43.624Z",
-                     *           "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
+                     *           "expires_at": "2026-12-06T00:04:32.319Z",
+                     *           "finished_at": "2026-11-29T00:04:32.319Z",
+                     *           "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
                      *           "kind": "tensile_structure",
                      *           "label": "an example",
                      *           "links": {
-                     *             "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
-                     *             "mesh": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/mesh",
-                     *             "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
-                     *             "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
+                     *             "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
+                     *             "mesh": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/mesh",
+                     *             "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
+                     *             "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5346,12 +5624,12 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.3106481918620263e-12
                      *           },
-                     *           "started_at": "2026-11-28T20:23:43.611Z",
+                     *           "started_at": "2026-11-29T00:04:32.303Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         }
                      *       ],
-                     *       "next_cursor": "01M8HX7XQRV3GR0F7FSHNED6KW"
+                     *       "next_cursor": "01M8J9W7XDPBK4KRBH3Y00ZPRM"
                      *     }
                      */
                     "application/json": components["schemas"]["JobList"];
@@ -5393,18 +5671,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.576Z",
+                     *       "created_at": "2026-11-29T00:04:32.195Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.586Z",
-                     *       "finished_at": "2026-11-28T20:23:43.586Z",
-                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
+                     *       "expires_at": "2026-12-06T00:04:32.214Z",
+                     *       "finished_at": "2026-11-29T00:04:32.214Z",
+                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
-                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
+                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
+                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5414,7 +5692,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.578Z",
+                     *       "started_at": "2026-11-29T00:04:32.198Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -5647,18 +5925,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.576Z",
+                     *       "created_at": "2026-11-29T00:04:32.195Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.586Z",
-                     *       "finished_at": "2026-11-28T20:23:43.586Z",
-                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
+                     *       "expires_at": "2026-12-06T00:04:32.214Z",
+                     *       "finished_at": "2026-11-29T00:04:32.214Z",
+                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
-                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
+                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
+                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5668,7 +5946,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.578Z",
+                     *       "started_at": "2026-11-29T00:04:32.198Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -5860,6 +6138,7 @@ export interface operations {
                         event: "status" | "progress";
                         /** @description `attempt.sequence` */
                         id: string;
+                        /** Format: int64 */
                         retry?: number;
                     };
                 };
@@ -6383,18 +6662,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.576Z",
+                     *       "created_at": "2026-11-29T00:04:32.195Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.586Z",
-                     *       "finished_at": "2026-11-28T20:23:43.586Z",
-                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
+                     *       "expires_at": "2026-12-06T00:04:32.214Z",
+                     *       "finished_at": "2026-11-29T00:04:32.214Z",
+                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
-                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
+                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
+                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6404,7 +6683,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.2554828767319298e-9
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.578Z",
+                     *       "started_at": "2026-11-29T00:04:32.198Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 101.73816570796455,
@@ -6504,18 +6783,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.576Z",
+                     *       "created_at": "2026-11-29T00:04:32.195Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HX7XPRNRN0979J1ZSPV8WN",
+                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/cancel",
-                     *         "events": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/events",
-                     *         "request": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN/request",
-                     *         "self": "/v1/jobs/01M8HX7XPRNRN0979J1ZSPV8WN"
+                     *         "cancel": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/cancel",
+                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
+                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
+                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6649,19 +6928,19 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.540Z",
+                     *       "created_at": "2026-11-29T00:04:32.175Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.572Z",
-                     *       "finished_at": "2026-11-28T20:23:43.572Z",
-                     *       "id": "01M8HX7XNK138WAVMR1YWHMYA9",
+                     *       "expires_at": "2026-12-06T00:04:32.188Z",
+                     *       "finished_at": "2026-11-29T00:04:32.188Z",
+                     *       "id": "01M8J9W7SEF1GNAKE25209MYV8",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/mesh",
-                     *         "pattern": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/pattern",
-                     *         "request": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/request",
-                     *         "self": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9"
+                     *         "events": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/mesh",
+                     *         "pattern": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/pattern",
+                     *         "request": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/request",
+                     *         "self": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6671,7 +6950,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.553Z",
+                     *       "started_at": "2026-11-29T00:04:32.179Z",
                      *       "statistics": {
                      *         "area": 2.109781157966821,
                      *         "bending_energy": 0.10213068530252087,
@@ -6760,18 +7039,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.540Z",
+                     *       "created_at": "2026-11-29T00:04:32.175Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HX7XNK138WAVMR1YWHMYA9",
+                     *       "id": "01M8J9W7SEF1GNAKE25209MYV8",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/cancel",
-                     *         "events": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/events",
-                     *         "request": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9/request",
-                     *         "self": "/v1/jobs/01M8HX7XNK138WAVMR1YWHMYA9"
+                     *         "cancel": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/cancel",
+                     *         "events": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/events",
+                     *         "request": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/request",
+                     *         "self": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6839,18 +7118,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.609Z",
+                     *       "created_at": "2026-11-29T00:04:32.301Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.624Z",
-                     *       "finished_at": "2026-11-28T20:23:43.624Z",
-                     *       "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
+                     *       "expires_at": "2026-12-06T00:04:32.319Z",
+                     *       "finished_at": "2026-11-29T00:04:32.319Z",
+                     *       "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
-                     *         "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
+                     *         "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
+                     *         "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6860,7 +7139,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.3106481918620263e-12
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.611Z",
+                     *       "started_at": "2026-11-29T00:04:32.303Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 108.74950315516689,
@@ -6992,18 +7271,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.609Z",
+                     *       "created_at": "2026-11-29T00:04:32.301Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HX7XQRV3GR0F7FSHNED6KW",
+                     *       "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/cancel",
-                     *         "events": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/events",
-                     *         "request": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW/request",
-                     *         "self": "/v1/jobs/01M8HX7XQRV3GR0F7FSHNED6KW"
+                     *         "cancel": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/cancel",
+                     *         "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
+                     *         "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
+                     *         "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7071,18 +7350,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.595Z",
+                     *       "created_at": "2026-11-29T00:04:32.227Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-05T20:23:43.604Z",
-                     *       "finished_at": "2026-11-28T20:23:43.604Z",
-                     *       "id": "01M8HX7XQBQSZ82PXWZRB4B67M",
+                     *       "expires_at": "2026-12-06T00:04:32.296Z",
+                     *       "finished_at": "2026-11-29T00:04:32.296Z",
+                     *       "id": "01M8J9W7V2159XCJRB3GPH78PY",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/events",
-                     *         "mesh": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/mesh",
-                     *         "request": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/request",
-                     *         "self": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M"
+                     *         "events": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/events",
+                     *         "mesh": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/mesh",
+                     *         "request": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/request",
+                     *         "self": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7092,7 +7371,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-28T20:23:43.597Z",
+                     *       "started_at": "2026-11-29T00:04:32.229Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 110.43137694084453,
@@ -7198,18 +7477,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-28T20:23:43.595Z",
+                     *       "created_at": "2026-11-29T00:04:32.227Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8HX7XQBQSZ82PXWZRB4B67M",
+                     *       "id": "01M8J9W7V2159XCJRB3GPH78PY",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/cancel",
-                     *         "events": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/events",
-                     *         "request": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M/request",
-                     *         "self": "/v1/jobs/01M8HX7XQBQSZ82PXWZRB4B67M"
+                     *         "cancel": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/cancel",
+                     *         "events": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/events",
+                     *         "request": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/request",
+                     *         "self": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY"
                      *       },
                      *       "metadata": null,
                      *       "progress": {

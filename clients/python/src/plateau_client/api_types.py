@@ -55,7 +55,7 @@ Direction = Literal['as_given', 'auto']
 ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
 """Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of
 area."""
-Goal = Union["RuledSurfaceObjective", "WeightedSum"]
+Goal = Union["RuledSurfaceObjective", "ObjectiveSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
 """Mesh that the solver starts from: built by the service, or supplied by the client."""
@@ -104,7 +104,7 @@ Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 - `laplacian_fairing`: Every interior vertex moves at once to the area-weighted mean of its neighbours.
 - `area_minimising`: The vertices move one after the other, each towards the least area of its triangles.
 - `edge_swapping`: Edges are flipped where that lowers the area."""
-ProcessStage = Union["Process", "Processes"]
+ProcessStage = Union["Process", "AlternatingProcesses"]
 """One process, or several that take turns."""
 RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind", "CableNetRequestWithKind"]
 """A request that names its kind."""
@@ -166,6 +166,12 @@ from them, with the warning `stress_deviates`."""
 
 Along = TypedDict("Along", {"boundary": "NotRequired[Optional[int]]", "from": "int", "to": "int"})
 """A part of a boundary, in the boundary's direction. Points are counted from 0."""
+
+
+class AlternatingProcesses(TypedDict):
+    """Processes that take turns in one stage."""
+    together: Sequence[Process]
+    """The processes in the order of each turn."""
 
 
 class AngleRange(TypedDict):
@@ -1526,6 +1532,14 @@ class ObjectiveOption(TypedDict):
     list is empty if the option always acts."""
 
 
+class ObjectiveSum(TypedDict):
+    """The sum of the named objectives times their weights."""
+    normalise: NotRequired[Optional[bool]]
+    """Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`."""
+    weights: Weights
+    """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
+
+
 class OutOfRange(TypedDict):
     """A member outside the range from the edge length to its double."""
     length: float
@@ -1598,12 +1612,6 @@ class ProblemKind(TypedDict):
 class ProblemList(TypedDict):
     problems: List[ProblemKind]
     """The kinds, those of problem documents first."""
-
-
-class Processes(TypedDict):
-    """Processes that take turns in one stage."""
-    together: Sequence[Process]
-    """The processes in the order of each turn."""
 
 
 class Progress(TypedDict):
@@ -2215,7 +2223,7 @@ class TensileStructureRequest(TypedDict):
     """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     `pressure` and `volume`."""
     film: NotRequired[Optional[TensileFilm]]
-    """The film. Required unless there are `layers`."""
+    """The film between boundaries and cables. Required unless there are `layers`."""
     free_points: NotRequired[Optional[Sequence[BoundaryPoint]]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
@@ -2285,7 +2293,7 @@ class TensileStructureRequestWithKind(TypedDict):
     """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     `pressure` and `volume`."""
     film: NotRequired[Optional[TensileFilm]]
-    """The film. Required unless there are `layers`."""
+    """The film between boundaries and cables. Required unless there are `layers`."""
     free_points: NotRequired[Optional[List[BoundaryPoint]]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
@@ -2561,14 +2569,6 @@ class WeaveStress(TypedDict):
     """The stress along the warp."""
     weft: StressRange
     """The stress along the weft."""
-
-
-class WeightedSum(TypedDict):
-    """The sum of the named objectives times their weights."""
-    normalise: NotRequired[Optional[bool]]
-    """Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`."""
-    weights: Weights
-    """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
 
 
 class Weights(TypedDict):

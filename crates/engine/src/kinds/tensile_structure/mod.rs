@@ -140,7 +140,7 @@ pub struct TensileStructureRequest {
     pub up: UpAxis,
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
     pub boundaries: List<List<Point, 3>, 1>,
-    /// The film. Required unless there are `layers`.
+    /// The film between boundaries and cables. Required unless there are `layers`.
     #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Film")]
     pub film: Option<Film>,
