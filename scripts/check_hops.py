@@ -227,7 +227,8 @@ def check_files():
     """Patterns and schedules as lines, and the Grasshopper files in the repository."""
     strip = solve("ruled-strip", curves("Rails", [polyline([(0, y, 0), (1, y, y / 4), (2, y, 0)]) for y in (0, 1)]))
     drawing = solve("pattern", text("Job", strip["Job"][0]), text("Query", "format=dxf"))["Lines"]
-    assert drawing[0].strip() == "0" and drawing[1] == "SECTION" and drawing[-1] == "EOF", drawing[:4]
+    # The first pair is a comment with the program's name.
+    assert [line.strip() for line in drawing[:4]] == ["999", drawing[1], "0", "SECTION"] and drawing[-1] == "EOF", drawing[:4]
     table = solve("schedule", text("Job", strip["Job"][0]), text("Query", "part=bends"))["Lines"]
     assert len(table) > 1 and "," in table[0], table
     subprocess.run([sys.executable, str(Path(__file__).parent / "grasshopper_files.py"), "--check"], check=True)
