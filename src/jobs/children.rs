@@ -34,7 +34,7 @@ const PROGRAM: &str = "/proc/self/exe";
 const ENVIRONMENT: [(&str, &str); 2] = [("MIMALLOC_ARENA_RESERVE", "64M"), ("MALLOC_ARENA_MAX", "1")];
 /// Signals that come from outside of a process. Other signals follow a fault of its own.
 const FROM_OUTSIDE: [Signal; 5] = [Signal::HUP, Signal::INT, Signal::KILL, Signal::QUIT, Signal::TERM];
-/// Time that a child has to end after it has closed its output.
+/// Time for a child to end after its output was closed.
 const EXIT_PATIENCE: Duration = Duration::from_secs(10);
 /// Length that a message may have however small the job is.
 const LEAST_MOST_BYTES: u64 = 1 << 20;
@@ -95,7 +95,7 @@ impl Children {
         Self { possible, ids: Mutex::default() }
     }
 
-    /// Sets the metrics of this process to what it and its children have taken.
+    /// Sets the metrics of memory and processor time to the sums over the service and its children.
     pub fn note_usage(&self) {
         let own = metrics_process::collector::collect();
         let running: Vec<u32> = self.ids().iter().copied().collect();
@@ -122,7 +122,7 @@ fn resident_bytes(id: u32) -> Option<u64> {
     Some(pages.split(' ').nth(1)?.parse::<u64>().ok()? * page_size() as u64)
 }
 
-/// Returns the processor time of a process in ticks: its own, or that of its children that have ended.
+/// Returns the processor time of a process, or that of the process's ended children, in ticks.
 fn ticks(process: &str, of: Ticks) -> Option<u64> {
     let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     // The name of the process is in parentheses. The third field follows.
