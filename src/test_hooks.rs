@@ -37,8 +37,8 @@ const STATEMENTS: &str = "statements";
 /// Separates the texts in the files [`FAULT`] and [`STATEMENTS`]. No statement contains this character or [`END`].
 const BETWEEN: char = '\u{1}';
 const END: char = '\u{2}';
-/// Names of the files that make a child process take memory without end, end itself, recurse without end, or write what
-/// is no answer, in place of solving.
+/// Names of the files that make a child process misbehave in place of solving: it takes memory without end, aborts,
+/// recurses without end, or writes bytes that are no answer.
 const MISBEHAVIOURS: [&str; 4] = ["allocate", "abort", "overflow", "rubbish"];
 /// Variable that makes every job run on a thread, as on a system without `/proc`.
 const NO_CHILDREN: &str = "PLATEAU_TEST_NO_CHILDREN";

@@ -1,4 +1,4 @@
-// What the TypeScript programs share: the examples, and how an answer to one is checked.
+// The examples that each TypeScript program sends, and the check of an answer.
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 

@@ -128,9 +128,9 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
-/// Finds the shape on the initial mesh. If the search does not converge for a woven film, it starts again in other ways: from
-/// the straight lines between two boundaries, because a harmonic map narrows to a neck that unequal stresses do not
-/// have, and on a mesh that is renewed while the edges move.
+/// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other starts follow. The
+/// first is the surface of straight lines between two boundaries, because a harmonic map narrows to a neck that unequal
+/// stresses do not have. The second is a mesh that is renewed while the edges move.
 fn find_from_starts(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let find = |first_shape: FirstShape, meshes: Meshes, exec: &Execution| {
         let mut model = exec

@@ -1,5 +1,5 @@
-// What the page begins with: a link's content, what was being worked on, an example that the address names, or a
-// canopy.
+// The first document of the page. It is the content of a link, the last document that was worked on, an example that
+// the address names, or a canopy.
 
 import { ConnectionFailed, type ExampleSummary, type Kind, NotFound, type ObjectiveList, Unauthorized } from 'plateau-client';
 import { hasKey, plateau, published } from '../api';

@@ -1,5 +1,6 @@
-// What the whole page shares: the document, the stage that it is drawn on, and what is shown of a result. Nothing here
-// acts: the modules beside it read and change it, and each of them knows only those that main.ts names before it.
+// The state that all modules of the page share: the document, the stage on which the document is drawn, and the shown
+// result. Nothing here acts. The other modules read and change this state, and each of them imports only modules that
+// main.ts names before it.
 
 import type { ExampleSummary, JobInfo, Objective } from 'plateau-client';
 import { $ } from '../dom';

@@ -528,9 +528,9 @@ impl<'a> SpanningProblem<'a> {
         Ok(least.1)
     }
 
-    /// Solves all boundaries in the other order. The initial mesh depends on the order: the outer circle of an annulus is
-    /// the first of two boundaries of equal length, and the vertices are numbered in the order of the boundaries. A film
-    /// may therefore be found in one order only. The loops of the returned film are in the usual order.
+    /// Solves all boundaries in the other order. A film may be found in one order only, because the initial mesh depends
+    /// on the order. If two boundaries are equally long, the first one becomes the outer circle of the annulus, and
+    /// vertices are numbered in the order of the boundaries. The loops of the returned film are in the usual order.
     fn in_other_order(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Option<SolvedFilm>, Error> {
         let listed: Vec<Vec<DVec3>> = self.other_order.iter().map(|&k| boundaries[k].clone()).collect();
         let solved = self.connected(&listed, &InitialMesh::Auto, None, true, exec)?;

@@ -63,8 +63,8 @@ fn a_fold_of_half_a_turn_is_seen_and_auto_takes_the_direction_without_it() {
     assert!(auto.warnings.is_empty(), "{:?}", auto.warnings);
 }
 
-/// Both rails run back upon themselves. A sharp edge of a profile is no fault of the strip, but here the two sides lie in
-/// one place.
+/// Both rails run back upon themselves, so that the two sides of their sharp edge lie in the same place. Any other sharp
+/// edge of a profile is no fault of the strip.
 #[test]
 fn a_fold_of_half_a_turn_is_reported_where_the_rails_have_it_too() {
     let rail = |y: f64, last: f64| [[0.0, y], [1.0, y], [last, y]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();

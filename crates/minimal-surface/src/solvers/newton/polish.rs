@@ -35,9 +35,9 @@ const MOST_REFINED_FOLDS: u32 = 3;
 const OPENINGS: u32 = 4;
 
 impl Solve<'_> {
-    /// Refines a film that has converged with a few flipped triangles around these, and solves it again, as long as this
-    /// leaves fewer of them. They arise where a boundary of close points turns to and fro, because a triangle of the
-    /// boundary's points cannot move.
+    /// Refines a converged film around its flipped triangles, if these are few, and solves the film again. Repeats this
+    /// as long as fewer triangles are flipped. Such triangles arise where a boundary of close points turns to and fro,
+    /// because a triangle whose corners lie on the boundary cannot move.
     pub(super) fn refine_at_folds(
         &mut self,
         film: &mut Film,
