@@ -357,7 +357,8 @@ mod tests {
     fn charts_leave_out_no_triangle_that_intersects_another() {
         let mut random = SplitMix64::new(16);
         let (mut all, mut suspected, mut crossing) = (0, 0, 0);
-        for case in 0..3000 {
+        let cases = if std::env::var_os("PLATEAU_FULL").is_some() { 3000 } else { 1000 };
+        for case in 0..cases {
             let (vertices, triangles) = net(&mut random);
             let (found, suspects) = found_among_suspects(&vertices, &triangles, [1, 2, 3, 4, 7, 16][case % 6]);
             all += triangles.len();
@@ -365,8 +366,8 @@ mod tests {
             crossing += usize::from(found.pairs > 0);
         }
         // Both kinds of mesh are frequent, and the charts settle a part of them.
-        assert!((300..2900).contains(&crossing), "{crossing}");
-        assert!(suspected + 30_000 < all, "{suspected} of {all}");
+        assert!((cases / 10..cases * 29 / 30).contains(&crossing), "{crossing} of {cases}");
+        assert!(suspected + 10 * cases < all, "{suspected} of {all}");
     }
 
     /// A ramp of one and a half turns, seen from above: its boundary is one polygon, which crosses itself.

@@ -412,7 +412,7 @@ fn hard_cases() -> Vec<(String, Value)> {
 }
 
 /// Cases that each take seconds and are left to `scripts/test --full`.
-const LONG: [&str; 8] = [
+const LONG: [&str; 12] = [
     "best",
     "film_T_roof_200000",
     "film_gps_corr_4000",
@@ -421,6 +421,10 @@ const LONG: [&str; 8] = [
     "loops_octa_0.97_best",
     "loops_of_111_points_free",
     "noisy_frame_of_139_points",
+    "rings_past_critical_2000",
+    "spiky_loops_that_cross_best",
+    "woven_column_k0.25_h7",
+    "woven_sail_with_a_sharp_corner",
 ];
 
 /// A solver cannot be cancelled while it works without a check of the signal.
@@ -487,7 +491,9 @@ fn best_finds_the_connected_film_that_fixed_finds() {
 #[test]
 fn the_largest_gap_is_that_of_the_catenoid() {
     // The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c)).
-    for (name, fraction) in [("rings_past_critical_300", 0.6803), ("rings_past_critical_2000", 0.4580)] {
+    // The first tier takes the coarse film, on which the neck is the hardest to see.
+    let cases = [("rings_past_critical_300", 0.6803), ("rings_past_critical_2000", 0.4580)];
+    for (name, fraction) in cases.into_iter().take(if crate::is_full() { 2 } else { 1 }) {
         let (statistics, _) = solved(name);
         let found = statistics["spanning"]["largest_gap_fraction"].as_f64().unwrap();
         assert!((found / fraction - 1.0).abs() < 0.02, "{name}: {found} for {fraction}");

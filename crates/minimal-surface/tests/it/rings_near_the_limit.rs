@@ -100,11 +100,13 @@ fn sweep(radii: &[f64], points: &[[usize; 2]], triangles: &[usize], factors: &[f
 #[test]
 fn beyond_the_largest_distance_nothing_converges_and_below_it_nothing_is_lost() {
     if std::env::var_os("PLATEAU_LONG").is_none() {
-        // The first tier takes the distances next to the limit, where a fault shows first.
+        // The first tier takes the distances next to the limit, where a fault shows first, and of the finer films those
+        // between the most unequal rings.
         let factors = [0.99, 1.01, 1.1, 0.7, 2.0];
         let factors = &factors[..if crate::is_full() { factors.len() } else { 2 }];
         sweep(&[1.0, 0.1], &[[48, 24]], &[300], factors);
-        sweep(&[1.0, 0.1, 0.001], &[[48, 24]], &[2000], factors);
+        let radii = [0.001, 0.1, 1.0];
+        sweep(&radii[..if crate::is_full() { radii.len() } else { 1 }], &[[48, 24]], &[2000], factors);
         // With only 300 triangles the edges at the small ring are many times as long as the ring is wide.
         sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[0.98, 0.99]);
         sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[1.005, 1.5]);

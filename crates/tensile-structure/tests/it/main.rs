@@ -14,3 +14,8 @@ mod random_structures;
 mod sliding_edges;
 mod tensile_structures;
 mod travelling;
+
+/// Whether `scripts/test --full` or `--long` runs the tests. The first tier takes fewer cases of the slowest tests.
+fn is_full() -> bool {
+    ["PLATEAU_FULL", "PLATEAU_LONG"].into_iter().any(|name| std::env::var_os(name).is_some())
+}
