@@ -217,6 +217,24 @@ test('two clicks measure a distance, which stays when the view turns, and Escape
   assert.equal(JSON.stringify(await page.evaluate(() => window.studio.request())), before, 'nothing is changed by it');
 });
 
+test('a narrow window and a phone have the measure and the box too', async () => {
+  const { page } = studio;
+  for (const viewport of [{ width: 1024, height: 768 }, { width: 390, height: 844 }]) {
+    await page.setViewportSize(viewport);
+    await studio.open('tent');
+    await page.click('#box');
+    assert.equal((await page.locator('.tag:visible').all()).length, 3, `box at ${viewport.width}`);
+    await page.click('#box');
+    await page.click('#measure');
+    const seen = await points(page);
+    for (const point of seen.slice(0, 2)) await page.mouse.click(...await onStage(page, point));
+    assert.match(await page.textContent('#label'), /^8\.544 m/, `measure at ${viewport.width}`);
+    await page.click('#measure');
+    assert.equal(await page.isVisible('#label'), false);
+  }
+  await page.setViewportSize({ width: 1280, height: 720 });
+});
+
 test('a box around the result says its sizes, also after a change', async () => {
   const { page } = studio;
   await studio.open('tent');

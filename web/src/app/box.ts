@@ -5,14 +5,16 @@ import { metresOf, unitOf, type Vec3 } from '../model/request';
 import { type Lines, retire, wideLines } from '../stage/surface';
 import { number } from '../text';
 import { measures, tagReactions } from './notes';
+import { moreLayers } from './result';
 import { look, session, stage, surface } from './session';
 
 let isOn = false;
 let lines: Lines | null = null;
-const button = el('button', { type: 'button', id: 'box', className: 'roomy', 'aria-pressed': 'false', title: 'Show the box around the result with its sizes', onclick: toggle }, 'Box');
+const button = el('button', { type: 'button', id: 'box', 'aria-pressed': 'false', title: 'Show the box around the result with its sizes', onclick: toggle }, 'Box');
 
 export function offerBox(): void {
-  $('measure').after(button);
+  moreLayers.push(button);
+  $('layers').append(button);
   measures.of = place;
 }
 

@@ -193,8 +193,11 @@ function showLayers(): void {
       stage.keepInside(true);
     });
     return button;
-  }), drawingLayer());
+  }), drawingLayer(), ...moreLayers);
 }
+
+/** Buttons of layers that modules loaded later add. */
+export const moreLayers: HTMLElement[] = [];
 
 function drawingLayer(): HTMLElement {
   const button = el('button', { type: 'button', 'aria-pressed': String(sketch.group.visible) }, 'Drawing');
