@@ -173,6 +173,10 @@ test('no choice is cut off, and the legend leaves the model free', async () => {
   await studio.open('four-point-sail');
   const [bar, card] = [await page.locator('#scale-bar').boundingBox(), await page.locator('#look').boundingBox()];
   assert.ok(bar.width > card.width - 40, 'the scale fills its card');
+  // The ring of this tent has reactions of many digits.
+  await studio.open('conic-tent');
+  const widths = await page.locator('.wide:has(#reactions)').evaluate((region) => [region.scrollWidth, region.clientWidth]);
+  assert.ok(widths[0] <= widths[1], `the reactions take ${widths[0]} of ${widths[1]} pixels`);
 });
 
 test.quick('the scale bar is as long as it says, in every view', async () => {

@@ -16,7 +16,7 @@ import{$ as sr,Aa as Wn,Ab as Hi,B as Oe,Ba as xe,Bb as Lr,C as Gs,Ca as Xn,Cb a
 .stacked select { color: var(--ink); width: 100%; }
 .asks { color: var(--warn); font-weight: 500; }
 .layers { border: 0; padding: 0; margin: 0; display: grid; gap: 3px; max-height: 132px; overflow-y: auto; }
-#details #reactions :is(th, td) { white-space: normal; padding-right: 5px; }
+#details #reactions :is(th, td) { white-space: normal; padding-right: 4px; font-size: 11.5px; }
 #details #reactions td { white-space: nowrap; }
 #details #reactions :is(th, td):last-child { padding-right: 0; font-weight: 500; }
 #details table { margin: 0 0 12px; }
