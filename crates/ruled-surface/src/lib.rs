@@ -52,7 +52,7 @@ mod strip;
 
 pub use graph::rails::Given;
 pub use pattern::flat_strip::FlatStrip;
-pub use pattern::{FlatPattern, strips_of};
+pub use pattern::FlatPattern;
 pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, DirectionCriterion, Options};
 pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};
