@@ -18,8 +18,8 @@ import sys
 # with. In a crate without an entry only circles are faults.
 LAYERS = {
     "mesh": """
-        execution codes error estimate random order disjoint_sets lib axis_box polyline topology measure check complex
-        edit cut film structured self_intersections crossing sparse plane remesh""",
+        execution codes error estimate random order disjoint_sets lib axis_box box_tree polyline topology measure check
+        complex edit cut film structured self_intersections crossing sparse plane remesh""",
     "equilibrium": """
         dense energy support freedom constraint body contact newton residual motion normal_motion stability v_cycle
         relax settling form_finding lib""",
