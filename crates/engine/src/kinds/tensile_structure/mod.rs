@@ -11,8 +11,8 @@ pub use cable::{Along, Cable, Mast, MastMode, Mode};
 pub use film::{Chamber, Film, RadialDirection, WarpDirection};
 pub use guide::{CircleGuide, CylinderGuide, Guide, LineGuide, MeshGuide, PlaneGuide, SphereGuide, TorusGuide};
 pub use statistics::{
-    CableForce, ChamberState, EdgeReaction, ForcePerLength, LayerFigures, MastForce, Ponding, RingPosition,
-    SupportReaction, TensileStatistics,
+    CableForce, ChamberState, EdgeReaction, ForcePerLength, MastForce, Ponding, RingPosition, SupportReaction,
+    TensileStatistics,
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
