@@ -21,8 +21,8 @@ use base64::Engine as _;
 use plateau_archive::formats::{MeshFormat, picture};
 use plateau_drawing::{PatternOptions, Refused, ScheduleOptions};
 use plateau_engine::kind::Kind;
-use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::schema;
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
     PaginatedRequestParams, ServerCapabilities, ServerConfig,

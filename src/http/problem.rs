@@ -10,8 +10,8 @@ use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
 use plateau_drawing::{ParameterError, Refused};
-use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::SolveError;
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS, Rejection};
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]

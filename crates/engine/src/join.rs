@@ -8,7 +8,6 @@
 #[cfg(test)]
 mod tests;
 
-use crate::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_mesh::axis_box::AxisBox;
 use plateau_mesh::box_tree::BoxTree;
 use plateau_mesh::codes::WarningCode;
@@ -17,6 +16,7 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::polyline::{merge_near_neighbours, position_key, radius};
 use plateau_mesh::{DVec3, Error, InputError, Place};
 use plateau_minimal_surface::SegmentPoint;
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS, Rejection};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 

@@ -16,19 +16,19 @@ pub use statistics::{
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{
-    Below180, Fraction, List, NonNegative, Positive, Signed, Whole, given, given_one, is_default, one, unwritten,
-};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, LengthAndForce, Point};
 use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Optioned, RequestOption};
-use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::DVec3;
+use plateau_strict_json::bounds::{
+    Below180, Fraction, List, NonNegative, Positive, Signed, Whole, given, given_one, is_default, one, unwritten,
+};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
