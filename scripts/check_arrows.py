@@ -18,8 +18,8 @@ import sys
 # with. In a crate without an entry only circles are faults.
 LAYERS = {
     "mesh": """
-        execution codes error estimate random order disjoint_sets lib axis_box polyline topology measure check complex
-        edit cut film structured self_intersections crossing sparse plane remesh""",
+        execution codes error estimate random order disjoint_sets lib axis_box box_tree polyline topology measure check
+        complex edit cut film structured self_intersections crossing sparse plane remesh""",
     "equilibrium": """
         dense energy support freedom constraint body contact newton residual motion normal_motion stability v_cycle
         relax settling form_finding lib""",
@@ -35,13 +35,14 @@ LAYERS = {
     "drawing": """
         parameters options polygon piece label metal figure divide sheets kinds json drawing dxf astm svg pdf schedule lib""",
     "engine": """
-        rejection limits json bounds strict common resolution explain options report join mesh audit solved source checked
-        blocks kind kinds components schema request lib""",
+        limits common resolution options report join mesh audit solved source checked blocks kind kinds components schema
+        request lib""",
+    "strict-json": "lib rejection json bounds strict explain",
     "plateau": """
         status threads test_hooks store config telemetry auth webhook wire hops jobs http app cli lib main""",
 }
 # These have no solvers. The loops of every other crate are read.
-WITHOUT_SOLVERS = {"archive", "drawing", "engine", "opennurbs", "page", "plateau"}
+WITHOUT_SOLVERS = {"archive", "drawing", "engine", "opennurbs", "page", "plateau", "strict-json"}
 SUCCESSES = {"OK", "ACCEPTED", "NO_CONTENT", "NOT_MODIFIED", "PARTIAL_CONTENT"}
 NO_CODE = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\bb?r(?P<hashes>#*)".*?"(?P=hashes)|"(?:\\.|[^"\\])*"|'(?:\\.[^']*|[^\\'])'""", re.S)

@@ -35,7 +35,7 @@ use plateau_archive::formats::Error as ExportError;
 use plateau_drawing::Refused;
 use plateau_engine::SOLVER_REVISION;
 use plateau_engine::kind::Kind;
-use plateau_engine::rejection::{FieldError, Rejection};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 
 /// Version of the code that computes results and of the format that stores them. A kept result is reused only by the
 /// same version.

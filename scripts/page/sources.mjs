@@ -8,8 +8,14 @@ import { fileURLToPath } from 'node:url';
 import { brotliCompressSync } from 'node:zlib';
 
 export const root = fileURLToPath(new URL('../../', import.meta.url));
-/** Crates that are part of the modules. */
-const CRATES = ['archive', 'film', 'forms', 'lower-bound', 'mesh', 'page', 'ruled-surface', 'uniform-mesh'];
+/** The crate `page`, and the crates of this project on which it depends. */
+const CRATES = ['page'];
+for (const name of CRATES) {
+  const manifest = readFileSync(join(root, `crates/${name}/Cargo.toml`), 'utf8');
+  const [, dependencies] = /^\[dependencies\]$([\s\S]*?)^\[/m.exec(manifest);
+  for (const [, other] of dependencies.matchAll(/^plateau-([a-z-]+)/gm)) if (!CRATES.includes(other)) CRATES.push(other);
+}
+CRATES.sort();
 const MODULES = ['shapes', 'structures'];
 /** The files and folders of the sources, relative to the repository. */
 export const SOURCES = ['Cargo.toml', 'Cargo.lock', 'scripts/build-page', ...CRATES.flatMap((name) => [`crates/${name}/Cargo.toml`, `crates/${name}/src`])];

@@ -7,9 +7,9 @@ use plateau_archive::units::Unit;
 use plateau_engine::blocks::Block;
 use plateau_engine::common::Point;
 use plateau_engine::kind::{Kind, Units};
-use plateau_engine::rejection::FieldError;
 use plateau_opennurbs::Mesh;
 use plateau_opennurbs::curve::Curve;
+use plateau_strict_json::rejection::FieldError;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, HashMap};
 

@@ -19,10 +19,10 @@ use crate::wire::objectives::{self, Limits};
 use axum::http::uri::Authority;
 use base64::Engine as _;
 use plateau_archive::formats::{MeshFormat, picture};
-use plateau_drawing::{PatternOptions, ScheduleOptions};
+use plateau_drawing::{PatternOptions, Refused, ScheduleOptions};
 use plateau_engine::kind::Kind;
-use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::schema;
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
     PaginatedRequestParams, ServerCapabilities, ServerConfig,
@@ -271,7 +271,7 @@ fn file_of(job: &Job, arguments: &LinkArguments) -> Result<(String, String, Stri
     let written = || form_urlencoded::Serializer::new(String::new()).extend_pairs(&given).finish();
     match file {
         File::Pattern => {
-            let none = || refused("/file", "this job has no pattern; ruled surfaces have one".into());
+            let none = || refused("/file", format!("this job has no pattern; {}", Refused::NoPattern));
             let path = job.links.pattern.clone().ok_or_else(none)?;
             let options = PatternOptions::read(&given)?;
             Ok((path, written(), options.extension().into(), options.media_type()))

@@ -10,8 +10,8 @@ use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
 use plateau_drawing::{ParameterError, Refused};
-use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::SolveError;
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS, Rejection};
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]
@@ -182,8 +182,7 @@ impl From<JobsError> for Failure {
                 Self::no_callback("there is no message to send; name a `callback_url` in the request")
             }
             JobsError::NoCertificate => Self::not_found(
-                "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if \
-                 it is missing",
+                "this result has no certificate; if the request asked for one, the job's warnings say why it is missing",
             ),
             JobsError::NoRequest => {
                 Self::not_found("the job ended under an earlier version of this server, which did not keep requests")

@@ -7,13 +7,13 @@ use crate::wire::job::JobFailure;
 use plateau_archive::Archive;
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::Limits;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::report::SolveError;
 use plateau_engine::request::Request;
 #[cfg(feature = "test-hooks")]
 use plateau_engine::solved::Signal;
 use plateau_engine::solved::{self, Solved, Unsolved};
 use plateau_engine::source::{Find, Source};
+use plateau_strict_json::rejection::Rejection;
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -179,7 +179,7 @@ fn refused(rejection: Rejection) -> SolveError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_engine::rejection::FieldError;
+    use plateau_strict_json::rejection::FieldError;
 
     #[test]
     fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {

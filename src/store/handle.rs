@@ -217,7 +217,10 @@ impl Store {
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
     ) -> Result<T> {
-        let written = self.inner.engine.write(work).await;
+        let written = match &self.inner.engine {
+            Engine::Sqlite(database) => database.write(work).await,
+            Engine::Postgres(database) => database.write(work).await,
+        };
         self.inner.contact.note(&written, true);
         match &written {
             Ok(_) => {
@@ -249,7 +252,10 @@ impl Store {
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
     ) -> Result<T> {
-        let read = self.inner.engine.read(work).await;
+        let read = match &self.inner.engine {
+            Engine::Sqlite(database) => database.read(work).await,
+            Engine::Postgres(database) => database.read(work).await,
+        };
         self.inner.contact.note(&read, false);
         read
     }

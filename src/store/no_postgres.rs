@@ -1,7 +1,6 @@
 //! The place of PostgreSQL in a build without the feature `postgres`. No value of these types exists, so that the
 //! compiler removes what would use one.
 
-use std::convert::Infallible;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
@@ -38,15 +37,3 @@ impl Database {
         match *self {}
     }
 }
-
-#[derive(Debug)]
-pub(super) enum Row {}
-
-impl Row {
-    pub(super) fn try_get<T>(&self, _column: &str) -> std::result::Result<T, Infallible> {
-        match *self {}
-    }
-}
-
-pub(super) trait FromSql<'r> {}
-impl<T> FromSql<'_> for T {}

@@ -10,8 +10,6 @@ use super::pool::Pool;
 use super::session::{Connection, PATIENCE, STATEMENT_LIMIT, Server, Session};
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
-pub(super) use tokio_postgres::Row;
-pub(super) use tokio_postgres::types::FromSql;
 
 /// Maximum number of tries of a transaction that fails because of a deadlock, or because another transaction has just
 /// inserted the same idempotency key.

@@ -18,12 +18,14 @@ use tokio_postgres::error::SqlState;
 use tokio_postgres::tls::MakeTlsConnect;
 use tokio_postgres::types::private::BytesMut;
 use tokio_postgres::types::{IsNull, ToSql, Type, to_sql_checked};
-use tokio_postgres::{AsyncMessage, Client, Config, NoTls, Row, Socket, Statement};
+use tokio_postgres::{AsyncMessage, Client, Config, NoTls, Socket, Statement};
 
 use super::tls::{BoxError, Connector, Disagreement, Parameters};
 use super::value::Value;
 
 use super::{Result, StoreError};
+pub(super) use tokio_postgres::Row;
+pub(super) use tokio_postgres::types::FromSql;
 
 /// Time limit for getting a free connection, and for opening a connection to the server.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);

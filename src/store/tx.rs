@@ -9,8 +9,7 @@ use std::rc::Rc;
 
 use rusqlite::types::{FromSql as FromSqlite, Value as SqliteValue, ValueRef};
 
-use super::postgres::{FromSql as FromPostgres, Row as PgRow};
-use super::session::Session;
+use super::session::{FromSql as FromPostgres, Row as PgRow, Session};
 use super::value::Value;
 use super::{Result, StoreError};
 #[cfg(feature = "test-hooks")]

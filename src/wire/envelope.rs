@@ -1,11 +1,11 @@
 //! The fields that every request has because they concern the job and not its result. The service reads them, and
 //! `plateau_engine` the rest.
 
-use plateau_engine::bounds::Text;
 use plateau_engine::components::{allow_null, rewritten};
-use plateau_engine::explain::Schemas;
-use plateau_engine::rejection::{FieldError, Rejection};
-use plateau_engine::strict;
+use plateau_strict_json::bounds::Text;
+use plateau_strict_json::explain::Schemas;
+use plateau_strict_json::rejection::{FieldError, Rejection};
+use plateau_strict_json::strict;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;

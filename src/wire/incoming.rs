@@ -2,12 +2,12 @@
 
 use super::envelope::{Envelope, MEMBERS};
 use crate::config::LimitsConfig;
-use plateau_engine::json;
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::{may_be_values, refuse_too_many_values, refuse_too_much_as_values};
-use plateau_engine::rejection::{MAX_ERRORS, Rejection};
 use plateau_engine::request::{CheckedRequest, Request};
 use plateau_engine::source::{Find, no_jobs};
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::{MAX_ERRORS, Rejection};
 use serde::Deserialize;
 use serde_json::Value;
 use std::borrow::Cow;

@@ -11,10 +11,10 @@ use super::objectives;
 use crate::config::LimitsConfig;
 use plateau_engine::components::request_component;
 use plateau_engine::kind::Kind;
-use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::request::Request;
 use plateau_engine::schema;
 use plateau_engine::source::no_jobs;
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 

@@ -74,8 +74,8 @@ def test_the_wheel_works_in_a_fresh_environment(tmp_path: Path) -> None:
     for name in ("LICENSE-MIT", "LICENSE-APACHE"):
         assert packed[name] == (ROOT.parents[1] / name).read_bytes(), f"{name} differs from the project's"
     workspace = (ROOT.parents[1] / "Cargo.toml").read_text(encoding="utf-8")
-    address = re.findall(r'^repository = "(.*)"', workspace, re.MULTILINE)[0]
-    assert f"Project-URL: Repository, {address}" in packed["METADATA"].decode()
+    addresses = re.findall(r'^repository = "(.*)"', workspace, re.MULTILINE)
+    assert re.findall(r"^Project-URL: Repository, (.*)$", packed["METADATA"].decode(), re.MULTILINE) == addresses
     venv.create(tmp_path / "fresh", with_pip=False)
     python = tmp_path / "fresh" / "bin" / "python"
     full = os.environ.get("PLATEAU_FULL") == "1"

@@ -7,7 +7,6 @@
 
 use plateau_mesh::polyline::LARGEST_COORDINATE;
 use plateau_mesh::{DVec3, Mesh};
-use plateau_ruled_surface::strips_of;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -366,6 +365,12 @@ pub fn bridges_of(contents: &Contents) -> Option<&[[u32; 2]]> {
         Lines::Segments(pairs) => Some(pairs.as_slice()),
         Lines::Polylines(_) | Lines::Arrows(_) => None,
     })
+}
+
+/// Splits the bridges of a ruled surface into those of each strip. Neighbouring bridges of one strip share an end
+/// point, and those of two strips do not.
+pub fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
+    bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
 }
 
 /// Serializes a mesh as its vertices and triangles.

@@ -5,12 +5,12 @@
 //! side that the normals of the mesh point to.
 
 use plateau_archive::Contents;
-use plateau_archive::archive::{bridges_of, is_closed};
+use plateau_archive::archive::{bridges_of, is_closed, strips_of};
 use plateau_mesh::error::{Error, Place};
 use plateau_mesh::measure::{self, double_area_vector};
 use plateau_mesh::plane::frame::Frame;
 use plateau_mesh::{DVec2, DVec3, Execution, Mesh};
-use plateau_ruled_surface::{FlatPattern, FlatStrip, strips_of};
+use plateau_ruled_surface::{FlatPattern, FlatStrip};
 
 /// All pieces of a ruled surface. Coordinates are in the client's unit.
 #[derive(Clone, Debug, Default, PartialEq)]

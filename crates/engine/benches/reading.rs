@@ -13,12 +13,12 @@
 )]
 
 use criterion::{BenchmarkId, Criterion};
-use plateau_engine::json;
 use plateau_engine::kinds::minimal_surface::KIND;
 use plateau_engine::limits::Limits;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::request::{CheckedRequest, Request};
 use plateau_engine::source::no_jobs;
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::Rejection;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::hint::black_box;

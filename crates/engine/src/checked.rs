@@ -3,13 +3,13 @@
 
 use crate::limits::Limits;
 use crate::options::{Given, Optioned, RequestOption, idle_members};
-use crate::rejection::{FieldError, Rejection};
 use crate::solved::{CoordinateSystem, SolverInput};
 use crate::source::{self, Find, JobSource, Source};
-use crate::strict;
-#[cfg(feature = "stored")]
-use crate::strict::Parted;
 use plateau_archive::units::{Unit, UpAxis};
+use plateau_strict_json::rejection::{FieldError, Rejection};
+use plateau_strict_json::strict;
+#[cfg(feature = "stored")]
+use plateau_strict_json::strict::Parted;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde::de::DeserializeOwned;

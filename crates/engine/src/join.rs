@@ -7,19 +7,18 @@
 
 #[cfg(test)]
 mod tests;
-mod tree;
 
-use crate::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_mesh::axis_box::AxisBox;
+use plateau_mesh::box_tree::BoxTree;
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::disjoint_sets::DisjointSets;
 use plateau_mesh::error::Warning;
 use plateau_mesh::polyline::{merge_near_neighbours, position_key, radius};
 use plateau_mesh::{DVec3, Error, InputError, Place};
 use plateau_minimal_surface::SegmentPoint;
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS, Rejection};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use tree::Tree;
 
 /// Default of `join_tolerance`, as a fraction of the request's size. The size is the largest distance of a point from
 /// the mean of all points.
@@ -256,10 +255,10 @@ pub(crate) fn join(request: &Points<'_>) -> Result<Joined, Rejection> {
     };
     joiner.collect();
     let sites: Vec<AxisBox> = joiner.sites.iter().map(|site| AxisBox::around([site.place])).collect();
-    let sites = Tree::new(&sites);
+    let sites = BoxTree::new(&sites);
     joiner.cluster(&sites);
     let segments: Vec<AxisBox> = joiner.segments.iter().map(|segment| AxisBox::around(segment.ends)).collect();
-    let segments = Tree::new(&segments);
+    let segments = BoxTree::new(&segments);
     joiner.join_to_segments(&segments);
     joiner.refuse_closed_members();
     let nearly = joiner.nearly_joined(&sites, &segments);
@@ -346,7 +345,7 @@ impl Joiner<'_> {
     /// Unites sites within the tolerance of each other, and finds the place of each cluster: a point of a boundary, or
     /// else the place that most of its points have. Joints come before other points, and earlier points before later
     /// ones.
-    fn cluster(&mut self, tree: &Tree) {
+    fn cluster(&mut self, tree: &BoxTree) {
         let count = self.sites.len();
         let mut sets = DisjointSets::new(count);
         // The point of a boundary within the tolerance of each site.
@@ -445,7 +444,7 @@ impl Joiner<'_> {
     /// Returns the segment that is nearest to a point, with its number and distance, among those that `counts` accepts.
     fn nearest_segment(
         &self,
-        tree: &Tree,
+        tree: &BoxTree,
         point: DVec3,
         within: f64,
         counts: impl Fn(&Segment) -> bool,
@@ -465,7 +464,7 @@ impl Joiner<'_> {
 
     /// Finds the ends that lie on segments of boundaries. Ends of curves become points of the boundary, or are refused
     /// like those of cables in the air and masts.
-    fn join_to_segments(&mut self, tree: &Tree) {
+    fn join_to_segments(&mut self, tree: &BoxTree) {
         if self.request.on_segments == OnSegments::Left {
             return;
         }
@@ -556,7 +555,7 @@ impl Joiner<'_> {
 
     /// Returns the warnings about ends that lie near a point or a segment but are not joined. Refuses the ends of
     /// cables across the film that are not on a boundary.
-    fn nearly_joined(&mut self, sites: &Tree, segments: &Tree) -> Notes {
+    fn nearly_joined(&mut self, sites: &BoxTree, segments: &BoxTree) -> Notes {
         let mut notes = Notes::default();
         for (m, member) in self.request.members.iter().enumerate() {
             for i in self.ends(m) {
@@ -608,7 +607,7 @@ impl Joiner<'_> {
     /// Returns the name and the distance of the point or segment that is nearest to an end and to which the end could
     /// be joined, if there is any near it. A cable in the air and a mast, whose end is a support, could be joined to
     /// points that move; a curve could be joined to any point but its own.
-    fn nearest_neighbour(&self, m: usize, i: usize, sites: &Tree, segments: &Tree) -> Option<(String, f64)> {
+    fn nearest_neighbour(&self, m: usize, i: usize, sites: &BoxTree, segments: &BoxTree) -> Option<(String, f64)> {
         let (member, own) = (&self.request.members[m], &self.site_of[m]);
         let (place, last) = (self.sites[own[i] as usize].place, own.len() - 1);
         let other_end = own[last - i];

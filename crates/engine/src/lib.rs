@@ -2,10 +2,10 @@
 //!
 //! [`Request::read`](request::Request::read) reads the bytes of a valid request straight into its type and checks it,
 //! and [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas
-//! refuse (`strict`, [`bounds`]). After them come checks that a schema cannot express, such as too few distinct points.
+//! refuse (`plateau-strict-json`). After them come checks that a schema cannot express, such as too few distinct points.
 //! The last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
-//! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be
-//! (`explain`). Without the feature `explain` only the first wrong value is named.
+//! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be.
+//! Without the feature `explain` only the first wrong value is named.
 //!
 //! The crate does not know about jobs, stores, HTTP, clocks or threads. These belong to its hosts: the service, the
 //! command line and a web page.
@@ -27,22 +27,17 @@
 
 mod audit;
 pub mod blocks;
-pub mod bounds;
 mod checked;
 pub mod common;
 #[cfg(feature = "explain")]
 pub mod components;
-#[cfg(feature = "explain")]
-pub mod explain;
 #[cfg(any(feature = "minimal-surface", feature = "tensile-structure"))]
 mod join;
-pub mod json;
 pub mod kind;
 pub mod kinds;
 pub mod limits;
 pub mod mesh;
 pub mod options;
-pub mod rejection;
 pub mod report;
 pub mod request;
 #[cfg(any(feature = "minimal-surface", feature = "tensile-structure"))]
@@ -51,7 +46,6 @@ pub mod resolution;
 pub mod schema;
 pub mod solved;
 pub mod source;
-pub mod strict;
 
 /// Revision of everything that makes a result of a request: the solvers, the defaults of requests, the statistics and
 /// the warnings. Raise it by one with every change after which some request has another result, even if

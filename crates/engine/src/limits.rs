@@ -1,6 +1,6 @@
 //! Limits of the size of a request, and the refusals of larger requests.
 
-use crate::rejection::{FieldError, Rejection};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 
 /// Limits of one request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

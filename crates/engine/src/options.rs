@@ -3,7 +3,7 @@
 //! Each kind has one table, [`Optioned::OPTIONS`]. The check of a request reads it, and so do the catalogue
 //! (`GET /v1/objectives`) and the descriptions of the API document.
 
-use crate::rejection::FieldError;
+use plateau_strict_json::rejection::FieldError;
 use schemars::JsonSchema;
 use serde::Serialize;
 #[cfg(not(feature = "explain"))]

@@ -1,7 +1,7 @@
 //! Reports of a solver besides its result: progress, warnings and the reason for a failure.
 
-use crate::rejection::FieldError;
 use plateau_mesh::codes::{Reason, WarningCode};
+use plateau_strict_json::rejection::FieldError;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -75,7 +75,7 @@ macro_rules! failure_kinds {
             pub fn error(
                 self,
                 detail: impl Into<String>,
-                errors: Vec<$crate::rejection::FieldError>,
+                errors: Vec<plateau_strict_json::rejection::FieldError>,
             ) -> $crate::report::SolveError {
                 let (name, title) = Self::ALL[self as usize];
                 let kind = format!("/problems/{name}");

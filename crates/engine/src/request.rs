@@ -6,7 +6,6 @@ use crate::limits::Limits;
 use crate::options::has_empty;
 #[cfg(not(feature = "explain"))]
 use crate::options::pruned;
-use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 #[cfg(feature = "explain")]
 use crate::schema;
@@ -14,6 +13,7 @@ use crate::solved::{self, CoordinateSystem, Kept, Moved, Signal, Solved, SolverI
 use crate::source::{Find, no_jobs};
 use plateau_archive::Archive;
 use plateau_mesh::{DVec3, Error, Execution};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use serde_json::Value;
 use std::borrow::Cow;
 
@@ -68,7 +68,7 @@ impl Request {
     /// Reads the JSON of a request of a known kind. The members that `aside` names are not part of the request and are
     /// returned unchanged.
     ///
-    /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](crate::json::parse) and
+    /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](plateau_strict_json::json::parse) and
     /// [`Request::from_value`] then find every error.
     #[cfg(feature = "stored")]
     #[must_use]
@@ -100,12 +100,12 @@ impl Request {
         Ok((Self::accepted(kind, read, limits)?, aside))
     }
 
-    /// Reads a request of a known kind from a JSON value that [`json::parse`](crate::json::parse) made.
+    /// Reads a request of a known kind from a JSON value that [`json::parse`](plateau_strict_json::json::parse) made.
     ///
     /// # Errors
     /// Returns every value that the schema refuses (with the feature `explain`). If there are none, returns all errors
     /// of the first check that fails: limits, combinations of members, or geometry. There are at most
-    /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
+    /// [`MAX_ERRORS`](plateau_strict_json::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
     pub fn from_value(kind: Kind, value: &Value, find: Find<'_>, limits: &Limits) -> Result<CheckedRequest, Rejection> {
         let value = without_empty(kind, value);
         let read = (kind.types().read_value)(&value, find, limits).map_err(|rejection| {

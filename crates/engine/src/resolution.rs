@@ -1,9 +1,9 @@
 //! Resolution of the mesh of a film.
 
-use crate::bounds::{MoreThan0, OneOf, Whole, given};
 use crate::limits::{self, Limits};
-use crate::rejection::Rejection;
 use plateau_minimal_surface as geometry;
+use plateau_strict_json::bounds::{MoreThan0, OneOf, Whole, given};
+use plateau_strict_json::rejection::Rejection;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

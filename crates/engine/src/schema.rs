@@ -1,10 +1,10 @@
 //! Validation of values against the schemas of the API document, and self-contained schemas of single types.
 
 use crate::components::{REQUEST_WITH_KIND, components, request_component};
-use crate::explain::Schemas;
 use crate::kind::Kind;
-use crate::rejection::{FieldError, Rejection};
-use crate::strict;
+use plateau_strict_json::explain::Schemas;
+use plateau_strict_json::rejection::{FieldError, Rejection};
+use plateau_strict_json::strict;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
@@ -94,7 +94,7 @@ pub fn validate_with_kind(value: &Value) -> Result<(), Rejection> {
 /// Validates a body against the published schema of its kind.
 ///
 /// # Errors
-/// Returns every violation with its pointer, at most [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1.
+/// Returns every violation with its pointer, at most [`MAX_ERRORS`](plateau_strict_json::rejection::MAX_ERRORS) + 1.
 pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     validate_component(&request_component(kind), value)
 }
@@ -103,7 +103,7 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
 mod tests {
     use super::*;
     use crate::kinds::{minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
-    use crate::rejection::MAX_ERRORS;
+    use plateau_strict_json::rejection::MAX_ERRORS;
     use serde_json::json;
 
     fn errors(kind: Kind, body: &Value) -> Vec<(String, String)> {

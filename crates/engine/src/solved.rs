@@ -1,13 +1,13 @@
 //! Results of requests, and the helpers with which every kind makes its result from a solver's output.
 
 use crate::audit::comparison::{Audit, Fault};
-use crate::rejection::{FieldError, MAX_ERRORS};
 use crate::report::{Failure, Progress, SolveError, Warning};
 use plateau_archive::archive::{Contents, middle};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Attribute, LineSet, Lines, Polyline};
 use plateau_mesh::codes::{Reason, WarningCode};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -23,6 +23,8 @@
 
 #[doc(hidden)]
 pub mod axis_box;
+#[doc(hidden)]
+pub mod box_tree;
 pub mod check;
 pub mod codes;
 pub mod complex;

@@ -126,19 +126,21 @@ impl ExtrapolatedArea {
     }
 }
 
-/// A way to span the boundaries: a partition of the boundaries into sets, each of which is spanned by a connected film.
+/// One way to span the boundaries.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SpanningTopology {
-    /// The sets of the partition, each with the numbers of its boundaries in ascending order.
+    /// Sets of boundaries by their numbers. A connected film spans each set.
     pub films: Vec<Vec<usize>>,
-    /// The sum of the areas of the films; `None` if the film of one of the sets does not hold.
+    /// Total area. Null if one of the films does not exist.
     pub area: Option<f64>,
-    /// The stability of all films together.
+    /// Second variation of area under normal motion.
     pub stability: Option<Stability>,
-    /// Whether the films pass through each other or themselves, so that no soap film takes this shape. `None` if the
-    /// deadline has cut the search short and no crossing was found.
+    /// Whether its films pass through each other or through themselves. No soap film has such a shape, so these
+    /// topologies follow those whose films do not cross. Null if the time was up before a crossing was found.
     pub films_cross: Option<bool>,
-    /// Whether this is the topology of the result.
+    /// Whether this topology was returned.
     pub chosen: bool,
 }
 

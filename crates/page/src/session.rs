@@ -4,14 +4,14 @@
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
 use plateau_drawing::PatternOptions;
-use plateau_engine::json;
 use plateau_engine::limits::Limits;
-use plateau_engine::rejection::{FieldError, MAX_ERRORS, Rejection};
 use plateau_engine::report::{Progress, SolveError, Warning};
 use plateau_engine::request::{Drag, Request};
 use plateau_engine::solved::{Moved, Signal, Unsolved};
 use plateau_engine::source::no_jobs;
 use plateau_mesh::DVec3;
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::{FieldError, MAX_ERRORS, Rejection};
 use serde::Serialize;
 use serde_json::value::RawValue;
 

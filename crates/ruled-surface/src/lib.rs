@@ -51,8 +51,8 @@ mod stack;
 mod strip;
 
 pub use graph::rails::Given;
+pub use pattern::FlatPattern;
 pub use pattern::flat_strip::FlatStrip;
-pub use pattern::{FlatPattern, strips_of};
 pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, DirectionCriterion, Options};
 pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};

@@ -149,7 +149,7 @@ fn piece(
 
 /// Splits the bridges of a stack of strips into those of each strip. Neighbouring bridges of one strip share an
 /// end point.
-pub fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
+fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
     bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
 }
 

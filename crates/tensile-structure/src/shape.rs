@@ -133,15 +133,17 @@ pub struct StressRange {
     pub mean: f64,
 }
 
-/// A layer of the shape. Its triangles follow those of the layers before it.
+/// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LayerFigures"))]
 #[non_exhaustive]
 pub struct LayerResult {
     /// Number of triangles.
     pub triangles: usize,
-    /// Area.
+    /// Area, in square units of the request's unit of length.
     pub area: f64,
-    /// Principal stresses; `None` if the forces could not be balanced.
+    /// Null if the forces could not be balanced.
     pub stress: Option<Stress>,
 }
 

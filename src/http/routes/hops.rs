@@ -25,8 +25,8 @@ use plateau_archive::Archive;
 use plateau_drawing::{PatternOptions, ScheduleOptions};
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::refuse_too_many_values;
-use plateau_engine::rejection::{FieldError, Rejection};
 use plateau_engine::report::SolveError;
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use serde_json::Value;
 use std::time::Duration;
 

@@ -2,7 +2,7 @@
 
 use crate::samples::{all, ring, ruled};
 use plateau_archive::Archive;
-use plateau_archive::archive::bridges_of;
+use plateau_archive::archive::{bridges_of, strips_of};
 use plateau_drawing::figure::{Figure, figures};
 use plateau_drawing::piece::{Pattern, Piece, Seam, Side};
 use plateau_drawing::{PatternOptions, Refused, pattern, polygon};
@@ -223,7 +223,7 @@ fn rails(archive: &Archive) -> Vec<Vec<DVec3>> {
     let closed = plateau_archive::archive::is_closed(contents);
     let bridges = bridges_of(contents).unwrap();
     let mut rails = Vec::new();
-    for strip in plateau_ruled_surface::strips_of(bridges) {
+    for strip in strips_of(bridges) {
         let side = |side: usize| {
             let mut numbers: Vec<u32> = strip.iter().map(|bridge| bridge[side]).collect();
             numbers.sort_unstable();

@@ -85,7 +85,7 @@ fn a_profiles_own_sharp_edge_is_no_fold_of_the_strip() {
 fn a_boundary_that_runs_out_and_back_names_the_points_that_it_passes_twice() {
     let pointers = |request: Value| -> Vec<String> {
         match read(request.to_string().as_bytes()) {
-            Err(plateau_engine::rejection::Rejection::Invalid(errors)) => {
+            Err(plateau_strict_json::rejection::Rejection::Invalid(errors)) => {
                 errors.into_iter().map(|error| error.pointer).collect()
             }
             other => panic!("{other:?}"),

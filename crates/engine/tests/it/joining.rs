@@ -4,10 +4,10 @@
 
 use crate::{is_full, read};
 use plateau_archive::Archive;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::report::Warning;
 use plateau_engine::solved::{Signal, Unsolved};
 use plateau_mesh::random::SplitMix64;
+use plateau_strict_json::rejection::Rejection;
 use serde_json::{Value, json};
 
 /// How a request ends.

@@ -21,11 +21,11 @@ mod sample;
 mod skips;
 mod tensile_cases;
 
-use plateau_engine::json;
 use plateau_engine::limits::Limits;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::request::Request;
 use plateau_engine::source::no_jobs;
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::Rejection;
 use std::path::{Path, PathBuf};
 
 /// Limits of a server with default settings.

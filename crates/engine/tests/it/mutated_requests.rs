@@ -6,15 +6,15 @@
 use crate::LIMITS;
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
-use plateau_engine::json;
 use plateau_engine::kind::Kind;
 use plateau_engine::limits::Limits;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::request::Request;
 use plateau_engine::schema;
 use plateau_engine::solved::{Signal, Unsolved};
 use plateau_engine::source::no_jobs;
 use plateau_mesh::random::SplitMix64;
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::Rejection;
 use serde_json::{Map, Value};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};

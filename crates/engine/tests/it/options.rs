@@ -4,12 +4,12 @@
 //! The first tier tries the choices that begin each list; `PLATEAU_FULL=1` tries all of them.
 
 use crate::{LIMITS, is_full, root};
-use plateau_engine::json;
 use plateau_engine::kind::Kind;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::request::Request;
 use plateau_engine::solved::Signal;
 use plateau_engine::source::no_jobs;
+use plateau_strict_json::json;
+use plateau_strict_json::rejection::Rejection;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

@@ -4,8 +4,8 @@
 //! The requests are in `crates/engine/tests/cases/tensile`.
 
 use crate::read;
-use plateau_engine::rejection::Rejection;
 use plateau_engine::solved::{Signal, Unsolved};
+use plateau_strict_json::rejection::Rejection;
 use serde_json::{Value, json};
 
 /// How a request ends.

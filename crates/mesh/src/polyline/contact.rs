@@ -6,10 +6,9 @@
 
 use crate::DVec3;
 use crate::axis_box::AxisBox;
+use crate::box_tree::{RUN, Run};
 use crate::execution::{Execution, Interruption};
 
-/// Largest number of segments in a box that is not halved further.
-const RUN: usize = 4;
 /// Number of pairs of boxes between two calls of [`Execution::look`].
 const PAIRS_PER_LOOK: u64 = 4096;
 
@@ -38,7 +37,7 @@ impl<'p> Segments<'p> {
     pub fn new(points: &'p [DVec3], closed: bool) -> Self {
         let count = if closed { points.len() } else { points.len() - 1 };
         let mut segments = Self { points, count, boxes: vec![AxisBox::EMPTY; 4 * count.div_ceil(RUN)] };
-        segments.enclose(1, 0, count);
+        segments.enclose(Run::whole(count));
         segments
     }
 
@@ -46,33 +45,15 @@ impl<'p> Segments<'p> {
         [self.points[k], self.points[(k + 1) % self.points.len()]]
     }
 
-    fn enclose(&mut self, node: usize, from: usize, to: usize) -> AxisBox {
-        let found = if to - from <= RUN {
-            AxisBox::around((from..to).flat_map(|k| self.segment(k)))
+    fn enclose(&mut self, run: Run) -> AxisBox {
+        let found = if run.to - run.from <= RUN {
+            AxisBox::around((run.from..run.to).flat_map(|k| self.segment(k)))
         } else {
-            let middle = usize::midpoint(from, to);
-            self.enclose(2 * node, from, middle).with(&self.enclose(2 * node + 1, middle, to))
+            let [begin, end] = run.halves().map(|half| self.enclose(half));
+            begin.with(&end)
         };
-        self.boxes[node] = found;
+        self.boxes[run.node] = found;
         found
-    }
-}
-
-/// A box of the tree: its number, and the range `from..to` of its segments.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    node: usize,
-    from: usize,
-    to: usize,
-}
-
-impl Run {
-    fn halves(self) -> [Self; 2] {
-        let middle = usize::midpoint(self.from, self.to);
-        [
-            Self { node: 2 * self.node, from: self.from, to: middle },
-            Self { node: 2 * self.node + 1, from: middle, to: self.to },
-        ]
     }
 }
 
@@ -88,8 +69,7 @@ pub fn first_contact(
     counts: impl Fn(&MeetingSegments) -> bool,
     exec: &Execution<'_>,
 ) -> Result<Option<MeetingSegments>, Interruption> {
-    let whole = |segments: &Segments<'_>| Run { node: 1, from: 0, to: segments.count };
-    let mut pairs = vec![[whole(first), whole(second)]];
+    let mut pairs = vec![[Run::whole(first.count), Run::whole(second.count)]];
     let mut tried = 0;
     while let Some([a, b]) = pairs.pop() {
         tried += 1;

@@ -7,17 +7,17 @@ mod statistics;
 pub use statistics::{CableNetStatistics, CableResult, Group, NetReaction, ValueRange};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{Fraction, List, NonNegative, Positive, Signed, Text, Whole, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Given, Optioned, RequestOption};
-use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_cable_net as geometry;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
+use plateau_strict_json::bounds::{Fraction, List, NonNegative, Positive, Signed, Text, Whole, is_default, unwritten};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -7,13 +7,13 @@ mod solve;
 pub use solve::EnlargementStatistics;
 
 use crate::blocks::{self, Block, Input, Output, Preset, Type};
-use crate::bounds::{Positive, unwritten};
 use crate::checked::{Checked, SourcedRequest, Types};
 use crate::kind::{Entry, Kind, Objective, Units};
 use crate::limits::Limits;
 use crate::options::{Optioned, RequestOption};
-use crate::rejection::{FieldError, Rejection};
 use crate::source::{self, JobSource, Source};
+use plateau_strict_json::bounds::{Positive, unwritten};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,8 @@
 //! The lower bound of the area: the request for the bound, and its figures in the statistics.
 
-use crate::bounds::{Fraction, UpTo600};
-use crate::strict::union;
 use plateau_archive::Attribute;
+use plateau_strict_json::bounds::{Fraction, UpTo600};
+use plateau_strict_json::union;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

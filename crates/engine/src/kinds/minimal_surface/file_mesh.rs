@@ -6,12 +6,12 @@
 //! vertices between two moved vertices move onto the straight line between them.
 
 use crate::limits::Limits;
-use crate::rejection::{FieldError, Rejection};
 use base64::Engine as _;
 use plateau_archive::glb::{self, GlbError, Triangles};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::polyline::position_key;
 use plateau_mesh::{DVec3, Mesh};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use std::collections::BTreeMap;
 
 const POINTER: &str = "/initial_mesh/glb";

@@ -15,19 +15,21 @@ pub use proof::CertificateDocument;
 pub use statistics::MinimalStatistics;
 
 use crate::blocks::{self, Block, Input, Preset, Type};
-use crate::bounds::{Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Choice, Given, Optioned, RequestOption, when};
-use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
-use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::{DVec3, Mesh};
 use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
+use plateau_strict_json::bounds::{
+    Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten,
+};
+use plateau_strict_json::rejection::{FieldError, Rejection};
+use plateau_strict_json::union;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

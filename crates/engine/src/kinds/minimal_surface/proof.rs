@@ -68,7 +68,7 @@ impl MinimalStatistics {
     fn certify(&mut self, found: &LowerBound) -> Result<(), Error> {
         self.certificate = Some(Certificate::of(found, self.area)?);
         for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
-            topology.gap = topology.area.map_or(Ok(None), |area| gap(area, found.area))?;
+            topology.gap = topology.solved.area.map_or(Ok(None), |area| gap(area, found.area))?;
         }
         Ok(())
     }

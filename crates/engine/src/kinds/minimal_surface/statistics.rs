@@ -22,16 +22,8 @@ pub struct Pinch {
 /// One way to span the boundaries.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SpanningTopology {
-    /// Sets of boundaries by their numbers. A connected film spans each set.
-    pub films: Vec<Vec<usize>>,
-    /// Total area. Null if one of the films does not exist.
-    pub area: Option<f64>,
-    pub stability: Option<Stability>,
-    /// Whether its films pass through each other or through themselves. No soap film has such a shape, so these
-    /// topologies follow those whose films do not cross. Null if the time was up before a crossing was found.
-    pub films_cross: Option<bool>,
-    /// Whether this topology was returned.
-    pub chosen: bool,
+    #[serde(flatten)]
+    pub solved: geometry::SpanningTopology,
     /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this
     /// boundary. Null if nothing is proven.
     pub gap: Option<f64>,
@@ -50,14 +42,7 @@ pub struct Spanning {
 
 impl From<&geometry::SpanningComparison> for Spanning {
     fn from(spanning: &geometry::SpanningComparison) -> Self {
-        let topology = |topology: &geometry::SpanningTopology| SpanningTopology {
-            films: topology.films.clone(),
-            area: topology.area,
-            stability: topology.stability,
-            films_cross: topology.films_cross,
-            chosen: topology.chosen,
-            gap: None,
-        };
+        let topology = |solved: &geometry::SpanningTopology| SpanningTopology { solved: solved.clone(), gap: None };
         Self {
             topologies: spanning.topologies.iter().map(topology).collect(),
             connected_film_exists: spanning.connected_film_exists,

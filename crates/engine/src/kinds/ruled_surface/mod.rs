@@ -7,17 +7,17 @@ mod statistics;
 pub use statistics::{Comparison, FlatPatternStatistics, RuledStatistics, StripStatistics};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{AtLeast0, List, UpTo45, Whole, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Optioned, RequestOption, when};
-use crate::rejection::{FieldError, Rejection};
-use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_ruled_surface as geometry;
+use plateau_strict_json::bounds::{AtLeast0, List, UpTo45, Whole, is_default, unwritten};
+use plateau_strict_json::rejection::{FieldError, Rejection};
+use plateau_strict_json::union;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

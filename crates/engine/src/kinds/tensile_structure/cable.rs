@@ -1,8 +1,8 @@
 //! Cables and masts of a tensile structure, as a request has them.
 
-use crate::bounds::{List, NonNegative, Positive, Text, given, is_default};
 use crate::common::{self, Point};
 use plateau_mesh::DVec3;
+use plateau_strict_json::bounds::{List, NonNegative, Positive, Text, given, is_default};
 use plateau_tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

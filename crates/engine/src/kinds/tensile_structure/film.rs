@@ -1,9 +1,9 @@
 //! The film of a tensile structure and the chambers below its layers, as a request has them.
 
-use crate::bounds::{List, NonNegative, OneOf, Positive, Signed, given, given_one};
 use crate::common::{self, Point};
-use crate::rejection::FieldError;
 use plateau_mesh::DVec3;
+use plateau_strict_json::bounds::{List, NonNegative, OneOf, Positive, Signed, given, given_one};
+use plateau_strict_json::rejection::FieldError;
 use plateau_tensile_structure::{self as geometry, WeaveHold};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,10 +1,10 @@
 //! The lines and surfaces on which a tensile structure slides, as a request has them.
 
-use crate::bounds::{List, OneOf, Positive, given};
 use crate::common::{self, Point};
 use plateau_equilibrium::Support;
 use plateau_equilibrium::support::{Circle, Cylinder, Mesh, Plane, Sphere, StraightLine, Torus};
 use plateau_mesh::DVec3;
+use plateau_strict_json::bounds::{List, OneOf, Positive, given};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

@@ -11,24 +11,24 @@ pub use cable::{Along, Cable, Mast, MastMode, Mode};
 pub use film::{Chamber, Film, RadialDirection, WarpDirection};
 pub use guide::{CircleGuide, CylinderGuide, Guide, LineGuide, MeshGuide, PlaneGuide, SphereGuide, TorusGuide};
 pub use statistics::{
-    CableForce, ChamberState, EdgeReaction, ForcePerLength, LayerFigures, MastForce, Ponding, RingPosition,
-    SupportReaction, TensileStatistics,
+    CableForce, ChamberState, EdgeReaction, ForcePerLength, MastForce, Ponding, RingPosition, SupportReaction,
+    TensileStatistics,
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{
-    Below180, Fraction, List, NonNegative, Positive, Signed, Whole, given, given_one, is_default, one, unwritten,
-};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, LengthAndForce, Point};
 use crate::join::{self, Member, Notes, OnSegments, Points, Role};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Optioned, RequestOption};
-use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::DVec3;
+use plateau_strict_json::bounds::{
+    Below180, Fraction, List, NonNegative, Positive, Signed, Whole, given, given_one, is_default, one, unwritten,
+};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

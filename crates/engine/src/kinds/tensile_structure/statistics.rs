@@ -5,7 +5,7 @@ use crate::common::{AngleRange, ForceBalance, Point};
 use plateau_archive::units::ForceUnit;
 use plateau_equilibrium::Stability;
 use plateau_mesh::measure::Spread;
-use plateau_tensile_structure::{self as geometry, Stress};
+use plateau_tensile_structure::{self as geometry, LayerResult, Stress};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -78,15 +78,6 @@ pub struct ForcePerLength {
     pub max: f64,
 }
 
-/// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct LayerFigures {
-    pub triangles: usize,
-    pub area: f64,
-    /// Null if the forces could not be balanced.
-    pub stress: Option<Stress>,
-}
-
 /// A chamber of the found shape.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct ChamberState {
@@ -130,7 +121,7 @@ pub struct TensileStatistics {
     /// Pressure in the first of `chambers`, given or found; 0 for none.
     pub pressure: f64,
     /// The layers. A single film is one.
-    pub layers: Vec<LayerFigures>,
+    pub layers: Vec<LayerResult>,
     /// The chambers. The space below a single film with a pressure is one.
     pub chambers: Vec<ChamberState>,
     pub cables: Vec<CableForce>,
@@ -180,11 +171,6 @@ impl TensileStatistics {
     ) -> Self {
         let statistics = &result.statistics;
         let members = || structure.cables.iter().zip(&result.cables);
-        let layer = |layer: &geometry::LayerResult| LayerFigures {
-            triangles: layer.triangles,
-            area: layer.area,
-            stress: layer.stress,
-        };
         let chamber = |(chamber, found): (&geometry::Chamber, &geometry::ChamberResult)| ChamberState {
             below: chamber.below,
             pressure: found.pressure,
@@ -212,7 +198,7 @@ impl TensileStatistics {
             area: statistics.area,
             volume: statistics.chambers.first().map(|chamber| chamber.volume),
             pressure: statistics.chambers.first().map_or(0.0, |chamber| chamber.pressure),
-            layers: statistics.layers.iter().map(layer).collect(),
+            layers: statistics.layers.clone(),
             chambers: structure.chambers.iter().zip(&statistics.chambers).map(chamber).collect(),
             cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable_force).collect(),
             masts: members().filter(|(member, _)| member.course.is_mast()).map(mast_force).collect(),

@@ -7,14 +7,14 @@ mod statistics;
 pub use statistics::{GroupLengths, OutOfRange, Stage, StageGroup, SurfaceFit, UniformStatistics};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point, count};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Optioned, RequestOption, when};
-use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
+use plateau_strict_json::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten};
+use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -74,7 +74,8 @@ impl Rejection {
 
     /// Truncates each pointer that leads through a member that the body lacks, so that it ends at the first missing
     /// member. The default of that member is then the wrong value.
-    pub(crate) fn placed_in(mut self, body: &Value) -> Self {
+    #[must_use]
+    pub fn placed_in(mut self, body: &Value) -> Self {
         if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {
                 let ends = error.pointer.match_indices('/').map(|(at, _)| at).skip(1).chain([error.pointer.len()]);

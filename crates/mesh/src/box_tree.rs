@@ -1,28 +1,34 @@
 //! A tree of boxes that finds the points or segments near a point.
 
-use plateau_mesh::DVec3;
-use plateau_mesh::axis_box::AxisBox;
+use crate::DVec3;
+use crate::axis_box::AxisBox;
 
 /// Largest number of items in a box that is not halved further.
-const RUN: usize = 4;
+pub(crate) const RUN: usize = 4;
 
 /// Boxes of numbered items in a binary tree. Box 1 contains all items; the halves of box k are the boxes 2 k and
 /// 2 k + 1.
-pub(super) struct Tree {
+#[derive(Clone, Debug)]
+pub struct BoxTree {
     items: Vec<u32>,
     boxes: Vec<AxisBox>,
 }
 
-/// A box of the tree: its number, and the range `from..to` of its items.
-#[derive(Clone, Copy)]
-struct Run {
-    node: usize,
-    from: usize,
-    to: usize,
+/// A box of a binary tree: its number, and the range `from..to` of its items.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    pub(crate) node: usize,
+    pub(crate) from: usize,
+    pub(crate) to: usize,
 }
 
 impl Run {
-    fn halves(self) -> [Self; 2] {
+    /// The box of all items of a tree.
+    pub(crate) fn whole(count: usize) -> Self {
+        Self { node: 1, from: 0, to: count }
+    }
+
+    pub(crate) fn halves(self) -> [Self; 2] {
         let middle = usize::midpoint(self.from, self.to);
         [
             Self { node: 2 * self.node, from: self.from, to: middle },
@@ -31,13 +37,13 @@ impl Run {
     }
 }
 
-impl Tree {
+impl BoxTree {
     /// Builds the tree over the boxes of items. The number of an item is its place in the list. O(n log n).
     pub fn new(boxes: &[AxisBox]) -> Self {
         let count = boxes.len();
         let mut tree =
             Self { items: (0..count as u32).collect(), boxes: vec![AxisBox::EMPTY; 4 * count.div_ceil(RUN) + 2] };
-        tree.enclose(boxes, Run { node: 1, from: 0, to: count });
+        tree.enclose(boxes, Run::whole(count));
         tree
     }
 
@@ -60,7 +66,7 @@ impl Tree {
     /// distance with which the search goes on.
     pub fn visit(&self, point: DVec3, within: f64, visit: &mut dyn FnMut(u32) -> f64) {
         let mut within = within;
-        self.search(Run { node: 1, from: 0, to: self.items.len() }, point, &mut within, visit);
+        self.search(Run::whole(self.items.len()), point, &mut within, visit);
     }
 
     fn search(&self, run: Run, point: DVec3, within: &mut f64, visit: &mut dyn FnMut(u32) -> f64) {
@@ -85,7 +91,7 @@ impl Tree {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_mesh::random::SplitMix64;
+    use crate::random::SplitMix64;
 
     #[test]
     fn the_items_found_are_those_of_a_search_through_all() {
@@ -93,7 +99,7 @@ mod tests {
         let mut point = || DVec3::new(random.unit(), random.unit(), 0.2 * random.unit());
         let points: Vec<DVec3> = (0..500).map(|_| point()).collect();
         let boxes: Vec<AxisBox> = points.iter().map(|&p| AxisBox::around([p])).collect();
-        let tree = Tree::new(&boxes);
+        let tree = BoxTree::new(&boxes);
         for _ in 0..100 {
             let at = point();
             let mut found = Vec::new();

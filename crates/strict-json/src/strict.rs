@@ -48,7 +48,7 @@ pub fn read<'de, T: Deserialize<'de>>(text: &'de [u8], aside: &[&str]) -> serde_
 /// # Errors
 /// Returns the first place at which `T` refuses the text.
 #[cfg(feature = "stored")]
-pub(crate) fn read_tracked<T: DeserializeOwned>(text: &[u8], aside: &[&str]) -> Result<Parted<T>, Rejection> {
+pub fn read_tracked<T: DeserializeOwned>(text: &[u8], aside: &[&str]) -> Result<Parted<T>, Rejection> {
     json::refuse_what_is_no_text(text)?;
     let mut track = Track::new();
     let mut deserializer = serde_json::Deserializer::from_slice(text);
@@ -88,7 +88,7 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
 }
 
 /// Reads a value that [`json::parse`] made, or returns `None` if `T` refuses it.
-pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
+pub fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
     // Without `stored`, as in a web page, `value` and `refusal` share one deserializer, because a second one for each
     // type would make the module that is downloaded larger.
     #[cfg(feature = "stored")]
@@ -99,7 +99,7 @@ pub(crate) fn value<T: DeserializeOwned>(value: &Value) -> Option<T> {
 }
 
 /// Returns the first place at which `T` refuses a value.
-pub(crate) fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
+pub fn refusal<T: DeserializeOwned>(value: &Value) -> Rejection {
     // The path is tracked only here, because tracking takes as long as reading.
     let Err(error) = serde_path_to_error::deserialize::<_, T>(Strict(value)) else { return Rejection::Invalid(vec![]) };
     FieldError::new(json::pointer(error.path()), FORM).into()
@@ -160,7 +160,7 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Rest<'_, A> {
 
 /// Wraps a deserializer or one of serde's parts of it. It reads structs only from objects, names only from strings, and
 /// integers from every integral number.
-pub(crate) struct Strict<T>(pub T);
+struct Strict<T>(pub T);
 
 macro_rules! forward {
     ($($method:ident)+) => { $(
@@ -317,6 +317,7 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for Name<V> {
 
 /// Implements `Deserialize` for a union. The JSON type of the value selects the variant. serde's untagged enums are not
 /// used, because they copy the value and try one variant after the other.
+#[macro_export]
 macro_rules! union {
     ($name:ident { $($of:ident: $variant:ident),+ }) => {
         impl<'de> serde::Deserialize<'de> for $name {
@@ -327,7 +328,7 @@ macro_rules! union {
                     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                         f.write_str(stringify!($name))
                     }
-                    $($crate::strict::branch!($of, $name, $variant);)+
+                    $($crate::branch!($of, $name, $variant);)+
                 }
                 deserializer.deserialize_any(Branches)
             }
@@ -335,6 +336,8 @@ macro_rules! union {
     };
 }
 
+#[doc(hidden)]
+#[macro_export]
 macro_rules! branch {
     (boolean, $name:ident, $variant:ident) => {
         fn visit_bool<E>(self, value: bool) -> Result<$name, E> {
@@ -357,5 +360,3 @@ macro_rules! branch {
         }
     };
 }
-
-pub(crate) use {branch, union};

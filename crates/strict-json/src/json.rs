@@ -26,7 +26,7 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
 
 /// Returns the rejection of a body that cannot be parsed. `stopped_at` returns the JSON Pointer of the value at which
 /// the parser stopped.
-pub(super) fn unparsed(body: &[u8], error: &serde_json::Error, stopped_at: impl Fn() -> String) -> Rejection {
+pub(crate) fn unparsed(body: &[u8], error: &serde_json::Error, stopped_at: impl Fn() -> String) -> Rejection {
     let text = error.to_string();
     let invalid = |detail: String| Rejection::Invalid(vec![FieldError::new(stopped_at(), detail)]);
     if text.starts_with("number out of range") {
@@ -43,7 +43,7 @@ pub(super) fn unparsed(body: &[u8], error: &serde_json::Error, stopped_at: impl 
 }
 
 /// Refuses an empty body, and a body that is not plain UTF-8 by its first bytes.
-pub(super) fn refuse_what_is_no_text(body: &[u8]) -> Result<(), Rejection> {
+pub(crate) fn refuse_what_is_no_text(body: &[u8]) -> Result<(), Rejection> {
     if let Some(encoding) = foreign_encoding(body) {
         return Err(Rejection::Malformed(format!("the body {encoding}: send JSON as UTF-8 without a byte order mark")));
     }
@@ -111,18 +111,18 @@ pub(crate) fn pointer(path: &Path) -> String {
 }
 
 /// Beginning of the error for a value beyond the length that [`AnyValue`] may have.
-pub(super) const TOO_LONG: &str = "has more text than is allowed";
+pub(crate) const TOO_LONG: &str = "has more text than is allowed";
 
 /// Reads any value by the rules of [`parse`].
 #[derive(Clone, Copy, Default)]
-pub(super) struct AnyValue<'a> {
+pub(crate) struct AnyValue<'a> {
     /// Number of bytes of JSON text without white space that this value and others may still have, at least. `None`
     /// means any number.
     left: Option<&'a Cell<usize>>,
 }
 
 impl<'a> AnyValue<'a> {
-    pub(super) fn within(left: &'a Cell<usize>) -> Self {
+    pub(crate) fn within(left: &'a Cell<usize>) -> Self {
         Self { left: Some(left) }
     }
 
