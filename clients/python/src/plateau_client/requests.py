@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Sequence, Union
 
 import numpy as np
 
-from .curves import CurveLike, curves, points
+from .curves import CurveLike, curve_at, curves
 from .curves import domain as read_domain
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def tensile_structure(
 def cable_net(vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]) -> Dict[str, Any]:
     return {
         "kind": "cable_net",
-        "vertices": points(vertices),
+        "vertices": curve_at("/vertices", vertices),
         "edges": np.asarray(edges, dtype=np.int64).reshape(-1, 2).tolist(),
         "supports": np.asarray(supports, dtype=np.int64).reshape(-1).tolist(),
         **options,
