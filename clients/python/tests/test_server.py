@@ -278,6 +278,8 @@ def test_slips_are_explained_before_they_are_sent() -> None:
         client.tensile_structure([TENT], {"tension": 1}, units="mm")  # type: ignore[arg-type]
     with pytest.raises(InvalidRequest, match="/requests/0/units"):
         client.submit_batch([requests.cable_net(TENT, [(0, 1)], [0], units="mm")])  # type: ignore[arg-type]
+    with pytest.raises(InvalidRequest, match="/boundaries/1: expected points .*, got NoneType"):
+        client.minimal_surface([TENT, None])
     # A strip from an apex, and one between two points and a curve, are none of these slips.
     assert requests.ruled_surface([TENT[0], TENT[1:]])["directrices"][0] == [list(TENT[0])]
 
@@ -303,6 +305,25 @@ def test_a_slip_is_told_in_the_words_of_the_server(server: Server) -> None:
         answer = httpx.post(f"{server.url}/{flows.PATHS[slip['kind']]}", json=options)
         said = [(error["pointer"], error["detail"]) for error in answer.json()["errors"]]
         assert local.value.status is None and list(local.value.errors) == said, slip
+
+
+def test_the_server_says_what_is_wrong_with_an_index_or_a_film() -> None:
+    client = Plateau()
+    for edges, pointer in (([(0, 1), (0, 1, 2)], "/edges/1"), (None, "/edges"), ([(0, None)], "/edges/0/1")):
+        with pytest.raises(InvalidRequest, match=f"{pointer}: ") as refused:
+            client.cable_net(TENT, edges, [0], cables=[{"force": 1}])
+        assert refused.value.status == 422
+    for film_, pointer in ((None, "/film"), (2, "/film"), ([2], "/layers/0")):
+        with pytest.raises(InvalidRequest, match=f"{pointer}: "):
+            client.tensile_structure([TENT], film_)  # type: ignore[arg-type]
+    same = [
+        client.cable_net(TENT, *given, cables=[{"force": 1}])
+        for given in (
+            ([(0, 1), (1, 2), (2, 3), (3, 1)], [0, 2, 3]),
+            (np.array([[0, 1], [1, 2], [2, 3], [3, 1]]), np.array([0, 2, 3])),
+        )
+    ]
+    np.testing.assert_array_equal(same[0].vertices, same[1].vertices)
 
 
 def test_every_error_about_a_job_has_its_id() -> None:

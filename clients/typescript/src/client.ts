@@ -1,5 +1,5 @@
 /** The client. */
-import { checkUnits, type CurveLike, curveAt, curves, toJson } from './curves.js';
+import { checkUnits, type CurveLike, curveAt, curves, invalid, toJson } from './curves.js';
 import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
 import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
 import { type Lines, Mesh, readLines } from './mesh.js';
@@ -279,7 +279,7 @@ export class Plateau {
     vertices: CurveLike, edges: readonly (readonly [number, number])[], supports: readonly number[],
     options: CableNetOptions = {}, control?: SolveControl,
   ): Promise<Result<CableNetStatistics>> {
-    const net = { vertices: curveAt('/vertices', vertices), edges: edges.map(([a, b]) => [a, b]), supports: [...supports] };
+    const net = { vertices: curveAt('/vertices', vertices), edges: edges as unknown as number[][], supports: supports as number[] };
     return this.solve({ kind: 'cable_net', ...net, ...options }, control);
   }
 
@@ -465,6 +465,7 @@ export class Plateau {
   }
 
   async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    if (!(request.kind in PATHS)) throw invalid('/kind', `must be one of ${Object.keys(PATHS).join(', ')}`);
     checkUnits(request);
     return this.#submit<JobInfo>(PATHS[request.kind], request, key, waitS);
   }

@@ -73,6 +73,7 @@ function checkFinite(value: unknown, pointer: string): void {
   }
 }
 
-function invalid(pointer: string, detail: string): InvalidRequest {
+/** The error for a value that the client itself refuses. */
+export function invalid(pointer: string, detail: string): InvalidRequest {
   return new InvalidRequest({ title: 'The request is invalid', detail, errors: [{ pointer, detail }] });
 }

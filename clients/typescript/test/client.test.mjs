@@ -269,6 +269,21 @@ test('a slip is told in the words of the server', async () => {
   }
 });
 
+test('the server says what is wrong with an index or a film, and the client what with a kind', async () => {
+  const cables = { cables: [{ force: 1 }] };
+  for (const [step, pointer, status] of [
+    [() => client.cableNet(TENT, [[0, 1], [0, 1, 2]], [0], cables), '/edges/1', 422],
+    [() => client.cableNet(TENT, null, [0], cables), '/edges', 422],
+    [() => client.cableNet(TENT, [[0, 1]], null, cables), '/supports', 422],
+    [() => client.tensileStructure([TENT], null), '/film', 422],
+    [() => client.solve({ kind: 'minimal_surfaces', boundaries: [TENT] }), '/kind', null],
+  ]) {
+    const error = await step().then(() => assert.fail('accepted'), (reason) => reason);
+    assert.ok(error instanceof InvalidRequest, String(error));
+    assert.deepEqual([error.errors[0].pointer, error.status], [pointer, status]);
+  }
+});
+
 test('every error about a job has its id', async () => {
   const mesh = await client.solve(small(0.8));
   const job = await client.job(mesh.id);

@@ -54,7 +54,8 @@ def _of_array(values: Any) -> Points:
     if array.ndim == 3 and array.shape[2] in (2, 3):
         raise InvalidRequest("Not a curve", f"{TOO_MANY}: {POINTS}")
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise InvalidRequest("Not a curve", f"expected points as [[x, y, z], …], got an array of shape {array.shape}")
+        got = f"an array of shape {array.shape}" if array.ndim > 0 else type(values).__name__
+        raise InvalidRequest("Not a curve", f"expected points as [[x, y, z], …], got {got}")
     if array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
     result: Points = array.tolist()

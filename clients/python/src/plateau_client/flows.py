@@ -236,7 +236,7 @@ def submit(
     """Posts a request. Its `kind` says where to; `wait_s` is how long the answer may wait for the end."""
     kind = request.get("kind")
     if kind not in PATHS:
-        detail = f"expected one of {', '.join(PATHS)}"
+        detail = f"must be one of {', '.join(PATHS)}"
         raise errors.InvalidRequest("The kind is missing", detail, errors=[errors.FieldError("/kind", detail)])
     check_units(request)
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}

@@ -34,7 +34,7 @@ def tensile_structure(
     film: Union[api.TensileFilm, Sequence[api.TensileFilm]],
     **options: Unpack[api.TensileStructureOptions],
 ) -> Dict[str, Any]:
-    films: Dict[str, Any] = {"film": film} if isinstance(film, Mapping) else {"layers": list(film)}
+    films: Dict[str, Any] = {"layers": list(film)} if isinstance(film, (list, tuple)) else {"film": film}
     return {"kind": "tensile_structure", "boundaries": curves("boundaries", boundaries), **films, **options}
 
 
@@ -42,7 +42,8 @@ def cable_net(vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[
     return {
         "kind": "cable_net",
         "vertices": curve_at("/vertices", vertices),
-        "edges": np.asarray(edges, dtype=np.int64).reshape(-1, 2).tolist(),
-        "supports": np.asarray(supports, dtype=np.int64).reshape(-1).tolist(),
+        # The server says what is wrong with an index.
+        "edges": np.asarray(edges, dtype=object).tolist(),
+        "supports": np.asarray(supports, dtype=object).tolist(),
         **options,
     }
