@@ -154,7 +154,7 @@ def test_the_request_and_the_certificate_come_back() -> None:
 
 
 def test_the_server_is_told_who_asks() -> None:
-    with Plateau() as client:
+    for client in (Plateau(), AsyncPlateau()):
         assert client._http.headers["User-Agent"] == f"plateau-client/{plateau_client.__version__} (Python)"
 
 
