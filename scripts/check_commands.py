@@ -4,10 +4,10 @@
     PLATEAU_URL=http://127.0.0.1:8080 python3 scripts/check_commands.py [DOCUMENT …]
     python3 scripts/check_commands.py --programs [DOCUMENT …]
 
-Commands that talk to the service: the blocks marked `sh` that have a request for it run one after another, page by
-page, in an empty folder that has copies of api/examples, benches/papers and scripts/check_certificate.py. A block must
-end with status 0, and each file that it writes must hold the kind of data that its ending names: a reader who follows a
-page ends with files that open.
+Commands that talk to the service: the blocks marked `sh` that have a request for it run one after another in one shell,
+page by page, in an empty folder that has copies of api/examples, benches/papers and scripts/check_certificate.py. A
+block must end with status 0, and each file that it writes must hold the kind of data that its ending names: a reader
+who follows a page ends with files that open. Git must ignore these files, because the reader is in a checkout.
 
 Programs (--programs): the commands in the text that print figures, which are `cargo run` with an example, `cargo test`
 with a test and `cargo bench`, run in the root of the project. Each must end with status 0, and must leave the files of
@@ -30,9 +30,9 @@ BLOCK = re.compile(r"^```sh\n(.*?)^```", re.S | re.M)
 ASKS = (PRINTED, "$PLATEAU_URL", "$job")
 DOCUMENTS = ["README.md", *(f"docs/{name}.md" for name in (
     "minimal-surfaces", "ruled-surfaces", "uniform-meshes", "tensile-structures", "cable-nets", "certificates",
-    "clients")), "benches/papers/README.md"]
+    "clients", "workshop")), "benches/papers/README.md"]
 COPIED = ("api/examples", "benches/papers", "scripts/check_certificate.py")
-# Seconds; the longest wait that a command asks for is 60, and the papers' examples take a minute in all.
+# Seconds for a page; the longest wait that a command asks for is 60, and the papers' examples take a minute in all.
 PATIENCE = 300
 PROGRAM = re.compile(r"`(cargo (?:run [^`]*--example|test [^`]*--test|bench) [^`>]*)`")
 # Seconds. The longest program draws the pictures, and compiles the solvers before.
@@ -71,12 +71,16 @@ def check(document):
             copy = shutil.copytree if os.path.isdir(os.path.join(ROOT, name)) else shutil.copy
             os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
             copy(os.path.join(ROOT, name), os.path.join(folder, name))
-        for number, command in enumerate(commands, 1):
-            done = subprocess.run(["bash", "-e", "-c", command.replace(PRINTED, SERVICE)], cwd=folder, timeout=PATIENCE,
-                                  capture_output=True, text=True, env={**os.environ, "PLATEAU_URL": SERVICE})
-            if done.returncode:
-                faults.append(f"{document}: command {number} ends with {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
-        for name in sorted(os.listdir(folder)):
+        before = set(os.listdir(folder))
+        script = "".join(f"block={number}\n{command}\n" for number, command in enumerate(commands, 1))
+        script = "trap 'echo in command $block' EXIT\n" + script.replace(PRINTED, SERVICE)
+        done = subprocess.run(["bash", "-e", "-c", script], cwd=folder, timeout=PATIENCE,
+                              capture_output=True, text=True, env={**os.environ, "PLATEAU_URL": SERVICE})
+        if done.returncode:
+            faults.append(f"{document}: ends with {done.returncode}: {(done.stderr + done.stdout)[-500:]}")
+        for name in sorted(set(os.listdir(folder)) - before):
+            if subprocess.run(["git", "check-ignore", "--quiet", "--no-index", name], cwd=ROOT).returncode:
+                faults.append(f"{document}: {name} is left in the checkout")
             path = os.path.join(folder, name)
             text = fault(path) if os.path.isfile(path) else None
             if text:

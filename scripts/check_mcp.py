@@ -1,4 +1,4 @@
-"""Lists the tools, solves an example and fetches its link, with the official Python SDK of the Model Context Protocol.
+"""Lists the tools, solves examples, cancels one and fetches links, with the official SDK of the Model Context Protocol.
 
 Usage: PLATEAU_URL=http://… check_mcp.py PROGRAM. The client speaks with `PROGRAM mcp` on standard input and output, and
 with the server at PLATEAU_URL, which must have the setting http.mcp. It does so by the newest version of the protocol and
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from mcp import Client, StdioServerParameters
 
-EXAMPLE = Path(__file__).parent.parent / "api" / "examples" / "helicoid.json"
+EXAMPLES = Path(__file__).parent.parent / "api" / "examples"
 
 
 async def check(server: StdioServerParameters | str, mode: str) -> None:
@@ -32,7 +32,7 @@ async def check(server: StdioServerParameters | str, mode: str) -> None:
         described = await client.call_tool("describe", {"kind": "minimal_surface", "whole": True})
         assert "boundaries" in described.structured_content["request_schema"]["required"]
 
-        request = json.loads(EXAMPLE.read_text())
+        request = json.loads((EXAMPLES / "helicoid.json").read_text())
         solved = await client.call_tool("solve", {"request": request})
         job = solved.structured_content
         assert not solved.is_error and job["status"] == "succeeded" and job["warnings"] == [], job
@@ -44,6 +44,25 @@ async def check(server: StdioServerParameters | str, mode: str) -> None:
         linked = await client.call_tool("link", {"id": job["id"], "format": "glb"})
         with urllib.request.urlopen(linked.structured_content["url"]) as answer:
             assert answer.read(4) == b"glTF"
+
+        proven = {**request, "certify": {"seconds": 0.1}}
+        strip = json.loads((EXAMPLES / "two-rails.json").read_text())
+        for asked, link, begins in [
+            (proven, {"file": "certificate"}, b"{"),
+            (strip, {"file": "pattern", "format": "dxf", "query": "profile=cut"}, b"PK"),
+            (strip, {"file": "schedule", "query": "part=bends"}, b"piece,"),
+        ]:
+            made = await client.call_tool("solve", {"request": asked})
+            linked_file = await client.call_tool("link", {"id": made.structured_content["id"], **link})
+            assert not linked_file.is_error, linked_file
+            with urllib.request.urlopen(linked_file.structured_content["url"]) as answer:
+                assert answer.read().startswith(begins), link
+
+        # A job that has ended already stays as it is.
+        started = await client.call_tool("start", {"request": {**request, "cache": "bypass"}})
+        cancelled = await client.call_tool("cancel", {"id": started.structured_content["id"]})
+        assert cancelled.structured_content["id"] == started.structured_content["id"], cancelled
+        assert cancelled.structured_content["status"] in ("cancelled", "succeeded"), cancelled
 
         # Any failure of a tool is a result that a model can read.
         request["boundaries"][0][5][1] = "x"

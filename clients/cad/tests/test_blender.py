@@ -162,6 +162,28 @@ def test_every_kind_in_millimetres_at_survey_coordinates():
             assert statistics["converged"] and len(statistics["cables"]) == 4
         else:
             assert statistics["objective"] in options.values()
+        is_replaced_and_brought_back(made, picked[0])
+
+
+def is_replaced_and_brought_back(made, curve):
+    """A result that is made again after a change of its curve is the same object, and one undo brings its mesh back."""
+    name, job, before, count = made.name, made["plateau_job"], world(made), len(bpy.context.scene.objects)
+    # Exact in f32 beside the other coordinates.
+    curve.data.splines[0].points[0].co.z += 128.0
+    moved = np.array(curve.data.splines[0].points[0].co[:3], dtype=np.float64) + SURVEY
+    bpy.ops.object.select_all(action="DESELECT")
+    made.select_set(True)
+    bpy.context.view_layer.update()
+    bpy.ops.ed.undo_push(message="the curve is moved")
+    # As from the menu, which adds the operator's own undo step.
+    assert bpy.ops.object.plateau("EXEC_DEFAULT", True, url=os.environ["PLATEAU_URL"]) == {"FINISHED"}
+    again = bpy.data.objects[name]
+    assert again["plateau_job"] != job and len(bpy.context.scene.objects) == count
+    assert np.linalg.norm(world(again) - moved, axis=1).min() < 2e-3
+    bpy.ops.ed.undo()
+    undone = bpy.data.objects[name]
+    assert undone["plateau_job"] == job and len(bpy.context.scene.objects) == count
+    assert np.array_equal(world(undone), before)
 
 
 def test_a_result_is_replaced_and_keeps_its_settings():

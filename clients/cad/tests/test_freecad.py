@@ -137,6 +137,26 @@ def test_every_kind_in_millimetres_at_survey_coordinates():
             assert statistics(one)["converged"] and len(statistics(one)["cables"]) == 4
         else:
             assert statistics(one)["objective"] == settings["Objective"]
+        is_replaced_and_brought_back(one, curves[0], lines[0], closed)
+
+
+def is_replaced_and_brought_back(one, curve, line, closed):
+    """A result that is made again after a change of its curve is the same object, and one undo brings it back."""
+    def coordinates():
+        points = one.Mesh.Points if one.TypeId == "Mesh::Feature" else [vertex.Point for vertex in one.Shape.Vertexes]
+        return [(point.x, point.y, point.z) for point in points]
+
+    document = FreeCAD.ActiveDocument
+    job, before, names = one.PlateauJob, coordinates(), [other.Name for other in document.Objects]
+    points = vectors([(*line[0][:2], line[0][2] + 100), *line[1:]], SURVEY)
+    curve.Shape = Part.makePolygon(points + points[:1] if closed else points)
+    select(one)
+    count = document.UndoCount
+    assert macro.main() == one and document.UndoCount == count + 1 and one.PlateauJob != job
+    assert [other.Name for other in document.Objects] == names
+    assert nearest(one, [points[0].x, points[0].y, points[0].z]) < 2e-3
+    document.undo()
+    assert one.PlateauJob == job and coordinates() == before and [other.Name for other in document.Objects] == names
 
 
 def test_circles_and_loose_edges_become_a_film():

@@ -172,6 +172,12 @@ def test_every_kind_in_millimetres_at_survey_coordinates():
         if word == "Membrane":
             # The edges are cables: the film is smaller than over straight edges.
             assert job["statistics"]["converged"] and len(job["statistics"]["cables"]) == 4
+        ids, before = list(document.picked), dict(document.objects)
+        document.picked, document.answers = made[:1], {}
+        again = plateau_rhino.main()
+        assert again and set(document.objects) == {*ids, *again} and not set(again) & set(made), (word, document.said)
+        document.undo()
+        assert document.objects == before
 
 
 def test_a_result_is_replaced_in_one_undo_step():

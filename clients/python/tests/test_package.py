@@ -61,8 +61,10 @@ def test_the_types_are_those_of_the_api_document() -> None:
 
 
 @pytest.mark.parametrize("block", BLOCKS, ids=range(len(BLOCKS)))
-def test_the_code_of_the_pages_runs(block: str) -> None:
+def test_the_code_of_the_pages_runs_and_leaves_a_checkout_clean(block: str, tmp_path: Path) -> None:
     exec(compile(block, "README.md", "exec"), {"__name__": "readme"})
+    for written in tmp_path.iterdir():
+        run("git", "check-ignore", "--no-index", written.name, cwd=ROOT.parents[1])
 
 
 def test_the_wheel_works_in_a_fresh_environment(tmp_path: Path) -> None:

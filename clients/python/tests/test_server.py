@@ -9,6 +9,7 @@ import zipfile
 from pathlib import Path
 from typing import Any, Dict, List
 
+import httpx
 import numpy as np
 import pytest
 from conftest import Server, soon
@@ -23,6 +24,7 @@ from plateau_client import (
     Plateau,
     PlateauError,
     TimedOut,
+    flows,
     requests,
 )
 
@@ -152,7 +154,7 @@ def test_the_request_and_the_certificate_come_back() -> None:
 
 
 def test_the_server_is_told_who_asks() -> None:
-    with Plateau() as client:
+    for client in (Plateau(), AsyncPlateau()):
         assert client._http.headers["User-Agent"] == f"plateau-client/{plateau_client.__version__} (Python)"
 
 
@@ -264,23 +266,91 @@ def test_slips_are_explained_before_they_are_sent() -> None:
     client = Plateau("http://127.0.0.1:9", patience=0)  # nothing listens there
     one_curve: List[Any] = [TENT, np.array(TENT), [list(point) for point in TENT], LineString(TENT)]
     for curve in one_curve:
-        with pytest.raises(InvalidRequest, match="/boundaries: lacks a level of brackets: it must be a list of curves"):
+        with pytest.raises(InvalidRequest, match="/boundaries: lacks a level of brackets: it must be a list of "):
             client.minimal_surface(curve)
     with pytest.raises(InvalidRequest, match="/directrices: lacks a level of brackets"):
         client.ruled_surface(TENT)
-    with pytest.raises(InvalidRequest, match="/boundaries/0: has a level of brackets too many: it must be a list"):
-        client.minimal_surface([[TENT]])
     polygon = Polygon(TENT, [[(1, 1), (2, 1), (2, 2)]])
     with pytest.raises(InvalidRequest, match=r"/boundaries: .* pass \[polygon.exterior, \*polygon.interiors\]"):
         client.minimal_surface(polygon)
     assert len(requests.minimal_surface([polygon.exterior, *polygon.interiors])["boundaries"]) == 2
-    force = r'/units: must be an object with the units of lengths and forces, such as \{"length": "mm", "force": "kN"\}'
-    with pytest.raises(InvalidRequest, match=force):
+    with pytest.raises(InvalidRequest, match=r'/units: must be an object, such as \{"force":"kN","length":"mm"\}'):
         client.tensile_structure([TENT], {"tension": 1}, units="mm")  # type: ignore[arg-type]
     with pytest.raises(InvalidRequest, match="/requests/0/units"):
         client.submit_batch([requests.cable_net(TENT, [(0, 1)], [0], units="mm")])  # type: ignore[arg-type]
+    with pytest.raises(InvalidRequest, match="/boundaries/1: expected points .*, got NoneType"):
+        client.minimal_surface([TENT, None])
     # A strip from an apex, and one between two points and a curve, are none of these slips.
     assert requests.ruled_surface([TENT[0], TENT[1:]])["directrices"][0] == [list(TENT[0])]
+
+
+def test_a_slip_is_told_in_the_words_of_the_server(server: Server) -> None:
+    points = [list(point) for point in TENT]
+    net = {"edges": [(0, 1)], "supports": [0]}
+    slips: List[Dict[str, Any]] = [
+        {"kind": "minimal_surface", "boundaries": points},
+        {"kind": "minimal_surface", "boundaries": [[points]]},
+        {"kind": "minimal_surface", "boundaries": [points, [points]]},
+        {"kind": "ruled_surface", "directrices": points},
+        {"kind": "uniform_mesh", "domain": {"polygon": [points]}, "edge_length": 1.0},
+        {"kind": "uniform_mesh", "domain": {"polygon": points, "holes": points}, "edge_length": 1.0},
+        {"kind": "tensile_structure", "boundaries": [points], "film": {"tension": 1}, "units": "m"},
+        {"kind": "cable_net", "vertices": [points], **net},
+        {"kind": "cable_net", "vertices": points, "units": "m", **net},
+    ]
+    for slip in slips:
+        options = {name: value for name, value in slip.items() if name != "kind"}
+        with pytest.raises(InvalidRequest) as local:
+            getattr(Plateau(), slip["kind"])(**options)
+        answer = httpx.post(f"{server.url}/{flows.PATHS[slip['kind']]}", json=options)
+        said = [(error["pointer"], error["detail"]) for error in answer.json()["errors"]]
+        assert local.value.status is None and list(local.value.errors) == said, slip
+
+
+def test_the_server_says_what_is_wrong_with_an_index_or_a_film() -> None:
+    client = Plateau()
+    for edges, pointer in (([(0, 1), (0, 1, 2)], "/edges/1"), (None, "/edges"), ([(0, None)], "/edges/0/1")):
+        with pytest.raises(InvalidRequest, match=f"{pointer}: ") as refused:
+            client.cable_net(TENT, edges, [0], cables=[{"force": 1}])
+        assert refused.value.status == 422
+    for film_, pointer in ((None, "/film"), (2, "/film"), ([2], "/layers/0")):
+        with pytest.raises(InvalidRequest, match=f"{pointer}: "):
+            client.tensile_structure([TENT], film_)  # type: ignore[arg-type]
+    same = [
+        client.cable_net(TENT, *given, cables=[{"force": 1}])
+        for given in (
+            ([(0, 1), (1, 2), (2, 3), (3, 1)], [0, 2, 3]),
+            (np.array([[0, 1], [1, 2], [2, 3], [3, 1]]), np.array([0, 2, 3])),
+        )
+    ]
+    np.testing.assert_array_equal(same[0].vertices, same[1].vertices)
+
+
+def test_every_error_about_a_job_has_its_id() -> None:
+    client = Plateau()
+    mesh = client.solve(film(0.06))
+    job = client.job(mesh.id)
+    with pytest.raises(NotFound) as missing:
+        mesh.certificate()
+    assert missing.value.job_id == mesh.id
+    job.delete()
+    steps: List[Any] = [
+        mesh.download,
+        mesh.lines,
+        mesh.pattern,
+        lambda: mesh.schedule(part="nodes"),
+        mesh.certificate,
+        job.refresh,
+        job.fetch_request,
+        job.result,
+        job.cancel,
+        lambda: client.job(job.id),
+        lambda: client.resume(job.id),
+    ]
+    for step in steps:
+        with pytest.raises(NotFound) as gone:
+            step()
+        assert gone.value.job_id == mesh.id
 
 
 def test_a_job_that_fails_says_why() -> None:

@@ -1,5 +1,5 @@
 /** The client. */
-import { checkUnits, type CurveLike, curves, points, toJson } from './curves.js';
+import { checkUnits, type CurveLike, curveAt, curves, invalid, toJson } from './curves.js';
 import { about, ConnectionFailed, JobCancelled, JobFailed, PASSING, problemOf, retryAfterMs } from './errors.js';
 import { type FollowControl, Follower, type Get, hasEnded } from './follow.js';
 import { type Lines, Mesh, readLines } from './mesh.js';
@@ -59,6 +59,9 @@ const PATHS: Record<Kind, string> = {
   tensile_structure: 'v1/tensile-structures',
   cable_net: 'v1/cable-nets',
 };
+
+/** The path of a job and of everything that belongs to it. */
+const JOB = /^v1\/jobs\/([^/?]+)/;
 
 /** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
 const SHORT_WAIT_S = 1;
@@ -251,7 +254,7 @@ export class Plateau {
     options: UniformMeshOptions = {}, control?: SolveControl,
   ): Promise<Result<UniformStatistics>> {
     const isCurve = Array.isArray(domain) || ArrayBuffer.isView(domain);
-    const given = isCurve ? { polygon: points(domain as CurveLike) } : (domain as { polygon?: number[][] });
+    const given = isCurve ? { polygon: curveAt('/domain/polygon', domain as CurveLike) } : (domain as { polygon?: number[][] });
     return this.solve({ kind: 'uniform_mesh', domain: given, edge_length: edgeLength, ...options }, control);
   }
 
@@ -276,7 +279,7 @@ export class Plateau {
     vertices: CurveLike, edges: readonly (readonly [number, number])[], supports: readonly number[],
     options: CableNetOptions = {}, control?: SolveControl,
   ): Promise<Result<CableNetStatistics>> {
-    const net = { vertices: points(vertices), edges: edges.map(([a, b]) => [a, b]), supports: [...supports] };
+    const net = { vertices: curveAt('/vertices', vertices), edges: edges as unknown as number[][], supports: supports as number[] };
     return this.solve({ kind: 'cable_net', ...net, ...options }, control);
   }
 
@@ -334,7 +337,7 @@ export class Plateau {
 
   /** Waits for a job of an earlier call and gets its mesh. Aborting the signal stops the wait; the job goes on. */
   async resume(id: string, control: FollowControl = {}): Promise<Result<unknown>> {
-    return about(id, this.job(id).then((job) => job.wait(control)));
+    return (await this.job(id)).wait(control);
   }
 
   /** All jobs, newest first, page by page. */
@@ -392,7 +395,7 @@ export class Plateau {
   async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal, request?: Request): Promise<Result<Statistics>> {
     if (job.status === 'failed') throw new JobFailed(job);
     if (job.status === 'cancelled') throw new JobCancelled(job);
-    const made = new Result<Statistics>(this, job, await about(job.id, this.download(job.id, 'ply', signal)));
+    const made = new Result<Statistics>(this, job, await this.download(job.id, 'ply', signal));
     made.request = request;
     return made;
   }
@@ -403,9 +406,13 @@ export class Plateau {
 
   /**
    * Sends a request and reads its answer. Waits and tries again while the server is busy or cannot be reached; throws what it
-   * refuses. Every request may be sent again, because submissions carry an Idempotency-Key.
+   * refuses. Every request may be sent again, because submissions carry an Idempotency-Key. An error about a job has its id.
    */
-  async send(path: string, sending: Sending = {}): Promise<ArrayBuffer> {
+  send(path: string, sending: Sending = {}): Promise<ArrayBuffer> {
+    return about(JOB.exec(path)?.[1], this.#send(path, sending));
+  }
+
+  async #send(path: string, sending: Sending): Promise<ArrayBuffer> {
     const attempts = this.#patience.attempts();
     for (;;) {
       let response: Response;
@@ -458,6 +465,7 @@ export class Plateau {
   }
 
   async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    if (!(request.kind in PATHS)) throw invalid('/kind', `must be one of ${Object.keys(PATHS).join(', ')}`);
     checkUnits(request);
     return this.#submit<JobInfo>(PATHS[request.kind], request, key, waitS);
   }

@@ -13,28 +13,37 @@ export function points(curve: CurveLike): number[][] {
   }
   if (!Array.isArray(curve)) throw invalid('', 'expected points as [[x, y, z], …]');
   const isCurve = (part: unknown): boolean => Array.isArray(part) && part.length > 0 && part.every(isPoint);
-  if (curve.length > 0 && curve.every(isCurve)) throw invalid('', TOO_MANY);
+  if (curve.length > 0 && curve.every(isCurve)) throw invalid('', `${TOO_MANY}: ${POINTS}`);
   if (!curve.every(isPoint)) throw invalid('', 'expected points as [[x, y, z], …]');
   return curve.map((point: PointLike) => ('x' in point ? [point.x, point.y, point.z] : [...point]));
 }
 
-/** The curves of a field of a request; the pointers of errors lead to the curve. */
-export function curves(field: string, given: readonly CurveLike[]): number[][][] {
-  if (!Array.isArray(given) || (given.length > 0 && given.every(isPoint))) throw invalid(`/${field}`, BRACKETS);
-  return given.map((curve: CurveLike, index) => {
-    try {
-      return points(curve);
-    } catch (error) {
-      throw error instanceof InvalidRequest ? invalid(`/${field}/${index}`, error.detail) : error;
-    }
-  });
+/** The points of a curve of a request; the error leads to the curve. */
+export function curveAt(pointer: string, given: CurveLike): number[][] {
+  try {
+    return points(given);
+  } catch (error) {
+    throw error instanceof InvalidRequest ? invalid(pointer, error.detail) : error;
+  }
 }
 
-const BRACKETS = 'lacks a level of brackets: it must be a list of curves, which are lists of points [x, y, z], '
-  + 'such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]';
+/** The curves of a field of a request; the pointers of errors lead to the curve. */
+export function curves(field: string, given: readonly CurveLike[]): number[][][] {
+  if (!Array.isArray(given) || (given.length > 0 && given.every(isPoint))) throw invalid(`/${field}`, `${TOO_FEW}: ${CURVES}`);
+  if (given.length > 0 && given.every((one) => levels(one) > 2)) throw invalid(`/${field}`, `${TOO_MANY}: ${CURVES}`);
+  return given.map((curve: CurveLike, index) => curveAt(`/${field}/${index}`, curve));
+}
 
-const TOO_MANY = 'has a level of brackets too many: it must be a list of points [x, y, z], '
-  + 'such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]';
+// The words of the server for the same slips.
+const POINTS = 'it must be a list of points [x, y, z], such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]';
+const CURVES = 'it must be a list of polylines, which are lists of points [x, y, z], such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]';
+const TOO_MANY = 'has a level of brackets too many';
+const TOO_FEW = 'lacks a level of brackets';
+
+/** Number of levels of brackets around the first number of a value. */
+function levels(value: unknown): number {
+  return Array.isArray(value) ? 1 + levels(value[0]) : 0;
+}
 
 /** Whether a value is x y z, and not a list of points. */
 function isPoint(value: unknown): boolean {
@@ -45,8 +54,7 @@ function isPoint(value: unknown): boolean {
 /** Membranes and nets have a unit of force too, so that the unit of length alone is not enough. */
 export function checkUnits({ kind, units }: { kind?: unknown; units?: unknown }, pointer = ''): void {
   if ((kind !== 'tensile_structure' && kind !== 'cable_net') || typeof units !== 'string') return;
-  const example = `{"length": "${units}", "force": "kN"}`;
-  throw invalid(`${pointer}/units`, `must be an object with the units of lengths and forces, such as ${example}`);
+  throw invalid(`${pointer}/units`, `must be an object, such as {"force":"kN","length":"${units}"}`);
 }
 
 /** The body of a request. JSON has no NaN: a number that is not finite is an error with its pointer. */
@@ -65,6 +73,7 @@ function checkFinite(value: unknown, pointer: string): void {
   }
 }
 
-function invalid(pointer: string, detail: string): InvalidRequest {
+/** The error for a value that the client itself refuses. */
+export function invalid(pointer: string, detail: string): InvalidRequest {
   return new InvalidRequest({ title: 'The request is invalid', detail, errors: [{ pointer, detail }] });
 }

@@ -92,7 +92,7 @@ export class ConnectionFailed extends PlateauError {
 }
 
 /** Gives an error of a step about a job the job's id. */
-export async function about<T>(jobId: string, step: Promise<T>): Promise<T> {
+export async function about<T>(jobId: string | undefined, step: Promise<T>): Promise<T> {
   try {
     return await step;
   } catch (error) {

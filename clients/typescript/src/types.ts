@@ -55,7 +55,9 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
 
 export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json';
 export type PatternFormat = 'svg' | 'dxf';
+/** Parameters of a query, with booleans in the place of their words. */
+type Parameters<Query> = { [Name in keyof Query]: NonNullable<Query[Name]> extends 'true' | 'false' ? boolean | Query[Name] : Query[Name] };
 /** Parameters of a flat pattern, by which `pattern` draws it. */
-export type PatternParameters = NonNullable<operations['getPattern']['parameters']['query']>;
+export type PatternParameters = Parameters<NonNullable<operations['getPattern']['parameters']['query']>>;
 /** Parameters of a table of parts, by which `schedule` writes it. */
-export type ScheduleParameters = NonNullable<operations['getSchedule']['parameters']['query']>;
+export type ScheduleParameters = Parameters<NonNullable<operations['getSchedule']['parameters']['query']>>;

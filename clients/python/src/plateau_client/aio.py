@@ -325,9 +325,8 @@ class AsyncPlateau:
         timeout: Optional[float] = None,
     ) -> AsyncResult[Any]:
         """Waits for a job of an earlier call and returns its mesh. Every error has the id as `job_id`."""
-        with flows.about(job_id):
-            job = await self.job(job_id)
-            return await job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
+        job = await self.job(job_id)
+        return await job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
 
     async def jobs(self, **filters: Any) -> AsyncIterator[api.JobSummary]:
         """All jobs, newest first, page by page; `status`, `kind` and `idempotency_key` choose among them."""

@@ -319,9 +319,8 @@ class Plateau:
         timeout: Optional[float] = None,
     ) -> Result[Any]:
         """Waits for a job of an earlier call and returns its mesh. Every error has the id as `job_id`."""
-        with flows.about(job_id):
-            job = self.job(job_id)
-            return job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
+        job = self.job(job_id)
+        return job.wait(on_progress=on_progress, bar=bar, timeout=timeout)
 
     def jobs(self, **filters: Any) -> Iterator[api.JobSummary]:
         """All jobs, newest first, page by page; `status`, `kind` and `idempotency_key` choose among them."""

@@ -15,9 +15,13 @@ CurveLike = Any
 
 Points = List[List[float]]
 
-TOO_MANY = (
-    "has a level of brackets too many: it must be a list of points [x, y, z], such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]"
+# The words of the server for the same slips.
+POINTS = "it must be a list of points [x, y, z], such as [[0, 0, 0], [4, 0, 1], [4, 3, 0]]"
+CURVES = (
+    "it must be a list of polylines, which are lists of points [x, y, z], such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]"
 )
+TOO_MANY = "has a level of brackets too many"
+TOO_FEW = "lacks a level of brackets"
 
 SAMPLES = 64
 """Number of points on a smooth curve of compas or rhino3dm unless `points` is told another."""
@@ -48,9 +52,10 @@ def _of_array(values: Any) -> Points:
     if array.ndim == 1 and array.shape[0] in (2, 3):
         array = array[np.newaxis]
     if array.ndim == 3 and array.shape[2] in (2, 3):
-        raise InvalidRequest("Not a curve", TOO_MANY)
+        raise InvalidRequest("Not a curve", f"{TOO_MANY}: {POINTS}")
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise InvalidRequest("Not a curve", f"expected points as [[x, y, z], …], got an array of shape {array.shape}")
+        got = f"an array of shape {array.shape}" if array.ndim > 0 else type(values).__name__
+        raise InvalidRequest("Not a curve", f"expected points as [[x, y, z], …], got {got}")
     if array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
     result: Points = array.tolist()
@@ -125,10 +130,12 @@ def _steps(start: float, end: float, samples: int, closed: bool) -> List[float]:
     return [float(t) for t in np.linspace(start, end, samples, endpoint=not closed)]
 
 
-BRACKETS = (
-    "lacks a level of brackets: it must be a list of curves, which are lists of points [x, y, z], "
-    "such as [[[0, 0, 0], [4, 0, 1], [4, 3, 0]]]"
-)
+def curve_at(pointer: str, given: Any) -> Points:
+    """The points of a curve of a request; the error leads to the curve."""
+    try:
+        return points(given)
+    except InvalidRequest as error:
+        raise InvalidRequest(error.title, error.detail, errors=[FieldError(pointer, error.detail)]) from None
 
 
 def curves(field: str, given: Any) -> List[Points]:
@@ -139,18 +146,13 @@ def curves(field: str, given: Any) -> List[Points]:
     if not isinstance(given, (list, tuple, np.ndarray)):
         library = type(given).__module__.split(".")[0]
         if library in ("shapely", "compas", "compas_occ", "compas_rhino", "rhino3dm"):
-            raise _slip(f"/{field}", f"lacks a level of brackets: it must be a list of curves, not one {_name(given)}")
+            raise _slip(f"/{field}", f"{TOO_FEW}: it must be a list of curves, not one {_name(given)}")
         raise _slip(f"/{field}", f"must be a list of curves, not {_name(given)}")
     if len(given) > 0 and all(_is_point(one) for one in given):
-        raise _slip(f"/{field}", BRACKETS)
-    found: List[Points] = []
-    for index, curve in enumerate(given):
-        try:
-            found.append(points(curve))
-        except InvalidRequest as error:
-            place = FieldError(f"/{field}/{index}", error.detail)
-            raise InvalidRequest(error.title, error.detail, errors=[place]) from None
-    return found
+        raise _slip(f"/{field}", f"{TOO_FEW}: {CURVES}")
+    if len(given) > 0 and all(_levels(one) > 2 for one in given):
+        raise _slip(f"/{field}", f"{TOO_MANY}: {CURVES}")
+    return [curve_at(f"/{field}/{index}", curve) for index, curve in enumerate(given)]
 
 
 def _is_point(value: Any) -> bool:
@@ -159,6 +161,15 @@ def _is_point(value: Any) -> bool:
         return value.ndim == 1 and value.shape[0] in (2, 3)
     numbers = (int, float, np.number)
     return isinstance(value, (list, tuple)) and len(value) in (2, 3) and all(isinstance(one, numbers) for one in value)
+
+
+def _levels(value: Any) -> int:
+    """Number of levels of brackets around the first number of a value, or around its first curve of a library."""
+    if isinstance(value, np.ndarray):
+        return value.ndim
+    if not isinstance(value, (list, tuple)):
+        return 0
+    return 1 + (_levels(value[0]) if len(value) > 0 else 0)
 
 
 def _slip(pointer: str, detail: str) -> InvalidRequest:
@@ -173,10 +184,7 @@ def check_units(request: Any, pointer: str = "") -> None:
     """Membranes and nets have a unit of force too, so that the unit of length alone is not enough."""
     units = request.get("units")
     if request.get("kind") in ("tensile_structure", "cable_net") and isinstance(units, str):
-        detail = (
-            f'must be an object with the units of lengths and forces, such as {{"length": "{units}", "force": "kN"}}'
-        )
-        raise _slip(f"{pointer}/units", detail)
+        raise _slip(f"{pointer}/units", f'must be an object, such as {{"force":"kN","length":"{units}"}}')
 
 
 def domain(given: Any) -> Dict[str, Any]:
@@ -184,14 +192,14 @@ def domain(given: Any) -> Dict[str, Any]:
     if isinstance(given, dict):
         made = dict(given)
         if made.get("polygon") is not None:
-            made["polygon"] = points(made["polygon"])
+            made["polygon"] = curve_at("/domain/polygon", made["polygon"])
         for field in ("holes", "boundaries"):
             if made.get(field):
                 made[field] = curves(f"domain/{field}", made[field])
         return made
     if getattr(given, "geom_type", None) == "Polygon":
         return {"polygon": points(given.exterior), "holes": [points(ring) for ring in given.interiors]}
-    return {"polygon": points(given)}
+    return {"polygon": curve_at("/domain/polygon", given)}
 
 
 def to_json(request: Any) -> bytes:

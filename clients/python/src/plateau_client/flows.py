@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import time
 import uuid
 from importlib.metadata import version
@@ -50,6 +51,8 @@ PATHS = {
     "cable_net": "v1/cable-nets",
 }
 ENDED = ("succeeded", "failed", "cancelled")
+JOB = re.compile(r"v1/jobs/([^/]+)")
+"""The path of a job and of everything that belongs to it."""
 
 LONG_POLL_S = 20
 """Seconds that one request waits for a job's end; the server may grant less."""
@@ -143,7 +146,14 @@ def call(request: Call, patience: Patience, until: Optional[float] = None) -> Fl
     """Sends a request; waits and tries again while the server is busy or cannot be reached; raises what it refuses.
 
     Every request may be sent again, because submissions carry an Idempotency-Key. `until` is the caller's own deadline.
+    An error about a job has its id.
     """
+    job = JOB.match(request.path)
+    with about(job and job.group(1)):
+        return (yield from _call(request, patience, until))
+
+
+def _call(request: Call, patience: Patience, until: Optional[float]) -> Flow[httpx.Response]:
     give_up_at: Optional[float] = None
     pause_s = 0.1
     while True:
@@ -226,7 +236,7 @@ def submit(
     """Posts a request. Its `kind` says where to; `wait_s` is how long the answer may wait for the end."""
     kind = request.get("kind")
     if kind not in PATHS:
-        detail = f"expected one of {', '.join(PATHS)}"
+        detail = f"must be one of {', '.join(PATHS)}"
         raise errors.InvalidRequest("The kind is missing", detail, errors=[errors.FieldError("/kind", detail)])
     check_units(request)
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
@@ -339,9 +349,7 @@ def finished(job: Job) -> Job:
 
 def mesh(make: Callable[[Job, bytes], T], job: Job, patience: Patience) -> Flow[T]:
     """The mesh of a job that has ended. PLY, because it keeps f64 coordinates and the mean curvature."""
-    with about(job["id"]):
-        ply = yield from download(finished(job)["id"], "ply", patience)
-    return make(job, ply)
+    return make(job, (yield from download(finished(job)["id"], "ply", patience)))
 
 
 def download(job_id: str, format: str, patience: Patience) -> Flow[bytes]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Sequence, Union
 
 import numpy as np
 
-from .curves import CurveLike, curves, points
+from .curves import CurveLike, curve_at, curves
 from .curves import domain as read_domain
 
 if TYPE_CHECKING:
@@ -34,15 +34,16 @@ def tensile_structure(
     film: Union[api.TensileFilm, Sequence[api.TensileFilm]],
     **options: Unpack[api.TensileStructureOptions],
 ) -> Dict[str, Any]:
-    films: Dict[str, Any] = {"film": film} if isinstance(film, Mapping) else {"layers": list(film)}
+    films: Dict[str, Any] = {"layers": list(film)} if isinstance(film, (list, tuple)) else {"film": film}
     return {"kind": "tensile_structure", "boundaries": curves("boundaries", boundaries), **films, **options}
 
 
 def cable_net(vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]) -> Dict[str, Any]:
     return {
         "kind": "cable_net",
-        "vertices": points(vertices),
-        "edges": np.asarray(edges, dtype=np.int64).reshape(-1, 2).tolist(),
-        "supports": np.asarray(supports, dtype=np.int64).reshape(-1).tolist(),
+        "vertices": curve_at("/vertices", vertices),
+        # The server says what is wrong with an index.
+        "edges": np.asarray(edges, dtype=object).tolist(),
+        "supports": np.asarray(supports, dtype=object).tolist(),
         **options,
     }
