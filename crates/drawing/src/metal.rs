@@ -172,7 +172,13 @@ pub fn blank(piece: &Piece, metal: &Metal) -> Result<Blank, Refused> {
                 / between.len() as f64,
             corners: between.map(|panel| panels[panel].chains[side][0].0).collect(),
         });
-        relief::relieve(&mut blank, &fans.collect::<Vec<_>>(), radius, metal.relief == Relief::Auto)?;
+        relief::relieve(
+            &mut blank.piece,
+            &mut blank.zones,
+            &fans.collect::<Vec<_>>(),
+            radius,
+            metal.relief == Relief::Auto,
+        )?;
     }
     if polygon::crossing(&blank.piece.outline).is_some() {
         let name = &piece.name;

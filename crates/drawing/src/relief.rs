@@ -4,9 +4,8 @@
 //! point is removed at most once, so that the reliefs of a whole strip take O(n log n) time.
 
 use crate::columns::Columns;
-use crate::metal::Blank;
 use crate::parameters::Refused;
-use crate::piece::Edge;
+use crate::piece::{Edge, Piece};
 use crate::polygon;
 use plateau_mesh::DVec2;
 use std::collections::BTreeMap;
@@ -24,14 +23,21 @@ const WIDER: f64 = 1.001;
 /// Longest chord error of a relief circle in millimetres: below the width of any cut.
 const RELIEF_CHORD: f64 = 0.005;
 
-/// Cuts circles of this radius out of a blank at the points in which bends meet. With `only_overlaps` only those are
-/// cut at which the outline crosses itself, and each is at least as large as the opening, so that both of its sides end
-/// on it. Otherwise an opening that reaches beyond its circle stays as it is.
+/// Cuts circles of this radius out of the piece of a blank at the points in which bends meet, and ends its folds and the
+/// sides of its zones there. With `only_overlaps` only those are cut at which the outline crosses itself, and each is at
+/// least as large as the opening, so that both of its sides end on it. Otherwise an opening that reaches beyond its
+/// circle stays as it is.
 ///
 /// # Errors
 /// Returns [`Refused::Unsuitable`] at `relief` for a circle that leaves nothing of the outline.
-pub(crate) fn relieve(blank: &mut Blank, fans: &[Fan], radius: f64, only_overlaps: bool) -> Result<(), Refused> {
-    let mut ring = Ring::new(&blank.piece.outline, &blank.piece.edges, fans);
+pub(crate) fn relieve(
+    piece: &mut Piece,
+    zones: &mut [[[DVec2; 2]; 2]],
+    fans: &[Fan],
+    radius: f64,
+    only_overlaps: bool,
+) -> Result<(), Refused> {
+    let mut ring = Ring::new(&piece.outline, &piece.edges, fans);
     let mut circles: Vec<Circle> = Vec::new();
     for (number, fan) in fans.iter().enumerate() {
         let opening = fan.corners.iter().map(|corner| corner.distance(fan.centre)).fold(0.0, f64::max);
@@ -45,15 +51,15 @@ pub(crate) fn relieve(blank: &mut Blank, fans: &[Fan], radius: f64, only_overlap
         let circle = Circle { centre: fan.centre, radius };
         let Some(corner) = ring.corner(number) else { continue };
         if !ring.cut(corner, &circle) {
-            let detail = format!("a circle of {radius} mm does not fit into {}", blank.piece.name);
+            let detail = format!("a circle of {radius} mm does not fit into {}", piece.name);
             return Err(Refused::unsuitable("relief", detail));
         }
         circles.push(circle);
     }
-    (blank.piece.outline, blank.piece.edges) = ring.points();
+    (piece.outline, piece.edges) = ring.points();
     let columns =
         Columns::new(circles.iter().map(|circle| [-1.0, 1.0].map(|side| circle.centre.x + side * circle.radius)));
-    for ends in blank.piece.folds.iter_mut().map(|fold| &mut fold.ends).chain(blank.zones.iter_mut().flatten()) {
+    for ends in piece.folds.iter_mut().map(|fold| &mut fold.ends).chain(zones.iter_mut().flatten()) {
         trim(ends, &circles, &columns);
     }
     Ok(())
