@@ -33,7 +33,7 @@ LAYERS = {
     "cable-net": "options shape loss step fitted fitting struts lib",
     "ruled-surface": "graph strip pattern stack lib",
     "drawing": """
-        parameters options polygon piece label metal figure divide sheets kinds json drawing dxf astm svg pdf schedule lib""",
+        parameters options columns polygon piece label relief metal figure divide sheets kinds json drawing dxf astm svg pdf schedule lib""",
     "engine": """
         limits common resolution options report join mesh audit solved source checked blocks kind kinds components schema
         request lib""",

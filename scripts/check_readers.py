@@ -20,12 +20,12 @@ import subprocess
 import sys
 import tempfile
 import time
-import urllib.request
 from pathlib import Path
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from service import examples, request, solve
 from skips import skip
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -247,50 +247,28 @@ def read_all(reader, names):
 # ---- the meshes and the table
 
 
-def request(path, body=None, headers=None):
-    data = None if body is None else json.dumps(body).encode()
-    sent = urllib.request.Request(
-        os.environ["PLATEAU_URL"] + path, data, {"Content-Type": "application/json", **(headers or {})}
-    )
-    with urllib.request.urlopen(sent) as answer:
-        return answer.read()
-
-
 def moved(points, by):
     if isinstance(points[0], (int, float)):
         return [x + d for x, d in zip(points, by)]
     return [moved(part, by) for part in points]
 
 
-def solve(kind, body):
-    path = {"ruled_surface": "ruled-surfaces", "minimal_surface": "minimal-surfaces"}.get(kind)
-    path = path or {"uniform_mesh": "uniform-meshes", "tensile_structure": "tensile-structures"}[kind]
-    job = json.loads(request(f"/v1/{path}", body, {"Prefer": "wait=60"}))
-    while job["status"] in ("queued", "running"):
-        job = json.loads(request(job["links"]["self"], headers={"Prefer": "wait=60"}))
-    assert job["status"] == "succeeded", job["error"]
-    return job
-
-
 def fetch_all(folder):
     """Writes every file of every example with triangles, and returns the names of the meshes."""
     names = []
-    for listed in json.loads(request("/v1/examples"))["examples"]:
-        example = json.loads(request(f"/v1/examples/{listed['name']}"))
-        if example["kind"] == "cable_net":
+    for name, kind, body in examples():
+        if kind == "cable_net":
             continue  # A cable net has lines and no triangles, so the table's areas would say nothing.
-        names.append(listed["name"])
-        requests = {listed["name"]: example["request"]}
-        if listed["name"] == SURVEY_OF:
-            far = dict(example["request"])
-            far["directrices"] = moved(far["directrices"], SURVEY)
-            requests["survey"] = far
-        for name, body in requests.items():
-            job = solve(example["kind"], body)
-            (folder / name).mkdir()
-            (folder / name / "mesh.json").write_bytes(request(job["links"]["mesh"] + "?format=json"))
+        names.append(name)
+        requests = {name: body}
+        if name == SURVEY_OF:
+            requests["survey"] = {**body, "directrices": moved(body["directrices"], SURVEY)}
+        for own, given in requests.items():
+            job = solve(kind, given)
+            (folder / own).mkdir()
+            (folder / own / "mesh.json").write_bytes(request(job["links"]["mesh"] + "?format=json"))
             for title, query in FILES.items():
-                (folder / name / file_name(title)).write_bytes(request(f"{job['links']['mesh']}?{query}"))
+                (folder / own / file_name(title)).write_bytes(request(f"{job['links']['mesh']}?{query}"))
     return [*names, "survey"]
 
 

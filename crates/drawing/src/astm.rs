@@ -3,8 +3,9 @@
 //! Lengths are in millimetres, which the text `UNITS: METRIC` says, because R13 has no variable for it. The texts have
 //! no dates, so that the same pattern gives the same bytes.
 
+use crate::columns::Columns;
 use crate::dxf;
-use crate::figure::{Figure, Shape};
+use crate::figure::{Figure, Shape, crosses_box};
 use crate::label::{self, Spot};
 use crate::options::{Layer, PatternOptions};
 use crate::polygon::{self, NOTCH_HALF_WIDTH};
@@ -73,8 +74,11 @@ pub(crate) fn to_dxf(figures: &[Figure], options: &PatternOptions, [title, gener
         let [low, high] = figure.bounds();
         piece(out, figure, low);
         let rows = [format!("PIECE NAME: {}", figure.name), "SIZE: NONE".into(), "QUANTITY: 1".into()];
-        let start = 0.5 * (high - low) + DVec2::new(0.0, 2.0 * height);
-        list(out, &rows, start);
+        let width = rows.iter().map(|row| label::width(row, height)).fold(0.0, f64::max);
+        let size = DVec2::new(width, 5.0 * height);
+        // In the middle of the piece if no place is clear of its lines and texts.
+        let at = clear_place(figure, size).unwrap_or(0.5 * (low + high) - 0.5 * size);
+        list(out, &rows, at - low + DVec2::new(0.0, 4.5 * height));
     };
     dxf::complete(&layers, [DVec3::ZERO, DVec3::new(width, top, 0.0)], None, generator, &names, block, |out| {
         let rows = [
@@ -88,6 +92,41 @@ pub(crate) fn to_dxf(figures: &[Figure], options: &PatternOptions, [title, gener
         for (name, &at) in names.iter().zip(&places) {
             out.insert(name, at, OUTLINE);
         }
+    })
+}
+
+/// Places of a box that are tried along each side of a piece.
+const TRIED: usize = 24;
+
+/// Returns the lower left corner of a box inside a piece that is clear of its lines and texts, as near to the middle of
+/// the piece as one of the places that are tried.
+fn clear_place(figure: &Figure, size: DVec2) -> Option<DVec2> {
+    let [low, high] = figure.bounds();
+    let room = high - low - size;
+    if room.min_element() < 0.0 {
+        return None;
+    }
+    let mut lines: Vec<[DVec2; 2]> = Vec::new();
+    for shape in &figure.shapes {
+        let mut points = Vec::new();
+        shape.extent(&mut points);
+        match shape {
+            Shape::Line { ends, .. } => lines.push(*ends),
+            Shape::Polygon { .. } | Shape::Text { .. } => {
+                lines.extend((0..points.len()).map(|k| [points[k], points[(k + 1) % points.len()]]));
+            }
+        }
+    }
+    let place = |k: usize| DVec2::new((k % TRIED) as f64 + 0.5, (k / TRIED) as f64 + 0.5) / TRIED as f64;
+    let mut places: Vec<DVec2> = (0..TRIED * TRIED).map(place).collect();
+    places.sort_by(|one, other| one.distance(DVec2::splat(0.5)).total_cmp(&other.distance(DVec2::splat(0.5))));
+    let columns = Columns::new(lines.iter().map(|[from, to]| [from.x.min(to.x), from.x.max(to.x)]));
+    places.into_iter().map(|place| low + place * room).find(|&at| {
+        let corners = [at, at + DVec2::new(size.x, 0.0), at + size, at + DVec2::new(0.0, size.y)];
+        polygon::contains(&figure.cut, at + 0.5 * size)
+            && !columns
+                .near(at.x, at.x + size.x)
+                .any(|number| crosses_box(&corners, lines[number][0], lines[number][1]))
     })
 }
 

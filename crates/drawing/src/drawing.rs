@@ -270,6 +270,7 @@ fn legend(figures: &[Figure]) -> Vec<&'static str> {
         (Layer::FoldFlat, "dotted: stays flat"),
         (Layer::BendUp, "dashed: bend up, towards the reader"),
         (Layer::BendDown, "dash-dotted: bend down, away from the reader"),
+        (Layer::BendZone, "grey beside a bend: where its zone begins and ends"),
         (Layer::Grain, "green line: the grain runs along it"),
         (Layer::Notch, "short line at the edge: notch, opposite the one of the mate"),
     ];

@@ -1,6 +1,7 @@
 //! A piece as it is drawn: shapes on layers, in millimetres, with y up.
 
-use crate::label::{self, LEAST_HEIGHT, Spot};
+use crate::columns::Columns;
+use crate::label::{self, Spot};
 use crate::metal::{self, Bend};
 use crate::options::{Allowances, Layer, PatternOptions, Profile, Rotate};
 use crate::parameters::Refused;
@@ -94,6 +95,15 @@ impl Figure {
     pub fn bounds(&self) -> [DVec2; 2] {
         bounds(&self.cut)
     }
+
+    /// Returns the number of bends. A bend of several hits counts once.
+    #[must_use]
+    pub fn bends(&self) -> usize {
+        let mut bridges: Vec<u32> =
+            self.lines.iter().filter(|line| line.layer != Layer::FoldFlat).map(|line| line.bridge).collect();
+        bridges.dedup();
+        bridges.len()
+    }
 }
 
 /// Returns the figures of all pieces, which are in millimetres.
@@ -123,10 +133,23 @@ pub fn figures(pieces: &[Piece], options: &PatternOptions) -> Result<Vec<Figure>
         }
     }
     let mates = at_bridges.into_iter().filter(|(_, pieces)| pieces.len() > 1).map(|(bridge, _)| bridge).collect();
-    pieces.iter().map(|piece| figure(piece, &mates, options)).collect()
+    let mut figures: Vec<Figure> = Vec::with_capacity(pieces.len());
+    let mut bends = 0;
+    for piece in pieces {
+        let figure = figure(piece, &mates, bends, options)?;
+        bends += figure.bends();
+        figures.push(figure);
+    }
+    Ok(figures)
 }
 
-fn figure(piece: &Piece, mates: &BTreeSet<u32>, options: &PatternOptions) -> Result<Figure, Refused> {
+/// Returns the figure of a piece. Its bends count from `first_bend`, as in the bend table.
+fn figure(
+    piece: &Piece,
+    mates: &BTreeSet<u32>,
+    first_bend: usize,
+    options: &PatternOptions,
+) -> Result<Figure, Refused> {
     if piece.overlaps && options.profile != Profile::Plain {
         let detail = format!("{} overlaps itself when it lies flat; name a bridge that divides it", piece.name);
         return Err(Refused::unsuitable("cut_at", detail));
@@ -168,7 +191,7 @@ fn figure(piece: &Piece, mates: &BTreeSet<u32>, options: &PatternOptions) -> Res
         figure.shapes.push(Shape::Line { layer: Layer::Notch, ends, angle_deg: None });
     }
     let labels: Vec<Label> = match &blank {
-        Some(blank) => blank.bends.iter().map(Label::of_bend).collect(),
+        Some(blank) => (first_bend..).zip(&blank.bends).map(Label::of_bend).collect(),
         None => piece.folds.iter().enumerate().map(Label::of_fold).collect(),
     };
     // The circles of reliefs cut into the panels, and so may notches.
@@ -204,8 +227,9 @@ impl Label {
         Self { text: printed_angle(fold.angle_deg), panels: [panel, panel + 1], sides: [fold.ends; 2] }
     }
 
-    fn of_bend(bend: &Bend) -> Self {
-        Self { text: printed_angle(bend.angle_deg), panels: [bend.panel, bend.panel + 1], sides: bend.sides }
+    fn of_bend((number, bend): (usize, &Bend)) -> Self {
+        let text = format!("{number}: {}", printed_angle(bend.angle_deg));
+        Self { text, panels: [bend.panel, bend.panel + 1], sides: bend.sides }
     }
 
     /// Returns the numbers of the bridges at the ends of a piece that another piece has too.
@@ -392,11 +416,13 @@ fn texts(
     labels: &[Label],
     options: &PatternOptions,
 ) -> Vec<Shape> {
-    let least = LEAST_HEIGHT.min(options.text_height);
-    let obstacles = Columns::new(obstacles);
+    let least = label::least_inside(options.text_height);
+    let columns = Columns::new(obstacles.iter().map(|[from, to]| [from.x.min(to.x), from.x.max(to.x)]));
     let clear = |spot: &Spot, text: &str| {
         let corners = label::corners(spot, text);
-        !obstacles.near(bounds(&corners)).any(|[from, to]| crosses_box(&corners, from, to))
+        let [low, high] = bounds(&corners);
+        let mut near = columns.near(low.x, high.x).map(|number| obstacles[number]);
+        !near.any(|[from, to]| crosses_box(&corners, from, to))
     };
     let mut shapes = Vec::new();
     let mut taken = vec![false; piece.panels.len()];
@@ -412,7 +438,14 @@ fn texts(
         let spot = label::inside(panel, None, &piece.name, options.text_height)?;
         (spot.height >= least && clear(&spot, &piece.name)).then_some((k, spot))
     });
-    let name = spots.reduce(|best, spot| if spot.1.height > best.1.height { spot } else { best }).map(|(k, spot)| {
+    // Of panels with room for the whole height the largest has the name.
+    let area = |k: usize| {
+        let [a, b, c] = piece.panels[k];
+        (b - a).perp_dot(c - a)
+    };
+    let is_better =
+        |one: &(usize, Spot), other: &(usize, Spot)| (one.1.height, area(one.0)) > (other.1.height, area(other.0));
+    let name = spots.reduce(|best, spot| if is_better(&spot, &best) { spot } else { best }).map(|(k, spot)| {
         take(&mut taken, k);
         spot
     });
@@ -455,21 +488,21 @@ fn texts_beside(
     options: &PatternOptions,
 ) -> Vec<Shape> {
     let mut shapes = Vec::new();
-    let least = LEAST_HEIGHT.min(options.text_height);
     let [low, high] = figure.bounds();
     let height = options.text_height;
     // Angles that do not fit stand above the piece, upright, each with a leader to the end of its fold.
     beside.sort_by(|one, other| one.0.x.total_cmp(&other.0.x));
-    let columns = label::spread(&beside.iter().map(|(at, _)| at.x).collect::<Vec<_>>(), 1.6 * least);
+    let upright = label::height_beside(beside.len(), high.x - low.x, height);
+    let columns = label::spread(&beside.iter().map(|(at, _)| at.x).collect::<Vec<_>>(), upright);
     let row = high.y + 2.0 * height;
     let mut top = row;
     for ((end, text), column) in beside.iter().zip(columns) {
-        let length = label::width(text, least);
+        let length = label::width(text, upright);
         let foot = DVec2::new(column, row);
-        let spot = Spot::amid(foot + DVec2::new(0.0, 0.5 * length + 0.5 * least), DVec2::Y, least);
+        let spot = Spot::amid(foot + DVec2::new(0.0, 0.5 * length + 0.5 * upright), DVec2::Y, upright);
         shapes.push(Shape::Line { layer: Layer::Mark, ends: [*end, foot], angle_deg: None });
         shapes.push(Shape::Text { layer: Layer::Text, text: text.clone(), spot });
-        top = top.max(foot.y + length + least);
+        top = top.max(foot.y + length + upright);
     }
     if has_name {
         // The leader ends in the middle of the largest panel.
@@ -494,57 +527,15 @@ fn grain(cut: &[DVec2]) -> Option<[DVec2; 2]> {
     let [low, high] = bounds(cut);
     let chords = (1..=GRAIN_HEIGHTS).flat_map(|k| {
         let y = low.y + (high.y - low.y) * k as f64 / (GRAIN_HEIGHTS + 1) as f64;
-        let mut at: Vec<f64> = (0..cut.len())
-            .map(|k| [cut[k], cut[(k + 1) % cut.len()]])
-            .filter(|[a, b]| (a.y > y) != (b.y > y))
-            .map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
-            .collect();
-        at.sort_by(f64::total_cmp);
-        let pairs: Vec<[DVec2; 2]> =
-            at.chunks_exact(2).map(|pair| [pair[0], pair[1]].map(|x| DVec2::new(x, y))).collect();
-        pairs
+        polygon::chords(cut, y).into_iter().map(move |chord| chord.map(|x| DVec2::new(x, y)))
     });
     let length = |[from, to]: [DVec2; 2]| to.x - from.x;
     let longest = chords.reduce(|best, chord| if length(chord) > length(best) { chord } else { best })?;
     Some([0.25, 0.75].map(|at| longest[0].lerp(longest[1], at)))
 }
 
-/// Segments by columns of equal width, so that those beside a text are found without looking at all of them.
-struct Columns<'a> {
-    segments: &'a [[DVec2; 2]],
-    columns: Vec<Vec<usize>>,
-    left: f64,
-    width: f64,
-}
-
-impl<'a> Columns<'a> {
-    /// Makes as many columns as there are segments. Short segments then lie in one or two columns each.
-    fn new(segments: &'a [[DVec2; 2]]) -> Self {
-        let ends: Vec<DVec2> = segments.iter().flatten().copied().collect();
-        let [low, high] = if ends.is_empty() { [DVec2::ZERO; 2] } else { bounds(&ends) };
-        let count = segments.len().max(1);
-        let width = ((high.x - low.x) / count as f64).max(f64::MIN_POSITIVE);
-        let mut all = Self { segments, columns: vec![Vec::new(); count], left: low.x, width };
-        for (number, [from, to]) in segments.iter().enumerate() {
-            all.range(from.x.min(to.x), from.x.max(to.x)).for_each(|column| all.columns[column].push(number));
-        }
-        all
-    }
-
-    fn range(&self, from: f64, to: f64) -> std::ops::RangeInclusive<usize> {
-        let column = |x: f64| (((x - self.left) / self.width).max(0.0) as usize).min(self.columns.len() - 1);
-        column(from)..=column(to)
-    }
-
-    /// Returns the segments in the columns of a box, some of them several times.
-    fn near(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = [DVec2; 2]> {
-        let columns = &self.columns[self.range(low.x, high.x)];
-        columns.iter().flatten().map(move |&number| self.segments[number])
-    }
-}
-
 /// Whether a segment meets a convex box.
-fn crosses_box(corners: &[DVec2; 4], from: DVec2, to: DVec2) -> bool {
+pub(crate) fn crosses_box(corners: &[DVec2; 4], from: DVec2, to: DVec2) -> bool {
     let axes = [corners[1] - corners[0], corners[2] - corners[1], (to - from).perp()];
     axes.iter().all(|axis| {
         let span = |points: &[DVec2]| {

@@ -2,7 +2,6 @@
 
 use crate::figure::Figure;
 use crate::kinds;
-use crate::options::Layer;
 use crate::piece::Seam;
 use crate::sheets::{Layout, Place};
 use plateau_mesh::DVec2;
@@ -14,7 +13,7 @@ use serde_json::{Value, json};
 pub fn to_json(figures: &[Figure], layout: Option<&Layout>) -> Vec<u8> {
     let place = |k: usize| layout.map(|layout| &layout.places[k]);
     let pieces: Vec<Value> = figures.iter().enumerate().map(|(k, figure)| piece(figure, place(k))).collect();
-    let bends: usize = figures.iter().map(bends).sum();
+    let bends: usize = figures.iter().map(Figure::bends).sum();
     let sheet = |layout: &Layout, size: &DVec2| {
         json!({
             "width": layout.stock.size.x,
@@ -34,14 +33,6 @@ pub fn to_json(figures: &[Figure], layout: Option<&Layout>) -> Vec<u8> {
     });
     // Serialization cannot fail because there are only lists, text and numbers.
     serde_json::to_vec(&document).unwrap_or_default()
-}
-
-/// Returns the number of bends. A bend of several hits counts once.
-fn bends(figure: &Figure) -> usize {
-    let mut bridges: Vec<u32> =
-        figure.lines.iter().filter(|line| line.layer != Layer::FoldFlat).map(|line| line.bridge).collect();
-    bridges.dedup();
-    bridges.len()
 }
 
 /// Returns the name of a seam: rails and bridges count from 0.

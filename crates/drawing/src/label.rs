@@ -2,8 +2,12 @@
 
 use plateau_mesh::DVec2;
 
-/// Height of the smallest text inside a piece, in millimetres. Smaller texts stand beside the piece.
-pub const LEAST_HEIGHT: f64 = 2.0;
+/// Height of the smallest text, in millimetres.
+const LEAST_HEIGHT: f64 = 2.0;
+/// Height of the smallest text inside a piece, as a fraction of the height asked for. It is 2 mm of the default of 5 mm.
+const LEAST_INSIDE: f64 = 0.4;
+/// Distance of two texts that stand side by side, as a multiple of their height.
+const PITCH: f64 = 1.6;
 /// Width of a character, as a multiple of the height of capitals: that of the widest common letter of Helvetica, so
 /// that other fonts fit too.
 const CHARACTER_WIDTH: f64 = 0.85;
@@ -31,6 +35,20 @@ impl Spot {
     pub(crate) fn start(&self, text: &str) -> DVec2 {
         self.at - self.direction * (0.5 * width(text, self.height))
     }
+}
+
+/// Returns the height below which a text stands beside the piece: whoever asks for large texts will see the drawing
+/// reduced.
+#[must_use]
+pub fn least_inside(height: f64) -> f64 {
+    LEAST_HEIGHT.max(LEAST_INSIDE * height).min(height)
+}
+
+/// Returns the height of upright texts side by side above a piece: the height asked for, or less if they would be wider
+/// than the piece, but no less than 2 mm.
+#[must_use]
+pub fn height_beside(count: usize, width: f64, height: f64) -> f64 {
+    (width / (PITCH * count.max(1) as f64)).max(LEAST_HEIGHT).min(height)
 }
 
 /// Returns the width of a text with this height.
@@ -85,10 +103,11 @@ pub fn corners(spot: &Spot, text: &str) -> [DVec2; 4] {
     [spot.at - along - up, spot.at + along - up, spot.at + along + up, spot.at - along + up]
 }
 
-/// Spreads places along a line so that neighbours are at least `distance` apart, and moves them as little as that
-/// allows: the places are in increasing order, and so are the results.
+/// Spreads places of upright texts along a line so that neighbours of this height have room, and moves them as little as
+/// that allows: the places are in increasing order, and so are the results.
 #[must_use]
-pub fn spread(places: &[f64], distance: f64) -> Vec<f64> {
+pub fn spread(places: &[f64], height: f64) -> Vec<f64> {
+    let distance = PITCH * height;
     // Groups of places that touch: the mean of where they would start, their number, and the first place of each.
     let mut groups: Vec<(f64, usize)> = Vec::new();
     for &place in places {
@@ -139,7 +158,7 @@ mod tests {
     #[test]
     fn spread_places_keep_their_order_and_distance_and_move_least() {
         let places = [0.0, 1.0, 1.0, 10.0, 30.0];
-        let spread = spread(&places, 2.0);
+        let spread = spread(&places, 2.0 / PITCH);
         assert!(spread.windows(2).all(|pair| pair[1] - pair[0] > 2.0 - 1e-12));
         assert_eq!(spread[3..], [10.0, 30.0]);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;

@@ -31,6 +31,7 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods, clippy::disallowed_types, clippy::disallowed_macros))]
 
 mod astm;
+mod columns;
 pub mod divide;
 pub mod drawing;
 pub mod dxf;
@@ -44,6 +45,7 @@ pub mod parameters;
 pub mod pdf;
 pub mod piece;
 pub mod polygon;
+mod relief;
 pub mod schedule;
 pub mod sheets;
 pub mod svg;

@@ -8,6 +8,7 @@ use crate::options::{Convention, Metal, Relief, Skin};
 use crate::parameters::Refused;
 use crate::piece::{Edge, Fold, FoldKind, Piece, Seam, Side};
 use crate::polygon;
+use crate::relief::{self, Fan};
 use plateau_mesh::DVec2;
 
 /// The blank of a piece.
@@ -165,19 +166,19 @@ pub fn blank(piece: &Piece, metal: &Metal) -> Result<Blank, Refused> {
         Relief::Radius(radius) => Some(radius),
     };
     if let Some(radius) = radius {
-        for (side, bends, between) in fans(&bridges, bends) {
+        let fans = fans(&bridges, bends).into_iter().map(|(side, bend, between)| Fan {
             // The common point moves with each panel between the bends; the circle is around the middle.
-            let centre =
-                between.clone().map(|panel| bridges[bends][side] + moves[panel]).sum::<DVec2>() / between.len() as f64;
-            let corners: Vec<DVec2> = between.map(|panel| panels[panel].chains[side][0].0).collect();
-            let is_auto = metal.relief == Relief::Auto;
-            if !is_auto || overlaps_at(&blank.piece.outline, &corners) {
-                // The circle of `auto` takes the whole opening, so that both of its sides end on it.
-                let opening = corners.iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max);
-                let radius = if is_auto { radius.max(WIDER * opening) } else { radius };
-                relieve(&mut blank, centre, radius, &corners)?;
-            }
-        }
+            centre: between.clone().map(|panel| bridges[bend][side] + moves[panel]).sum::<DVec2>()
+                / between.len() as f64,
+            corners: between.map(|panel| panels[panel].chains[side][0].0).collect(),
+        });
+        relief::relieve(
+            &mut blank.piece,
+            &mut blank.zones,
+            &fans.collect::<Vec<_>>(),
+            radius,
+            metal.relief == Relief::Auto,
+        )?;
     }
     if polygon::crossing(&blank.piece.outline).is_some() {
         let name = &piece.name;
@@ -395,85 +396,4 @@ fn outline(piece: &mut Piece, panels: &[Panel], first: [DVec2; 2]) {
     if polygon::area(&piece.outline) < 0.0 {
         piece.reverse();
     }
-}
-
-/// Factor by which a relief circle is larger than the opening that it takes, so that rounding decides nothing.
-const WIDER: f64 = 1.001;
-
-/// Whether the outline crosses itself at the mouth of the opening that bends leave where they meet.
-fn overlaps_at(outline: &[DVec2], corners: &[DVec2]) -> bool {
-    let count = outline.len();
-    let Some(first) = outline.iter().position(|point| corners.contains(point)) else { return false };
-    // The corners follow each other around the outline; the first one found may lie amid them.
-    let start = (0..count).take_while(|step| corners.contains(&outline[(first + count - step) % count])).last();
-    let start = (first + count - start.unwrap_or_default()) % count;
-    let length = (0..count).take_while(|step| corners.contains(&outline[(start + step) % count])).count();
-    // Two edges further on both sides: across the last zone, and along the rail.
-    let mouth: Vec<DVec2> = (0..length + 4).map(|step| outline[(start + count - 2 + step) % count]).collect();
-    let segments: Vec<[DVec2; 2]> = mouth.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    (2..segments.len()).any(|k| (0..k - 1).any(|other| polygon::meeting(segments[k], segments[other]).is_some()))
-}
-
-/// Longest chord error of a relief circle in millimetres: below the width of any cut.
-const RELIEF_CHORD: f64 = 0.005;
-
-/// Cuts a circle out of a blank at a point in which bends meet. `corners` are the corners of the panels between them.
-/// The zones of sharp bends overlap so far that the blank is open beyond the circle; it then stays as it is.
-fn relieve(blank: &mut Blank, centre: DVec2, radius: f64, corners: &[DVec2]) -> Result<(), Refused> {
-    let name = &blank.piece.name;
-    let refuse = || Refused::unsuitable("relief", format!("a circle of {radius} mm does not fit into {name}"));
-    let outline = &blank.piece.outline;
-    let count = outline.len();
-    let is_inside = |k: usize| outline[k % count].distance(centre) < radius;
-    if corners.iter().any(|corner| corner.distance(centre) >= radius) {
-        return Ok(());
-    }
-    let Some(at) = (0..count).find(|&k| corners.contains(&outline[k])) else { return Ok(()) };
-    let from =
-        (0..count).find(|step| !is_inside(at + count - step)).map(|step| at + count - step).ok_or_else(refuse)?;
-    let to = (0..count).find(|step| !is_inside(at + step)).map(|step| at + step + count).ok_or_else(refuse)?;
-    if to - from >= count {
-        return Err(refuse());
-    }
-    let enter = on_circle(outline[from % count], outline[(from + 1) % count], centre, radius).ok_or_else(refuse)?;
-    let leave = on_circle(outline[to % count], outline[(to - 1) % count], centre, radius).ok_or_else(refuse)?;
-    // Clockwise from where the outline enters the circle to where it leaves it: the piece lies on the left.
-    let angle = |point: DVec2| libm::atan2(point.y - centre.y, point.x - centre.x);
-    let mut sweep = angle(enter) - angle(leave);
-    if sweep <= 0.0 {
-        sweep += std::f64::consts::TAU;
-    }
-    let steps = (sweep / (2.0 * libm::acos(1.0 - (RELIEF_CHORD / radius).min(1.0)))).ceil().clamp(2.0, 400.0);
-    let arc = (1..steps as usize).map(|k| {
-        let (sine, cosine) = libm::sincos(angle(enter) - sweep * k as f64 / steps);
-        centre + DVec2::new(cosine, sine) * radius
-    });
-    let arc: Vec<DVec2> = std::iter::once(enter).chain(arc).chain([leave]).collect();
-    let edge = blank.piece.edges[from % count];
-    let circle = Edge { arc: [edge.arc[1]; 2], ..edge };
-    let kept = (to..from + count + 1).map(|k| k % count);
-    let mut points: Vec<DVec2> = kept.clone().map(|k| outline[k]).collect();
-    let mut edges: Vec<Edge> = kept.map(|k| blank.piece.edges[k]).collect();
-    edges.extend(std::iter::repeat_n(circle, arc.len() - 1));
-    edges.push(Edge { arc: [blank.piece.edges[(to - 1) % count].arc[1]; 2], ..blank.piece.edges[(to - 1) % count] });
-    points.extend(arc);
-    (blank.piece.outline, blank.piece.edges) = (points, edges);
-    let lines = blank.piece.folds.iter_mut().map(|fold| &mut fold.ends);
-    for ends in lines.chain(blank.zones.iter_mut().flatten()) {
-        for end in [0, 1] {
-            if ends[end].distance(centre) < radius {
-                ends[end] = on_circle(ends[1 - end], ends[end], centre, radius).unwrap_or(ends[end]);
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Returns the point at which the segment from a point outside a circle to one inside enters the circle.
-fn on_circle(outside: DVec2, inside: DVec2, centre: DVec2, radius: f64) -> Option<DVec2> {
-    let (along, from) = (inside - outside, outside - centre);
-    let (a, b, c) = (along.length_squared(), from.dot(along), from.length_squared() - radius * radius);
-    let root = (b * b - a * c).max(0.0).sqrt();
-    let at = (-b - root) / a;
-    (0.0..=1.0).contains(&at).then(|| outside + along * at)
 }

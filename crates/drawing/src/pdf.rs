@@ -8,9 +8,12 @@ use crate::figure::Shape;
 use crate::label::Spot;
 use crate::options::{Layer, Paper};
 use crate::parameters::Refused;
+use crate::polygon;
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref};
 use plateau_mesh::DVec2;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 
 /// Points in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;
@@ -59,26 +62,100 @@ pub fn to_pdf(drawing: &Drawing, paper: Option<Paper>) -> Result<Vec<u8>, Refuse
     Ok(pdf.finish())
 }
 
-/// Returns the pages of a drawing that is divided into tiles, row by row from the top left.
+/// Returns the pages of a drawing that is divided into tiles, row by row from the top left. A tile on which nothing is
+/// drawn and which lies outside every piece has no page.
 fn tiles(drawing: &Drawing, paper: DVec2) -> Result<Vec<(DVec2, String)>, Refused> {
     let tile = paper - 2.0 * MARGIN;
     let count = (drawing.size / tile).ceil().max(DVec2::ONE);
-    if count.x * count.y > MOST_PAGES as f64 {
-        let detail = format!("makes {} pages, more than {MOST_PAGES}", count.x * count.y);
-        return Err(Refused::unsuitable("paper", detail));
-    }
     let (columns, rows) = (count.x as usize, count.y as usize);
-    let mut pages = Vec::with_capacity(columns * rows);
     let shapes = boxed(drawing);
-    for row in 0..rows {
-        for column in 0..columns {
-            // The first row is the top of the drawing.
-            let low = DVec2::new(column as f64, (rows - 1 - row) as f64) * tile;
-            let name = format!("row {} of {rows}, column {} of {columns}", row + 1, column + 1);
-            pages.push((paper, page(&shapes, low, tile, Some(&name))));
+    let mut used = Tiles { size: tile, columns, rows, used: BTreeSet::new() };
+    for (shape, [low, high]) in &shapes {
+        match shape {
+            Shape::Polygon { layer, points } => {
+                let edges = (0..points.len()).map(|k| [points[k], points[(k + 1) % points.len()]]);
+                edges.for_each(|edge| used.cross(edge));
+                // The template of a piece is whole. The inside of an empty sheet is not needed.
+                if *layer == Layer::Cut && used.used.len() <= MOST_PAGES {
+                    used.fill(points);
+                }
+            }
+            Shape::Line { ends, .. } => used.cross(*ends),
+            Shape::Text { .. } => used.cover(used.columns(low.x, high.x), used.rows(low.y, high.y)),
+        }
+        if used.used.len() > MOST_PAGES {
+            let detail = format!(
+                "makes more than {MOST_PAGES} pages, of {columns} columns and {rows} rows; a DXF or an SVG shows the \
+                 drawing in one piece"
+            );
+            return Err(Refused::unsuitable("paper", detail));
         }
     }
-    Ok(pages)
+    let page = |&(row, column): &(usize, usize)| {
+        // The first row is the top of the drawing.
+        let low = DVec2::new(column as f64, (rows - 1 - row) as f64) * tile;
+        let name = format!("row {} of {rows}, column {} of {columns}", row + 1, column + 1);
+        (paper, page(&shapes, low, tile, Some(&name)))
+    };
+    Ok(used.used.iter().map(page).collect())
+}
+
+/// The tiles of a drawing, by their row from the top and their column.
+struct Tiles {
+    size: DVec2,
+    columns: usize,
+    rows: usize,
+    used: BTreeSet<(usize, usize)>,
+}
+
+impl Tiles {
+    /// Returns the columns between two coordinates.
+    fn columns(&self, from: f64, to: f64) -> RangeInclusive<usize> {
+        let [from, to] = [from, to].map(|x| ((x / self.size.x).max(0.0) as usize).min(self.columns - 1));
+        from..=to
+    }
+
+    /// Returns the rows between two coordinates, from the low end.
+    fn rows(&self, from: f64, to: f64) -> RangeInclusive<usize> {
+        let [from, to] = [from, to].map(|y| ((y / self.size.y).max(0.0) as usize).min(self.rows - 1));
+        from..=to
+    }
+
+    /// Uses these tiles. Stops at the first one beyond the most.
+    fn cover(&mut self, columns: RangeInclusive<usize>, rows: RangeInclusive<usize>) {
+        for column in columns {
+            for row in rows.clone() {
+                if self.used.len() > MOST_PAGES {
+                    return;
+                }
+                self.used.insert((self.rows - 1 - row, column));
+            }
+        }
+    }
+
+    /// Uses the tiles that a segment crosses.
+    fn cross(&mut self, [a, b]: [DVec2; 2]) {
+        let (low, high) = (a.x.min(b.x), a.x.max(b.x));
+        for column in self.columns(low, high) {
+            // The part of the segment in this column.
+            let [from, to] = [column, column + 1].map(|side| (side as f64 * self.size.x).clamp(low, high));
+            let y = |x: f64| a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
+            let [from, to] = if a.x == b.x { [a.y, b.y] } else { [y(from), y(to)] };
+            self.cover(column..=column, self.rows(from.min(to), from.max(to)));
+        }
+    }
+
+    /// Uses the tiles inside a polygon. Those that its edges cross are used already, so that the middles of the others
+    /// decide.
+    fn fill(&mut self, points: &[DVec2]) {
+        let [low, high] = crate::piece::bounds(points);
+        for row in self.rows(low.y, high.y) {
+            let y = (row as f64 + 0.5) * self.size.y;
+            for chord in polygon::chords(points, y) {
+                self.cover(self.columns(chord[0], chord[1]), row..=row);
+            }
+        }
+    }
 }
 
 /// Returns every shape of a drawing with its box.

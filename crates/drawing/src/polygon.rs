@@ -12,41 +12,52 @@ pub fn area(points: &[DVec2]) -> f64 {
 
 /// Returns the point at which the polygon first crosses or touches itself, or `None` if it is simple. Neighbouring
 /// edges may only share their common point.
-///
-/// The edges are swept from left to right, and each is compared with those whose extents overlap its own. That takes
-/// O(n log n) time for pieces, whose edges are short.
 #[must_use]
 pub fn crossing(points: &[DVec2]) -> Option<DVec2> {
     let count = points.len();
-    let ends = |k: usize| [points[k], points[(k + 1) % count]];
-    let mut order: Vec<usize> = (0..count).collect();
-    let left = |k: usize| {
-        let [a, b] = ends(k);
-        a.x.min(b.x)
-    };
+    let edges: Vec<[DVec2; 2]> = (0..count).map(|k| [points[k], points[(k + 1) % count]]).collect();
+    swept(&edges, |k, other| {
+        let ([a, b], [c, d]) = (edges[k], edges[other]);
+        if (k + 1) % count == other {
+            folds_back(a, b, d)
+        } else if (other + 1) % count == k {
+            folds_back(c, a, b)
+        } else {
+            meeting([a, b], [c, d])
+        }
+    })
+}
+
+/// Whether two segments of an open chain of points meet that are not neighbours.
+pub(crate) fn chain_meets_itself(points: &[DVec2]) -> bool {
+    let segments: Vec<[DVec2; 2]> = points.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let apart = |k: usize, other: usize| k.abs_diff(other) > 1;
+    swept(&segments, |k, other| if apart(k, other) { meeting(segments[k], segments[other]) } else { None }).is_some()
+}
+
+/// Returns what `compare` finds first among the pairs of segments whose extents overlap.
+///
+/// The segments are swept from left to right, and each is compared with those that have not ended yet. That takes
+/// O(n log n) time for the outlines of pieces, whose edges are short.
+fn swept(segments: &[[DVec2; 2]], compare: impl Fn(usize, usize) -> Option<DVec2>) -> Option<DVec2> {
+    let mut order: Vec<usize> = (0..segments.len()).collect();
+    let left = |k: usize| segments[k][0].x.min(segments[k][1].x);
     order.sort_by(|&one, &other| left(one).total_cmp(&left(other)));
     let mut active: Vec<usize> = Vec::new();
     for &k in &order {
-        let [a, b] = ends(k);
+        let [a, b] = segments[k];
         let (low, high) = (a.min(b), a.max(b));
         active.retain(|&other| {
-            let [c, d] = ends(other);
+            let [c, d] = segments[other];
             c.x.max(d.x) >= low.x
         });
         for &other in &active {
-            let [c, d] = ends(other);
+            let [c, d] = segments[other];
             if c.y.max(d.y) < low.y || c.y.min(d.y) > high.y {
                 continue;
             }
-            let found = if (k + 1) % count == other {
-                folds_back(a, b, d)
-            } else if (other + 1) % count == k {
-                folds_back(c, a, b)
-            } else {
-                meeting([a, b], [c, d])
-            };
-            if found.is_some() {
-                return found;
+            if let Some(found) = compare(k, other) {
+                return Some(found);
             }
         }
         active.push(k);
@@ -236,6 +247,17 @@ pub fn notched(points: &[DVec2], places: &[Notch], half_width: f64) -> Result<Ve
     }
     keep(total, &mut vertex, &mut notched);
     Ok(notched)
+}
+
+/// Returns the chords of a polygon at a height: where each begins and ends along x, from left to right.
+pub(crate) fn chords(points: &[DVec2], y: f64) -> Vec<[f64; 2]> {
+    let mut at: Vec<f64> = (0..points.len())
+        .map(|k| [points[k], points[(k + 1) % points.len()]])
+        .filter(|[a, b]| (a.y > y) != (b.y > y))
+        .map(|[a, b]| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
+        .collect();
+    at.sort_by(f64::total_cmp);
+    at.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 /// Whether a point lies inside a polygon.

@@ -61,6 +61,22 @@ fn each_piece_is_a_block_with_its_outline_on_layer_1() {
             assert!(on("POINT", "4") > 0);
             let texts: Vec<&str> = own.iter().filter(|e| e[0].1 == "TEXT").map(|e| value(e, 1)).collect();
             assert!(texts.contains(&format!("PIECE NAME: {}", piece.name).as_str()), "{texts:?}");
+            // Its texts are clear of the folds and of the grain.
+            let lines: Vec<[DVec2; 2]> = own
+                .iter()
+                .filter(|e| e[0].1 == "LINE")
+                .map(|e| [(10, 20), (11, 21)].map(|(x, y)| DVec2::new(number(e, x), number(e, y))))
+                .collect();
+            for row in own.iter().filter(|e| e[0].1 == "TEXT" && value(e, 8) == "1") {
+                let (start, height) = (DVec2::new(number(row, 11), number(row, 21)), number(row, 40));
+                let end = start + DVec2::new(plateau_drawing::label::width(value(row, 1), height), 0.0);
+                let side = |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a);
+                let crosses = |[a, b]: &[DVec2; 2]| {
+                    side(start, end, *a) * side(start, end, *b) < 0.0 && side(*a, *b, start) * side(*a, *b, end) < 0.0
+                };
+                assert!(!lines.iter().any(crosses), "{name} {block} {}", value(row, 1));
+                assert!(polygon::contains(&cut, start) && polygon::contains(&cut, end), "{name} {block}");
+            }
         }
         let inserts = all.iter().filter(|e| e[0].1 == "INSERT").map(|e| value(e, 2));
         assert!(inserts.eq(starts.iter().map(|&k| value(all[k], 2))));

@@ -460,6 +460,34 @@ fn texts_lie_clear_of_every_line() {
     }
 }
 
+/// Whoever asks for large texts will see the drawing reduced, so that no text is much smaller.
+#[test]
+fn texts_beside_a_piece_are_as_high_as_asked_where_there_is_room() {
+    use plateau_drawing::figure::Shape;
+    let mut beside = 0;
+    for (name, archive) in all() {
+        for height in [3.0, 5.0, 20.0, 60.0, 200.0] {
+            for figure in figures_of(&archive, &format!("angles=true&text_height={height}")) {
+                let [low, high] = figure.bounds();
+                let mut rows: Vec<f64> = Vec::new();
+                for shape in &figure.shapes {
+                    let Shape::Text { spot, .. } = shape else { continue };
+                    if polygon::contains(&figure.cut, spot.at) {
+                        assert!(spot.height >= f64::max(2.0, 0.4 * height).min(height), "{name} {height} {spot:?}");
+                    } else if spot.direction == DVec2::Y {
+                        rows.push(spot.height);
+                    }
+                }
+                beside += rows.len();
+                let fits = (high.x - low.x) / (1.6 * rows.len().max(1) as f64);
+                let expected = if fits >= height { height } else { fits.max(2.0) };
+                assert!(rows.iter().all(|row| (row - expected).abs() < 1e-9), "{name} {height} {rows:?} {expected}");
+            }
+        }
+    }
+    assert!(beside > 20, "{beside}");
+}
+
 #[test]
 fn bad_values_are_named() {
     let (_, archive) = all().remove(1);

@@ -103,7 +103,12 @@ fn counts(kinds: &[String]) -> Vec<usize> {
 #[test]
 fn geodesic_domes_have_the_known_lengths_and_kinds() {
     // Half of the sphere would have these members once or twice less; the whole one has 30 f² of them.
-    let lengths: [(u32, &[f64]); 2] = [(2, &[0.546_533, 0.618_034]), (3, &[0.348_615, 0.403_548, 0.412_411])];
+    let lengths: BTreeMap<u32, &[f64]> = [
+        (2, &[0.546_533, 0.618_034][..]),
+        (3, &[0.348_615, 0.403_548, 0.412_411]),
+        (4, &[0.253_185, 0.294_531, 0.295_242, 0.298_588, 0.312_869, 0.324_920]),
+    ]
+    .into();
     let members: BTreeMap<u32, Vec<usize>> =
         [(2, vec![60, 60]), (3, vec![60, 90, 120]), (4, vec![60, 60, 60, 60, 120, 120])].into();
     let nodes: BTreeMap<u32, Vec<usize>> = [(2, vec![12, 30]), (3, vec![12, 20, 60]), (4, vec![12, 30, 60, 60])].into();
@@ -117,9 +122,11 @@ fn geodesic_domes_have_the_known_lengths_and_kinds() {
             let mut found: Vec<f64> = numbers(&table, "length_m");
             found.sort_by(f64::total_cmp);
             found.dedup_by(|one, other| (*one - *other).abs() < 1e-6);
-            if let Some((_, expected)) = lengths.iter().find(|(own, _)| *own == frequency) {
-                assert!(found.iter().zip(*expected).all(|(one, other)| (one - other).abs() < 1e-6), "{found:?}");
-            }
+            let expected = lengths[&frequency];
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            assert!(found.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-6), "{found:?}");
+            // By Euler's formula a sphere of triangles with V nodes has 3 V - 6 members.
+            assert_eq!((edges.len(), points.len()), (30 * (frequency * frequency) as usize, edges.len() / 3 + 2));
             // The sum of all lengths by another route.
             let sum: f64 = edges.iter().map(|&[a, b]| points[a as usize].distance(points[b as usize])).sum();
             assert!((numbers(&table, "cut_length_m").iter().sum::<f64>() - sum).abs() < 1e-9);
@@ -195,6 +202,12 @@ fn setbacks_are_where_members_of_this_width_meet() {
     let archive = net(nodes, (1..7).map(|k| [0, k]).collect(), Vec::new());
     let table = columns(&make(&archive, "part=members&member_width=0.06").unwrap());
     let expected = 0.051_961_524;
+    // By another route: the sides of two neighbours, 30 mm from their middles, meet at this distance along either.
+    let (along, turned) = (spoke(0), spoke(1));
+    let (normal, other) = (DVec3::Z.cross(along), turned.cross(DVec3::Z));
+    // The point s · along + 0.03 · normal lies 0.03 from the second middle.
+    let meeting = (0.03 - 0.03 * normal.dot(other)) / along.dot(other);
+    assert!((meeting - expected).abs() < 1e-9, "{meeting}");
     for k in 0..6 {
         assert!((numbers(&table, "setback_from_m")[k] - expected).abs() < 1e-9);
         assert_eq!(numbers(&table, "setback_to_m")[k], 0.0);

@@ -32,6 +32,14 @@ fn allowances_and_deductions_are_those_of_the_tables() {
         let chord = 2.0 * neutral * (0.5 * f64::to_radians(angle) / f64::from(steps)).sin();
         assert!((found - chord * f64::from(steps)).abs() < 1e-9);
         assert!((2.0 * setback(&metal, angle) - found - deduction).abs() < 1e-6);
+        // The outside setback by another route: the tangents at both ends of the outer arc meet in the outer corner.
+        let outer = radius + thickness;
+        let (sine, cosine) = f64::to_radians(angle).sin_cos();
+        let (start, end) = (DVec2::new(outer, 0.0), outer * DVec2::new(cosine, sine));
+        let (along, back) = (DVec2::Y, DVec2::new(sine, -cosine));
+        let corner = start + along * ((end - start).perp_dot(back) / along.perp_dot(back));
+        assert!((corner.distance(start) - setback(&metal, angle)).abs() < 1e-12);
+        assert!((corner.distance(start) + corner.distance(end) - found - deduction).abs() < 1e-6);
     }
     let din = Metal { convention: Convention::Din, skin: Skin::Front, ..metal(2.0, 2.0, None) };
     let found = bend_allowance(&din, f64::to_radians(90.0));
@@ -245,22 +253,90 @@ fn bends_without_room_are_refused_by_their_parameter() {
     ] {
         assert_eq!(refused(make(&archive, query)), (false, vec![parameter.to_owned()]), "{query}");
     }
-    // A fold of 180 degrees cannot be bent.
-    let rail = |y: f64| [[0.0, 0.0], [1.0, 0.0], [0.0, 1e-9]].map(|[x, z]| DVec3::new(x, y, z)).to_vec();
-    let folded = ruled(&[rail(0.0), rail(1.0)], &Options::default());
-    assert_eq!(refused(make(&folded, "profile=sheet-metal&thickness=1")), (false, vec!["radius".to_owned()]));
+    // The panels of a metre have room for the setbacks at 174 and at 176 degrees, but above 175 nothing is bent.
+    let folded = |angle: f64| {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        let rail = |y: f64| [[0.0, 0.0], [1.0, 0.0], [1.0 + cosine, sine]].map(|[x, z]| DVec3::new(x, y, z)).to_vec();
+        make(&ruled(&[rail(0.0), rail(1.0)], &Options::default()), "profile=sheet-metal&thickness=1")
+    };
+    assert!(folded(174.0).is_ok());
+    assert_eq!(refused(folded(176.0)), (false, vec!["radius".to_owned()]));
+}
+
+/// The panels of a closed prism of eight sides end where its setbacks do: below the radius at which a side has no flat part
+/// left there is a blank, and above it there is none.
+#[test]
+fn bend_zones_that_leave_nothing_of_a_panel_are_refused_from_the_radius_on_at_which_they_meet() {
+    let closed = Options { closed: true, objective: Objective::MinimalBendingEnergy, ..Options::default() };
+    let prism = ruled(&[ring(8, 0.5, 0.0, 0.0), ring(8, 0.5, 1.0, 0.0)], &closed);
+    // A side of 1000 sin(22.5°) mm has two setbacks tan(22.5°) (r + t / 2).
+    let eighth = 22.5_f64.to_radians();
+    let limit = 1000.0 * eighth.sin() / (2.0 * eighth.tan()) - 0.5;
+    for (radius, is_made) in [(limit - 0.01, true), (limit + 0.01, false)] {
+        let made = make(&prism, &format!("profile=sheet-metal&thickness=1&radius={radius}&angles=false"));
+        match made {
+            Ok(_) => assert!(is_made, "{radius}"),
+            refusal => assert_eq!((is_made, refused(refusal)), (false, (false, vec!["radius".to_owned()])), "{radius}"),
+        }
+    }
+}
+
+/// The development of a corner of the square: the cone over a quarter of the circle, by the rule of Simpson. Returns its
+/// angle at the corner and its area.
+fn corner_cone() -> [f64; 2] {
+    let at = |turn: f64| DVec3::new(0.6 * turn.cos() - 1.0, 0.6 * turn.sin() - 1.0, 1.5);
+    let along = |turn: f64| 0.6 * DVec3::new(-turn.sin(), turn.cos(), 0.0);
+    let twice_area = |turn: f64| at(turn).cross(along(turn)).length();
+    let angle = |turn: f64| twice_area(turn) / at(turn).length_squared();
+    let steps = 1000;
+    let step = std::f64::consts::FRAC_PI_2 / f64::from(steps);
+    let weight = |k: i32| if k == 0 || k == steps { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+    let sum =
+        |of: &dyn Fn(f64) -> f64| (0..=steps).map(|k| weight(k) * of(f64::from(k) * step)).sum::<f64>() * step / 3.0;
+    [sum(&angle), 0.5 * sum(&twice_area)]
 }
 
 #[test]
 fn a_square_to_round_tends_to_its_four_cones_and_triangles() {
-    // Square of side 2 to a circle of radius 0.6 at height 1.5: the area is 9.316352.
+    // Square of side 2 to a circle of radius 0.6 at height 1.5: the area is 9.316352. By another route it is that of four
+    // cones and of four triangles, each over a side of the square.
+    let [angle, area] = corner_cone();
+    assert!((angle - 0.505_840).abs() < 1e-6, "{angle}");
+    let whole = 4.0 * (area + 0.5 * 2.0 * f64::hypot(0.4, 1.5));
+    assert!((whole - 9.316_352).abs() < 1e-6, "{whole}");
     let mut errors = Vec::new();
+    let mut angles = Vec::new();
     for count in [32, 64, 128] {
         let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
         let options = Options { closed: true, objective: Objective::MinimalBendingEnergy, ..Options::default() };
         let archive = ruled(&[square, ring(count, 0.6, 1.5, 0.0)], &options);
         let area: f64 = pieces(&archive).iter().map(|piece| polygon::area(&piece.outline)).sum();
         errors.push((area - 9.316_352).abs());
+        // The folds at each corner of the square: the longest and the shortest are the slants of the cone, and the angle
+        // between the outer ones is that of the cone.
+        let mut corners: Vec<Vec<[DVec2; 2]>> = Vec::new();
+        let [piece] = &pieces(&archive)[..] else { panic!("one piece") };
+        let bridges = piece.folds.iter().map(|fold| fold.ends);
+        for ends in bridges {
+            match corners.last_mut() {
+                Some(fan) if fan[0][0] == ends[0] => fan.push(ends),
+                _ => corners.push(vec![ends]),
+            }
+        }
+        // The strip is cut at one of the bridges, so that the fan there is in two parts.
+        for fan in corners.iter().filter(|fan| fan.len() == count / 4 + 1) {
+            let length = |[p, q]: &[DVec2; 2]| p.distance(*q);
+            let longest = fan.iter().map(length).fold(0.0, f64::max);
+            let shortest = fan.iter().map(length).fold(f64::INFINITY, f64::min);
+            assert!((longest - 1.846_619).abs() < 1e-6 && (shortest - 1.706_735).abs() < 1e-6, "{longest} {shortest}");
+            let direction = |[p, q]: [DVec2; 2]| q - p;
+            angles.push((count, direction(fan[0]).angle_to(direction(fan[fan.len() - 1])).abs()));
+        }
     }
     assert!(errors[2] < 2e-3 && errors[0] / errors[1] > 3.0 && errors[1] / errors[2] > 3.0, "{errors:?}");
+    let worst = |count: usize| {
+        let own = angles.iter().filter(|(own, _)| *own == count).map(|(_, found)| (found - angle).abs());
+        own.reduce(f64::max).expect("a whole fan")
+    };
+    assert!(worst(128) < 1e-4 && worst(64) / worst(128) > 3.0, "{angles:?}");
 }
