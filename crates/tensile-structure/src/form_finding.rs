@@ -4,8 +4,7 @@
 //!    Others keep their mesh: rounds of the update reference strategy
 //!    ([`prestress`](plateau_equilibrium::energy::prestress)) replace the film's area by the quadratic energy of its
 //!    present shape, in which every vertex inside moves freely. Between the rounds edges are flipped and vertices slide
-//!    within the film. If a woven film with moving edges is not found in this way, it is tried once more, and its mesh is
-//!    renewed where its triangles have become thin.
+//!    within the film. If a woven film with moving edges is not found in this way, it travels as well.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
 //!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
 //!    renewed between solves. Then the stability is analysed. A woven film has no energy whose minimum its shape could
@@ -37,13 +36,18 @@ use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
 // Tunables.
 
 /// Largest number of linear solves of an attempt if the caller gives none.
-pub(super) const DEFAULT_SOLVES: u32 = 400;
+const DEFAULT_SOLVES: u32 = 400;
+/// The same for a woven film that travels. Each of its reference shapes holds the film's edges back, so that the number
+/// of reference shapes grows with the fineness of the mesh: a sail took 118 at 300 triangles and 280 at 1,050.
+const DEFAULT_WOVEN_SOLVES: u32 = 1600;
 /// Largest number of Newton steps of one solve of step 2.
 const NEWTON_STEPS: u32 = 30;
 /// Largest number of renewals: of the mean height of a heavy film, and of the list of slack cables.
 const MAX_RENEWALS: u32 = 60;
 /// Largest number of reference shapes of a woven film in step 2. The examples take 15 to 60.
 const MAX_REFERENCES: u32 = 300;
+/// The same for a film that travels.
+const MAX_TRAVELLING_REFERENCES: u32 = 800;
 /// The stresses of a woven film are kept from the first renewal on that changes none by more than this fraction. The
 /// forces that are not balanced within the film by then are far below the mesh's error, and step 3 removes them. With a
 /// smaller value the renewals go on without use: stresses that alternate from vertex to vertex hardly pull on the film,
@@ -175,9 +179,6 @@ pub(super) struct Run<'a> {
 pub(super) enum Meshes {
     /// The initial mesh.
     Kept,
-    /// The initial mesh, which is renewed while the structure settles if the edges of a woven film have made its
-    /// triangles too thin.
-    RenewedWhereWorn,
     /// A coarse mesh, which is renewed and becomes finer as the structure moves.
     Travelling(Coarse),
 }
@@ -223,19 +224,19 @@ pub(super) fn run(
     meshes: Meshes,
     exec: &Execution,
 ) -> Result<Found, Error> {
-    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
     let mut run = Run {
         structure,
         options,
         exec,
         model,
         solves: 0,
-        limit,
+        limit: 0,
         fraction: 0.0,
         meshes,
         calibration: 1.0,
         factor: None,
     };
+    run.limit = options.max_iterations.unwrap_or(run.default_solves());
     let start = run.model.clone();
     let mut found = run.attempt()?;
     run.release_slack(&start, &mut found)?;
@@ -247,8 +248,17 @@ impl Run<'_> {
     /// Allows another attempt its solves, if the caller gave no limit.
     pub fn more_solves(&mut self) {
         if self.options.max_iterations.is_none() {
-            self.limit = self.solves + DEFAULT_SOLVES;
+            self.limit = self.solves + self.default_solves();
         }
+    }
+
+    fn travels(&self) -> bool {
+        matches!(self.meshes, Meshes::Travelling(_))
+    }
+
+    /// Largest number of linear solves of an attempt if the caller gives none.
+    pub fn default_solves(&self) -> u32 {
+        if self.travels() && self.model.stress_field.is_some() { DEFAULT_WOVEN_SOLVES } else { DEFAULT_SOLVES }
     }
 
     /// Makes steps 1 to 3 from the model's present shape.
@@ -367,7 +377,7 @@ impl Run<'_> {
         self.exec.look(WORK_PER_TRIANGLE * count as u64).map_err(|interruption| Stop::from(Error::from(interruption)))
     }
 
-    fn renew_stresses(&mut self, renewal: Renewal) -> Result<f64, Stop> {
+    pub fn renew_stresses(&mut self, renewal: Renewal) -> Result<f64, Stop> {
         self.model.renew_stresses(self.structure, renewal).map_err(|error| match error {
             LinearError::TooLarge => Stop::Failed(too_large(error)),
             _ => Stop::Reason(StopReason::Collapsed),
@@ -375,14 +385,14 @@ impl Run<'_> {
     }
 
     /// Step 2 for a woven film.
-    fn renew_references(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
-        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: 1 };
+    fn renew_references(&mut self, found: &mut Found, tolerance: f64) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: 1 };
         let mut renewal = match self.model.stress_field.as_ref().map(StressField::hold) {
             Some(WeaveHold::Ratio) => Renewal::Balance,
             _ => Renewal::Required,
         };
         let mut mixing = Mixing::default();
-        for _ in 0..MAX_REFERENCES {
+        for _ in 0..if self.travels() { MAX_TRAVELLING_REFERENCES } else { MAX_REFERENCES } {
             self.look()?;
             let start = self.model.unknowns();
             let change = self.renew_stresses(renewal)?;
@@ -427,6 +437,9 @@ impl Run<'_> {
 
     /// Step 2.
     pub fn newton(&mut self, found: &mut Found, tolerance: f64) -> Result<StopReason, Stop> {
+        if self.model.stress_field.is_some() {
+            return self.renew_references(found, tolerance);
+        }
         let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: NEWTON_STEPS };
         for _ in 0..MAX_RENEWALS {
             let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;

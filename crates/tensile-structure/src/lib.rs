@@ -128,31 +128,35 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
-/// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other starts follow. The
-/// first is the surface of straight lines between two boundaries, because a harmonic map narrows to a neck that unequal
-/// stresses do not have. The second is a mesh that is renewed while the edges move.
+/// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other searches follow. The
+/// first starts from the surface of straight lines between two boundaries, because a harmonic map narrows to a neck that
+/// unequal stresses do not have. The second travels, because the edges of a sail with sharp corners move so far that the
+/// triangles of the initial mesh become too thin.
 fn find_from_starts(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
-    let find = |first_shape: FirstShape, meshes: Meshes, exec: &Execution| {
+    let find = |first_shape: FirstShape, exec: &Execution| {
         let mut model = exec
             .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, 1.0, first_shape, exec))
             .map_err(|error| placed(structure, error))?;
-        let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, meshes, exec))?;
+        let run = |exec: &Execution| form_finding::run(&mut model, structure, options, Meshes::Kept, exec);
+        let found = exec.part([0.1, 1.0], run)?;
         Ok::<_, Error>((model, found))
     };
     let is_woven = structure.weave().is_some();
     let share = if is_woven { 0.5 } else { 1.0 };
-    let first = exec.part([0.0, share], |exec| find(FirstShape::Harmonic, Meshes::Kept, exec))?;
+    let first = exec.part([0.0, share], |exec| find(FirstShape::Harmonic, exec))?;
     let converged = |(model, found): &(Model, Found)| found.stop_reason == StopReason::Residual && model.flipped() == 0;
     let is_used_up = options.max_iterations.is_some() && first.1.stop_reason == StopReason::MaxIterations;
     if !is_woven || converged(&first) || is_used_up || first.1.stop_reason == StopReason::Deadline {
         return Ok(first);
     }
-    let others = [
-        (structure.boundaries.len() == 2).then_some((FirstShape::Ruled, Meshes::Kept)),
-        remeshing::has_moving_edges(structure).then_some((FirstShape::Harmonic, Meshes::RenewedWhereWorn)),
+    let ruled = |exec: &Execution| find(FirstShape::Ruled, exec);
+    let travelling = |exec: &Execution| travel(structure, options, exec);
+    let others: [Option<&dyn Fn(&Execution) -> Result<(Model, Found), Error>>; 2] = [
+        (structure.boundaries.len() == 2).then_some(&ruled),
+        remeshing::travels_if_woven(structure).then_some(&travelling),
     ];
-    for (first_shape, meshes) in others.into_iter().flatten() {
-        match exec.part([share, 1.0], |exec| find(first_shape, meshes, exec)) {
+    for other in others.into_iter().flatten() {
+        match exec.part([share, 1.0], other) {
             Ok(other) if converged(&other) => return Ok(other),
             Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
             Err(Error::Interrupted(Interruption::DeadlinePassed)) => break,

@@ -6,7 +6,7 @@
 //! become the vertex of an input point there, because only their order distinguishes the input points of a stretch.
 
 use super::model::{Model, ModelCable};
-use super::options::{Course, Pressure, Sliding, SlidingPart, Structure};
+use super::options::{Cable, Course, Pressure, SlidingPart, Structure};
 use plateau_equilibrium::Freedom;
 use plateau_mesh::execution::WORK_PER_TRIANGLE;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
@@ -17,8 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Number of rounds of relaxation and edge flips that even out the triangles of the mesh on the last level.
 const POLISHES: u32 = 4;
 /// Largest acceptable angle of a triangle, in radians; it is 137°. A mesh with a larger angle is remeshed: that of a
-/// travelling structure on the finest level, once Newton's method has converged on the mesh, and that of a woven film
-/// while it settles.
+/// travelling structure on the finest level, once Newton's method has converged on the mesh.
 pub(super) const WORN_ANGLE: f64 = 2.4;
 /// Minimum number of vertices inside a stretch.
 const FEWEST: usize = 3;
@@ -282,6 +281,7 @@ impl Model {
             self.cables[k].set_chain(chain);
         }
         self.renew_sliding(structure);
+        self.renew_stress_field(structure);
     }
 
     fn renew_sliding(&mut self, structure: &Structure) {
@@ -353,32 +353,45 @@ impl Model {
             cable.set_chain(chain);
         }
         self.renew_sliding(structure);
+        let factors = self.stress_field.take().map(|field| field.factors);
+        self.renew_stress_field(structure);
+        if let (Some(field), Some(factors)) = (&mut self.stress_field, factors) {
+            factors.into_iter().zip(&place).for_each(|(factor, &v)| field.factors[v as usize] = factor);
+        }
     }
 }
 
-/// Whether form finding may remesh the structure while it moves. This is so for a single isotropic film without contact
-/// angles. All other structures keep their initial mesh, because a woven film has no energy that falls from round to
-/// round, the layers of a cushion share their edges, and no springs bound the energy of an edge with a contact angle
-/// from above.
-pub(super) fn may_travel(structure: &Structure) -> bool {
-    let at_no_angle = |sliding: &Sliding| sliding.contact_angle.is_none();
-    structure.layers.len() == 1 && structure.weave().is_none() && structure.sliding.iter().all(at_no_angle)
+/// Whether the structure can be remeshed while it moves: a single layer without contact angles. The layers of a cushion
+/// share their edges, and no springs bound the energy of an edge with a contact angle from above.
+fn can_be_remeshed(structure: &Structure) -> bool {
+    structure.layers.len() == 1 && structure.sliding.iter().all(|sliding| sliding.contact_angle.is_none())
 }
 
-/// Whether form finding begins on a coarse mesh. This is so if an edge, a corner or a ring moves, or if a tube has a
-/// given volume. A film whose edges are held keeps its initial mesh as long as that leads to a shape, because on this
-/// mesh the error falls more evenly with the edge length.
-pub(super) fn travels(structure: &Structure) -> bool {
+/// Whether an edge, a corner or a ring moves, or a tube has a given volume.
+fn moves(structure: &Structure) -> bool {
     let by_volume = structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
-    let moves = has_moving_edges(structure)
+    let at_edge = |cable: &Cable| matches!(cable.course, Course::Boundary { .. });
+    structure.cables.iter().any(at_edge)
         || !structure.sliding.is_empty()
         || !structure.free_points.is_empty()
         || !structure.rings.is_empty()
-        || by_volume && structure.boundaries.len() > 1;
-    may_travel(structure) && moves
+        || by_volume && structure.boundaries.len() > 1
 }
 
-/// Whether cables run along the film's edges.
-pub(super) fn has_moving_edges(structure: &Structure) -> bool {
-    structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }))
+/// Whether form finding may travel to the shape of an isotropic film.
+pub(super) fn may_travel(structure: &Structure) -> bool {
+    can_be_remeshed(structure) && structure.weave().is_none()
+}
+
+/// Whether form finding begins on a coarse mesh. This is so for an isotropic film with parts that move. A film whose
+/// edges are held keeps its initial mesh as long as that leads to a shape, because on this mesh the error falls more
+/// evenly with the edge length.
+pub(super) fn travels(structure: &Structure) -> bool {
+    may_travel(structure) && moves(structure)
+}
+
+/// Whether form finding travels if a woven film is not found on its initial mesh. A woven film keeps this mesh first,
+/// because it has no energy that falls from round to round.
+pub(super) fn travels_if_woven(structure: &Structure) -> bool {
+    can_be_remeshed(structure) && structure.weave().is_some() && moves(structure)
 }

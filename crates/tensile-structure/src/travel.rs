@@ -18,11 +18,12 @@
 
 mod ending;
 
-use super::form_finding::{Coarse, DEFAULT_SOLVES, Ending, Found, Meshes, Run, Stop};
-use super::model::{FirstShape, Model, Stage};
+use super::form_finding::{Coarse, Ending, Found, Meshes, Run, Stop};
+use super::model::{FirstShape, Model, Renewal, Stage};
 use super::options::{Cable, CableMode, FilmPrestress, Pressure, Sliding, SlidingPart, Structure};
 use super::remeshing::{Fineness, WORN_ANGLE};
 use super::taut_start::{Held, slid_back, taut};
+use super::weave::LARGEST_CHANGE;
 use ending::Watch;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::settling::{Pace, Settler, energy};
@@ -63,6 +64,8 @@ const ATTEMPTS: [Attempt; 7] = [
     Attempt { from: Start::Taut(Held::Film), pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
     Attempt { from: Start::SlidBack, pace: Pace::BOLD, first_tension: 1.0, tension_rounds: 0 },
 ];
+/// Maximum number of renewals of a woven film's stresses before a round.
+const MAX_STRESS_RENEWALS: u32 = 8;
 /// Maximum number of kicks in an attempt. A kick moves the vertices along an unstable mode.
 const MAX_KICKS: u32 = 3;
 /// Length of a kick, in edge lengths.
@@ -240,7 +243,13 @@ impl Run<'_> {
         self.check_side()?;
         let plain = self.structure.chambers.is_empty();
         let (mut first, mut worn): (Option<(Ending, Model)>, Option<Model>) = (None, None);
-        let possible = |attempt: &Attempt| plain || attempt.from == Start::Given && attempt.tension_rounds == 0;
+        let is_woven = self.structure.weave().is_some();
+        let possible = |attempt: &Attempt| {
+            let is_plain_attempt = attempt.from == Start::Given && attempt.tension_rounds == 0;
+            // A woven film is slow, and its stress field sets its stresses, so that its tension does not grow.
+            let suits_weave = attempt.pace == Pace::BOLD && attempt.tension_rounds == 0;
+            (plain || is_plain_attempt) && (!is_woven || suits_weave)
+        };
         let mut slid = Vec::new();
         for (number, attempt) in ATTEMPTS.into_iter().filter(possible).enumerate() {
             if number > 0 {
@@ -264,7 +273,7 @@ impl Run<'_> {
             let mut watch = self.watch();
             let attempted = match self.attempt_at(attempt, found, &mut watch) {
                 Err(Stop::Reason(StopReason::MaxIterations)) if self.options.max_iterations.is_none() => {
-                    let detail = format!("{DEFAULT_SOLVES} linear solves of form finding were not enough");
+                    let detail = format!("{} linear solves of form finding were not enough", self.default_solves());
                     Some((Ending::NotFound(detail), self.model.clone()))
                 }
                 other => other?,
@@ -375,7 +384,7 @@ impl Run<'_> {
             }
             _ => match self.meshes {
                 Meshes::Travelling(coarse) => coarse.count,
-                Meshes::Kept | Meshes::RenewedWhereWorn => COARSE,
+                Meshes::Kept => COARSE,
             },
         }
     }
@@ -417,6 +426,7 @@ impl Run<'_> {
         }
         trip.rounds += 1;
         self.model.hang(self.structure);
+        self.renew_settling_stresses()?;
         let (mut body, complete) = self.settling_body(trip.attempt.tension(trip.rounds), edge)?;
         if trip.rounds == 1 {
             trip.settler.multipliers = self.start_multipliers(&body);
@@ -518,6 +528,18 @@ impl Run<'_> {
     fn travelled(&self, before: Option<&Model>) -> f64 {
         let (old, new) = (before.map(Model::vertices).unwrap_or_default(), self.model.vertices());
         old.iter().zip(&new).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
+    }
+
+    /// Renews the stresses of a woven film. After remeshing they begin at the required ones, so that they are renewed
+    /// until the balance asks for no more than one renewal may change.
+    fn renew_settling_stresses(&mut self) -> Result<(), Stop> {
+        let most = if self.model.stress_field.is_some() { MAX_STRESS_RENEWALS } else { 0 };
+        for _ in 0..most {
+            if self.renew_stresses(Renewal::Balance)? <= LARGEST_CHANGE {
+                break;
+            }
+        }
+        Ok(())
     }
 
     /// Returns the body of a round, and whether the volumes have their required values in this body. A round changes a

@@ -34,7 +34,7 @@ use plateau_mesh::sparse::{LinearError, Symbolic};
 
 /// Largest change of ln m in one renewal. The equation is linear, so a far start needs no more than a few renewals.
 /// Without this bound the first renewals, on a shape that is far from the found one, overshoot.
-const LARGEST_CHANGE: f64 = 0.5;
+pub(super) const LARGEST_CHANGE: f64 = 0.5;
 
 /// The stresses of a woven film while form finding works on it. Positions are relative to the model's centre.
 #[derive(Clone, Debug)]

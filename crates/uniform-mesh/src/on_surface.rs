@@ -27,6 +27,10 @@ use std::rc::Rc;
 /// lengths. Beyond it the mesh is made on the surface itself, because a length of ℓ in the plane is then far from ℓ in
 /// space.
 const LARGEST_STRAIN: f64 = 0.25;
+/// Largest strain of the flattening of a patch with a pole. A cone has less, because only the chords of its auxiliary
+/// mesh are shorter than its arcs. Other patches with a pole are meshed on the surface itself, because the rim of a
+/// flattened mesh cannot be made anew beside a pole.
+const LARGEST_STRAIN_AT_A_POLE: f64 = 0.01;
 
 /// Meshes a NURBS patch and computes the statistics. `place` is the patch's place in the input.
 pub(super) fn on_patch(
@@ -238,7 +242,8 @@ fn laid_flat(auxiliary: &Auxiliary, edges: &[[u32; 2]], execution: &Execution<'_
         return Err(Error::Interrupted(interruption));
     }
     let strain = (2.0 * outcome.energy / edges.len() as f64).sqrt();
-    if strain.is_nan() || strain > LARGEST_STRAIN {
+    let largest = if auxiliary.has_pole() { LARGEST_STRAIN_AT_A_POLE } else { LARGEST_STRAIN };
+    if strain.is_nan() || strain > largest {
         let detail = "the surface cannot be laid into the plane with a bounded distortion";
         return Err(Error::no_result(Reason::NotFlattenable, detail));
     }

@@ -1,14 +1,13 @@
 //! Steps 1 and 2 of a structure that keeps its mesh, as a [`FormFinding`]: rounds of the update reference strategy,
 //! then Newton's method.
 
-use super::{Found, Meshes, Run, Stop};
+use super::{Found, Run, Stop};
 use crate::model::{Renewal, Stage};
 use crate::options::Pressure;
-use crate::remeshing::{Fineness, WORN_ANGLE};
 use plateau_equilibrium::energy::Prestress;
 use plateau_equilibrium::form_finding::{self, FormFinding, Round, StopReason};
 use plateau_equilibrium::{Aim, Freedom, Outcome, Settings};
-use plateau_mesh::measure::{angle_range, normals};
+use plateau_mesh::measure::normals;
 use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use plateau_mesh::{DVec3, Error};
 
@@ -45,27 +44,17 @@ impl FormFinding for Settling<'_, '_> {
     /// After a return the volumes already have their required values.
     fn begin(&mut self, attempt: u32) {
         self.round = if attempt == 0 { 0 } else { VOLUME_ROUNDS - 1 };
-        self.last_round = match (self.run.meshes, &self.run.model.stress_field) {
-            (Meshes::Kept, Some(_)) => MAX_WOVEN_ROUNDS,
-            _ => MAX_ROUNDS,
-        };
+        self.last_round = if self.run.model.stress_field.is_some() { MAX_WOVEN_ROUNDS } else { MAX_ROUNDS };
     }
 
     fn round(&mut self) -> Result<Round<()>, Stop> {
         self.round += 1;
-        let mut settled = self.run.reference_round(self.round)?;
-        if matches!(self.run.meshes, Meshes::RenewedWhereWorn) && self.run.is_worn() {
-            self.run.renew_worn_mesh()?;
-            settled = false;
-        }
+        let settled = self.run.reference_round(self.round)?;
         Ok(if settled || self.round >= self.last_round { Round::Settled } else { Round::Moves })
     }
 
     fn newton(&mut self) -> Result<StopReason, Stop> {
-        let reason = match self.run.model.stress_field {
-            None => self.run.newton(self.found, self.run.options.tolerance)?,
-            Some(_) => self.run.renew_references(self.found)?,
-        };
+        let reason = self.run.newton(self.found, self.run.options.tolerance)?;
         self.found.stop_reason = reason;
         Ok(reason)
     }
@@ -87,22 +76,6 @@ impl FormFinding for Settling<'_, '_> {
 }
 
 impl Run<'_> {
-    fn is_worn(&self) -> bool {
-        self.model.flipped() > 0 || angle_range(&self.model.layers[0].film.mesh()).1 > WORN_ANGLE
-    }
-
-    /// Remeshes a woven film with as many triangles as it has. The stresses begin again at the required ones.
-    fn renew_worn_mesh(&mut self) -> Result<(), Stop> {
-        self.look()?;
-        let film = &self.model.layers[0].film;
-        let size = (4.0 * film.area() / (3f64.sqrt() * film.triangles().len() as f64)).sqrt();
-        let fineness = Fineness { size, rounds: 2, all_points: true };
-        self.model.remesh(self.structure, fineness, self.exec).map_err(Error::from)?;
-        self.model.order_input_first(self.structure);
-        self.model.renew_stress_field(self.structure);
-        Ok(())
-    }
-
     /// Makes steps 1 to 3 on the present mesh. `found` gets the end.
     pub(super) fn settle_and_solve(&mut self, found: &mut Found) -> Result<(), Stop> {
         form_finding::find(&mut Settling { run: self, found, round: 0, last_round: 0 })

@@ -46,8 +46,8 @@ const PIECES_PER_LOOK: u64 = 4096;
 pub(crate) enum Surface {
     /// The plane itself. Its parameters are coordinates.
     Plane,
-    /// A patch. Its parameters are in \[0, 1\]².
-    Patch(Nurbs),
+    /// A patch. Its parameters are in \[0, 1\]². One of its sides may be a single point.
+    Patch(Nurbs, Option<Pole>),
     /// A film, flat between its vertices. Its parameters are the coordinates of the flattened film.
     Film { mesh: Mesh, plane: Vec<DVec2>, locator: std::rc::Rc<Locator> },
 }
@@ -57,7 +57,7 @@ impl Surface {
     pub fn evaluate(&self, p: DVec2) -> [DVec3; 3] {
         match self {
             Self::Plane => [p.extend(0.0), DVec3::X, DVec3::Y],
-            Self::Patch(patch) => patch.evaluate(p),
+            Self::Patch(patch, _) => patch.evaluate(p),
             Self::Film { mesh, plane, locator } => {
                 let (t, [wa, wb, wc]) = locator.find(p, plane, &mesh.triangles);
                 let corners = mesh.triangles[t as usize];
@@ -70,17 +70,96 @@ impl Surface {
         }
     }
 
+    /// Returns the corners of a triangle of parameters, each with its motion, with a corner at a pole
+    /// [beside the others](Pole::beside).
+    pub fn beside_pole(&self, triangle: [(DVec2, DVec2); 3]) -> [(DVec2, DVec2); 3] {
+        match self {
+            Self::Patch(_, Some(pole)) => pole.beside(triangle),
+            _ => triangle,
+        }
+    }
+
     /// Returns the parameters of the surface that are nearest to `p`.
     pub fn restrict(&self, p: DVec2) -> DVec2 {
         match self {
             Self::Plane => p,
-            Self::Patch(_) => p.clamp(DVec2::ZERO, DVec2::ONE),
+            Self::Patch(..) => p.clamp(DVec2::ZERO, DVec2::ONE),
             Self::Film { mesh, plane, locator } => {
                 let (t, weights) = locator.find(p, plane, &mesh.triangles);
                 mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| plane[v as usize] * w).sum()
             }
         }
     }
+}
+
+/// A side of a patch that is a single point, such as the apex of a cone. All parameters along this side give the point,
+/// so that a mean of parameters counts those of the point along the other axis only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pole {
+    /// The axis along the side.
+    along: usize,
+    /// The parameter of the side on the other axis, 0 or 1.
+    at: f64,
+}
+
+impl Pole {
+    /// The sides u = 0, u = 1, v = 0 and v = 1 as poles.
+    const SIDES: [Self; 4] = [
+        Self { along: 1, at: 0.0 },
+        Self { along: 1, at: 1.0 },
+        Self { along: 0, at: 0.0 },
+        Self { along: 0, at: 1.0 },
+    ];
+
+    fn is(self, p: DVec2) -> bool {
+        p[1 - self.along] == self.at
+    }
+
+    /// The parameters of the single vertex of the side.
+    fn parameters(self) -> DVec2 {
+        let mut p = DVec2::splat(0.5);
+        p[1 - self.along] = self.at;
+        p
+    }
+
+    /// Returns the corners of a triangle of parameters, each with its motion. A corner at the pole, which stands still,
+    /// is moved along the side to the middle of the other two corners, where the triangle has its right orientation.
+    pub fn beside(self, triangle: [(DVec2, DVec2); 3]) -> [(DVec2, DVec2); 3] {
+        let mut moved = triangle;
+        for k in 0..3 {
+            let [(a, da), (b, db)] = [triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+            if self.is(triangle[k].0) && !self.is(a) && !self.is(b) {
+                moved[k].0[self.along] = 0.5 * (a[self.along] + b[self.along]);
+                moved[k].1[self.along] = 0.5 * (da[self.along] + db[self.along]);
+            }
+        }
+        moved
+    }
+}
+
+/// Returns the mean of parameters with these weights, whose sum is 1.
+pub(crate) fn weighted(pole: Option<Pole>, parameters: &[(DVec2, f64)]) -> DVec2 {
+    let mut mean: DVec2 = parameters.iter().map(|&(p, w)| p * w).sum();
+    if let Some(pole) = pole
+        && parameters.iter().any(|&(p, _)| pole.is(p))
+    {
+        let others = || parameters.iter().filter(|&&(p, _)| !pole.is(p));
+        let weight: f64 = others().map(|&(_, w)| w).sum();
+        if weight > 0.0 {
+            mean[pole.along] = others().map(|&(p, w)| p[pole.along] * w).sum::<f64>() / weight;
+        }
+    }
+    mean
+}
+
+/// A patch with the parameters of the auxiliary vertices.
+#[derive(Debug)]
+struct Chart {
+    patch: Nurbs,
+    parameters: Vec<DVec2>,
+    pole: Option<Pole>,
+    /// Mean lengths of the two sides along u and of those along v.
+    extent: DVec2,
 }
 
 /// A patch relative to its centre, in units of ℓ.
@@ -107,8 +186,8 @@ pub(crate) struct Auxiliary {
     unit: f64,
     pub mesh: Mesh,
     pub topology: Topology,
-    /// A patch and the parameters of the auxiliary vertices. `None` for a film.
-    patch: Option<(Nurbs, Vec<DVec2>)>,
+    /// `None` for a film.
+    chart: Option<Chart>,
     /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
     sides: Vec<Vec<Vec<u32>>>,
     /// Corners of a film: the auxiliary vertex, and its position in the caller's coordinates.
@@ -124,16 +203,38 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// Makes the auxiliary triangulation of a patch, over `options.auxiliary_grid` rectangles. Returns `None` if the
-    /// patch collapses somewhere or closes on itself, because it cannot be laid into the plane then.
+    /// Makes the auxiliary triangulation of a patch, over `options.auxiliary_grid` rectangles. One side may be a single
+    /// point. Returns `None` if the patch collapses elsewhere or closes on itself, because it cannot be laid into the
+    /// plane then.
     pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
         let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
-        let parameters: Vec<DVec2> = (0..=nu)
-            .flat_map(|i| (0..=nv).map(move |j| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64)))
-            .collect();
-        let vertices: Vec<DVec3> = parameters.iter().map(|&p| patch.evaluate(p)[0]).collect();
-        let vertex = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
+        let on_grid = |i: usize, j: usize| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64);
+        let grid: Vec<DVec2> = (0..=nu).flat_map(|i| (0..=nv).map(move |j| on_grid(i, j))).collect();
+        let points: Vec<DVec3> = grid.iter().map(|&p| patch.evaluate(p)[0]).collect();
+        let tiny = 1e-9 * points.iter().map(|p| p.length()).fold(0.0, f64::max);
+        let is_point = |pole: &Pole| {
+            let mut side = grid.iter().zip(&points).filter(|(p, _)| pole.is(**p)).map(|(_, point)| point);
+            side.next().is_some_and(|first| side.all(|point| point.distance(*first) <= tiny))
+        };
+        let mut poles = Pole::SIDES.into_iter().filter(is_point);
+        let pole = poles.next();
+        if poles.next().is_some() {
+            return None;
+        }
+        let (mut vertices, mut parameters, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
+        let mut at_pole = None;
+        for (&p, &point) in grid.iter().zip(&points) {
+            let own = pole.filter(|pole| pole.is(p));
+            let number = own.and(at_pole).unwrap_or(vertices.len() as u32);
+            if number as usize == vertices.len() {
+                vertices.push(point);
+                parameters.push(own.map_or(p, Pole::parameters));
+            }
+            at_pole = own.map(|_| number).or(at_pole);
+            numbers.push(number);
+        }
+        let vertex = |i: usize, j: usize| numbers[i * (nv + 1) + j];
         let triangles: Vec<[u32; 3]> = (0..nu)
             .flat_map(|i| (0..nv).map(move |j| (i, j)))
             .flat_map(|(i, j)| {
@@ -142,12 +243,11 @@ impl Auxiliary {
                     [vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)],
                 ]
             })
+            .filter(|[a, b, c]| a != b && b != c && c != a)
             .collect();
         let mesh = Mesh::new(vertices, triangles);
         let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
         let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
-        let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
-        let tiny = 1e-9 * size;
         if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
             return None;
         }
@@ -156,18 +256,25 @@ impl Auxiliary {
         if closed {
             return None;
         }
-        let sides = vec![
+        let mut sides: Vec<Vec<u32>> = vec![
             (0..=nu).map(|i| vertex(i, 0)).collect(),
             (0..=nv).map(|j| vertex(nu, j)).collect(),
             (0..=nu).rev().map(|i| vertex(i, nv)).collect(),
             (0..=nv).rev().map(|j| vertex(0, j)).collect(),
         ];
+        let [along_u, across] = [0, 1].map(|first| {
+            // The lengths of opposite sides are averaged.
+            let length = |side: &Vec<u32>| side.windows(2).map(|pair| apart(pair[0], pair[1])).sum::<f64>();
+            0.5 * (length(&sides[first]) + length(&sides[first + 2]))
+        });
+        sides.retain(|side| side[0] != side[1]);
+        let chart = Chart { patch: patch.clone(), parameters, pole, extent: DVec2::new(along_u, across) };
         Some(Self {
             centre: *centre,
             unit: *unit,
             mesh,
             topology,
-            patch: Some((patch.clone(), parameters)),
+            chart: Some(chart),
             sides: vec![sides],
             exact: Vec::new(),
             inputs: Vec::new(),
@@ -228,7 +335,12 @@ impl Auxiliary {
             code => Warning { values: w.values, ..Warning::new(WarningCode::Film, format!("{code}: {}", w.detail)) },
         };
         let warnings = film.warnings.into_iter().map(said).collect();
-        Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
+        Ok(Self { centre, unit, mesh, topology, chart: None, sides, exact, inputs, warnings })
+    }
+
+    /// Whether a side of the patch is a single point.
+    pub fn has_pole(&self) -> bool {
+        self.chart.as_ref().is_some_and(|chart| chart.pole.is_some())
     }
 
     /// The vertices at which sides meet.
@@ -241,22 +353,16 @@ impl Auxiliary {
     /// # Errors
     /// [`Error::NoResult`] if a film has no plane embedding without flipped triangles.
     pub fn start(&self) -> Result<Vec<DVec2>, Error> {
-        let Some((_, parameters)) = &self.patch else { return flatten::start(&self.mesh, &self.topology) };
-        let [along_u, across] = [0, 1].map(|first| {
-            // The lengths of opposite sides are averaged.
-            let length = |side: &Vec<u32>| -> f64 {
-                let position = |v: u32| self.mesh.vertices[v as usize];
-                side.windows(2).map(|pair| position(pair[0]).distance(position(pair[1]))).sum()
-            };
-            0.5 * (length(&self.sides[0][first]) + length(&self.sides[0][first + 2]))
-        });
-        Ok(parameters.iter().map(|p| DVec2::new(p.x * along_u, p.y * across)).collect())
+        let Some(Chart { parameters, extent, .. }) = &self.chart else {
+            return flatten::start(&self.mesh, &self.topology);
+        };
+        Ok(parameters.iter().map(|&p| p * *extent).collect())
     }
 
     /// Returns the surface on which the nodes move after the flattening.
     pub fn surface(&self, plane: &[DVec2], locator: &std::rc::Rc<Locator>) -> Surface {
-        match &self.patch {
-            Some((patch, _)) => Surface::Patch(patch.clone()),
+        match &self.chart {
+            Some(chart) => Surface::Patch(chart.patch.clone(), chart.pole),
             None => Surface::Film { mesh: self.mesh.clone(), plane: plane.to_vec(), locator: locator.clone() },
         }
     }
@@ -264,8 +370,14 @@ impl Auxiliary {
     /// Returns the parameters of a point of the flattened mesh (eq. 3).
     pub fn carry_back(&self, p: DVec2, plane: &[DVec2], locator: &Locator) -> DVec2 {
         let (t, weights) = locator.find(p, plane, &self.mesh.triangles);
-        let of: &[DVec2] = self.patch.as_ref().map_or(plane, |(_, parameters)| parameters);
-        self.mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| of[v as usize] * w).sum()
+        let (of, pole) = self.parameters(plane);
+        let corners = self.mesh.triangles[t as usize];
+        weighted(pole, &[0, 1, 2].map(|k| (of[corners[k] as usize], weights[k])))
+    }
+
+    /// The parameters of the auxiliary vertices, which for a film are their positions in the plane, and the pole.
+    fn parameters<'a>(&'a self, plane: &'a [DVec2]) -> (&'a [DVec2], Option<Pole>) {
+        self.chart.as_ref().map_or((plane, None), |chart| (&chart.parameters, chart.pole))
     }
 
     /// Divides the flattened boundary into nodes. The corners come first.
@@ -281,8 +393,8 @@ impl Auxiliary {
     ) -> Result<Boundary, Interruption> {
         let mut boundary = Boundary::default();
         let mut node_of = vec![None; self.mesh.vertices.len()];
-        let parameter =
-            |v: u32| self.patch.as_ref().map_or(plane[v as usize], |(_, parameters)| parameters[v as usize]);
+        let (parameters, pole) = self.parameters(plane);
+        let parameter = |v: u32| parameters[v as usize];
         for &corner in self.sides.iter().flatten().map(|side| &side[0]) {
             node_of[corner as usize] = Some(boundary.outline.nodes.len() as u32);
             boundary.outline.nodes.push(plane[corner as usize]);
@@ -295,7 +407,7 @@ impl Auxiliary {
         boundary.input_vertices = self.inputs.iter().map(|&v| node_of[v as usize]).collect();
         boundary.sides = Sides::new(boundary.corners);
         for ring in &self.sides {
-            let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
+            let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, pole, surface)).collect();
             let mut counts: Vec<u32> = Vec::with_capacity(lines.len());
             for line in &lines {
                 counts.push(line.pieces(surface, division, execution)?);
@@ -352,6 +464,16 @@ fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
     a + (b - a) * part
 }
 
+/// Returns the parameters of two neighbours on a side of a patch. The parameters of a pole are those on the same line.
+fn beside_pole(pole: Option<Pole>, [mut a, mut b]: [DVec2; 2]) -> [DVec2; 2] {
+    match pole {
+        Some(pole) if pole.is(a) => a[pole.along] = b[pole.along],
+        Some(pole) if pole.is(b) => b[pole.along] = a[pole.along],
+        _ => {}
+    }
+    [a, b]
+}
+
 /// Samples of a side: the length along the surface from the side's start, the position in the plane, and the
 /// parameters.
 struct Line {
@@ -359,7 +481,13 @@ struct Line {
 }
 
 impl Line {
-    fn new(side: &[u32], plane: &[DVec2], parameter: impl Fn(u32) -> DVec2, surface: &Surface) -> Self {
+    fn new(
+        side: &[u32],
+        plane: &[DVec2],
+        parameter: impl Fn(u32) -> DVec2,
+        pole: Option<Pole>,
+        surface: &Surface,
+    ) -> Self {
         let mut samples: Vec<(f64, DVec2, DVec2)> = Vec::with_capacity(SAMPLES * side.len());
         let (mut way, mut last) = (0.0, None::<DVec3>);
         let segments = side.len() - 1;
@@ -368,7 +496,8 @@ impl Line {
             let part = part as f64 / SAMPLES as f64;
             let (a, b) = (side[segment], side[segment + 1]);
             let p = between(plane[a as usize], plane[b as usize], part);
-            let q = between(parameter(a), parameter(b), part);
+            let [from, to] = beside_pole(pole, [parameter(a), parameter(b)]);
+            let q = between(from, to, part);
             let here = surface.evaluate(q)[0];
             way += last.map_or(0.0, |last| last.distance(here));
             last = Some(here);

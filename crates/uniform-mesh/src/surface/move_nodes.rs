@@ -13,7 +13,7 @@
 //! - A step that would flip a triangle in the parameter plane is refused.
 //! - The damping is the surface's metric, so that the result does not depend on how the patch is parametrised.
 
-use super::auxiliary::Surface;
+use super::auxiliary::{Surface, weighted};
 use super::least_squares::{Settings, minimise, step_before_flip};
 use plateau_mesh::execution::{Execution, Interruption};
 use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
@@ -109,9 +109,9 @@ impl Sheet for Surface {
     }
 
     fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (DVec2, DVec3)) -> bool {
-        triangles.iter().all(|&[a, b, c]| {
-            let a = at(a).0;
-            (at(b).0 - a).perp_dot(at(c).0 - a) > 0.0
+        triangles.iter().all(|triangle| {
+            let [a, b, c] = self.beside_pole(triangle.map(|v| (at(v).0, DVec2::ZERO))).map(|(p, _)| p);
+            (b - a).perp_dot(c - a) > 0.0
         })
     }
 
@@ -120,7 +120,7 @@ impl Sheet for Surface {
             Some(k) => (mesh.moving[k], step[k]),
             None => (mesh.standing[v as usize], DVec2::ZERO),
         };
-        let most = step_before_flip(mesh.triangles.iter().map(|t| t.map(with_step)));
+        let most = step_before_flip(mesh.triangles.iter().map(|t| self.beside_pole(t.map(with_step))));
         for (node, place) in to.iter_mut().enumerate() {
             *place = self.restrict(mesh.moving[node] + step[node] * most);
         }
@@ -128,7 +128,10 @@ impl Sheet for Surface {
     }
 
     fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
-        let mut p = corners.into_iter().sum::<DVec2>() / 3.0;
+        let mut p = match self {
+            Self::Patch(_, pole @ Some(_)) => weighted(*pole, &corners.map(|corner| (corner, 1.0 / 3.0))),
+            _ => corners.into_iter().sum::<DVec2>() / 3.0,
+        };
         // Three steps of the Gauss-Newton method find the nearest point, because the start is close.
         for _ in 0..3 {
             let [x, du, dv] = Self::evaluate(self, p);

@@ -105,6 +105,10 @@ pub(crate) fn rebuild<'a>(
     execution: &Execution<'_>,
 ) -> Result<Option<OnSurface<'a, Surface>>, Interruption> {
     execution.look(nodes.triangles.len() as u64)?;
+    // The triangulation needs a plane in which a pole is a side.
+    if matches!(nodes.surface, Surface::Patch(_, Some(_))) {
+        return Ok(None);
+    }
     let core = Core::of(nodes);
     let parameters: Vec<DVec2> = core.nodes.iter().map(|&v| nodes.parameters[v as usize]).collect();
     let positions: Vec<DVec3> = core.nodes.iter().map(|&v| nodes.positions[v as usize]).collect();

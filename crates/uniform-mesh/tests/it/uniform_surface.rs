@@ -3,7 +3,7 @@
 
 use plateau_mesh::measure;
 use plateau_mesh::{DVec2, DVec3, Error, Execution, Interruption, Signal};
-use plateau_uniform_mesh::{Domain, Nurbs, Objective, Optimise, Options, Transition, UniformMesh, Why, solve};
+use plateau_uniform_mesh::{Domain, Method, Nurbs, Objective, Optimise, Options, Transition, UniformMesh, Why, solve};
 
 fn run(domain: &Domain, options: &Options) -> Result<UniformMesh, Error> {
     solve(domain, options, &Execution::default())
@@ -126,6 +126,50 @@ fn a_cylinder_unrolls_so_chords_deviate_by_the_square_of_the_length() {
     let expected = |edge_length: f64| 0.375 * edge_length * edge_length / (24.0 * 1600.0);
     assert!((coarse / expected(6.0) - 1.0).abs() < 0.1 && (fine / expected(3.0) - 1.0).abs() < 0.1, "{coarse} {fine}");
     assert!((3.6..4.4).contains(&(coarse / fine)), "{coarse} {fine}");
+}
+
+/// Half a cone of the radius 6 and the height 8, with its apex at the end of v.
+fn half_cone() -> Nurbs {
+    let half = 0.5f64.sqrt();
+    let around = [[6.0, 0.0], [6.0, 6.0], [0.0, 6.0], [-6.0, 6.0], [-6.0, 0.0]].map(DVec2::from);
+    let apex = DVec3::new(0.0, 0.0, 8.0);
+    Nurbs {
+        degrees: [2, 1],
+        knots: [vec![0.0, 0.0, 0.0, 0.5, 0.5, 1.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        control_points: around.iter().map(|p| vec![p.extend(0.0), apex]).collect(),
+        weights: Some([1.0, half, 1.0, half, 1.0].map(|weight| vec![weight; 2]).to_vec()),
+    }
+}
+
+#[test]
+fn a_cone_with_its_apex_unrolls() {
+    // Unrolled, the half cone is a sector of the radius 10 and the angle 108 degrees.
+    let cone = half_cone();
+    let result = run(&Domain::Nurbs(cone.clone()), &options(1.2)).unwrap();
+    check(&result, 1.2);
+    let statistics = &result.statistics;
+    let fit = statistics.surface.as_ref().unwrap();
+    assert!(result.converged && fit.method == Method::Flattened, "{:?}", result.warnings);
+    assert!((fit.area / (30.0 * std::f64::consts::PI) - 1.0).abs() < 2e-3, "{}", fit.area);
+    let lattice = result.lattice_group.iter().filter(|group| **group).count();
+    let equal = result.lengths.iter().filter(|&&length| (length / 1.2 - 1.0).abs() < 1e-3).count();
+    assert!(equal >= lattice && lattice > 100, "{equal} equal, {lattice} in the lattice");
+    // The same with the apex at the other end of v, and at the ends of u.
+    let mut turned = cone;
+    turned.control_points.iter_mut().for_each(|row| row.reverse());
+    for transposed in [false, true] {
+        if transposed {
+            let Nurbs { degrees, knots, control_points, weights } = turned;
+            let columns = |i: usize| control_points.iter().map(|row| row[i]).collect::<Vec<_>>();
+            let control_points = vec![columns(0), columns(1)];
+            let weights = weights.map(|rows| vec![rows.iter().map(|row| row[0]).collect::<Vec<_>>(); 2]);
+            let [u, v] = knots;
+            turned = Nurbs { degrees: [degrees[1], degrees[0]], knots: [v, u], control_points, weights };
+        }
+        let other = run(&Domain::Nurbs(turned.clone()), &options(1.2)).unwrap();
+        check(&other, 1.2);
+        assert!(other.converged, "{:?}", other.warnings);
+    }
 }
 
 #[test]
