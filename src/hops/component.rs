@@ -2,6 +2,7 @@
 
 use base64::Engine as _;
 use plateau_engine::blocks::{self, Block, Input, Preset, Type};
+use plateau_engine::explain::edit_distance;
 use plateau_engine::kind::Kind;
 use serde_json::{Value, json};
 use std::sync::LazyLock;
@@ -147,11 +148,24 @@ fn reading() -> [Component; 2] {
 }
 
 /// Returns the component that Hops names: by its last part, by its path, or by its whole address.
-#[must_use]
-pub fn find(pointer: &str) -> Option<&'static Component> {
+///
+/// # Errors
+/// Returns the text for a name that no component has. It names the component that was probably meant.
+pub fn find(pointer: &str) -> Result<&'static Component, String> {
+    /// Length of the longest name that is compared with the known ones, which are shorter than 30 characters.
+    const LONGEST: usize = 60;
     let pointer = pointer.trim_end_matches('/');
     let name = pointer.rsplit('/').next().unwrap_or(pointer);
-    components().iter().find(|component| component.name == name)
+    components().iter().find(|component| component.name == name).ok_or_else(|| {
+        let given = name.to_ascii_lowercase().replace('_', "-");
+        let known = components().iter().filter(|_| given.len() <= LONGEST).map(|component| component.name.as_str());
+        match known.map(|known| (edit_distance(&given, known), known)).min() {
+            Some((steps, known)) if 4 * steps <= known.len() => {
+                format!("no such component; did you mean {known}? GET /hops lists all")
+            }
+            _ => "no such component; GET /hops lists all".into(),
+        }
+    })
 }
 
 /// Returns the name of the component that shows jobs of a kind.

@@ -144,8 +144,7 @@ pub struct Named {
 pub fn message(body: &[u8]) -> Result<Named, HopsError> {
     let message: Message = serde_json::from_slice(body)
         .map_err(|error| HopsError::Malformed(format!("the body is not a message of Hops: {error}")))?;
-    let component = find(&message.pointer.unwrap_or_default())
-        .ok_or_else(|| HopsError::Unknown("the pointer names no component of this server; see GET /hops".into()))?;
+    let component = find(&message.pointer.unwrap_or_default()).map_err(HopsError::Unknown)?;
     let document_tolerance = message.absolutetolerance.filter(|tolerance| *tolerance > 0.0).unwrap_or(0.0);
     let document_unit = shortened(&message.modelunits.unwrap_or_default());
     Ok(Named { component, values: message.values, document_tolerance, document_unit })

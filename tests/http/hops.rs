@@ -630,6 +630,22 @@ async fn answers_to_other_messages_have_the_form_of_hops_too() {
 }
 
 #[tokio::test]
+async fn a_misspelt_component_is_told_the_right_one() {
+    let app = TestApp::start().await;
+    for (name, expected) in [
+        ("minimal-surfaces", "no such component; did you mean minimal-surface? GET /hops lists all"),
+        ("Minimal_Surface", "no such component; did you mean minimal-surface? GET /hops lists all"),
+        ("cabel-net-pol", "no such component; did you mean cable-net-poll? GET /hops lists all"),
+        ("sphere", "no such component; GET /hops lists all"),
+    ] {
+        let response = app.post("/hops/solve", &message(name, &[])).await;
+        assert_eq!(errors(&response.json().await.unwrap()), [expected]);
+        let described: Value = app.get(&format!("/hops/{name}")).await.json().await.unwrap();
+        assert_eq!(described["detail"], expected);
+    }
+}
+
+#[tokio::test]
 async fn a_long_job_is_started_and_polled() {
     let app = TestApp::start().await;
     app.hold.at("first_progress");

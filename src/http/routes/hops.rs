@@ -38,7 +38,7 @@ pub async fn list(State(app): State<App>) -> Result<Json<Vec<Value>>, Failure> {
 
 pub async fn describe(State(app): State<App>, Path(name): Path<String>) -> Result<Json<Value>, Failure> {
     check_enabled(&app)?;
-    let component = find(&name).ok_or_else(|| Failure::not_found("no such component; see GET /hops"))?;
+    let component = find(&name).map_err(Failure::not_found)?;
     Ok(Json(component.description(&app.config.http.public_base_path)))
 }
 
