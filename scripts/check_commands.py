@@ -22,6 +22,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PRINTED = "http://127.0.0.1:8080"
@@ -58,6 +59,8 @@ def fault(path):
         "dxf": lambda: b"SECTION" in data and data.rstrip().endswith(b"EOF"),
         "svg": lambda: b"<svg" in data and data.rstrip().endswith(b"</svg>"),
         "csv": lambda: len(data.splitlines()) > 1,
+        "pdf": lambda: data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"),
+        "zip": lambda: zipfile.ZipFile(path).testzip() is None,
     }
     return None if ending not in opens or opens[ending]() else "it does not hold what its name says"
 

@@ -20,6 +20,7 @@ import itertools
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -434,9 +435,8 @@ def check_pages(name, pattern):
         reader = pypdf.PdfReader(io.BytesIO(request(f"{pattern}?format=pdf&paper={paper}")))
         seen = set()
         for page in reader.pages:
-            title = next(line for line in page.extract_text().splitlines() if line.startswith("row "))
-            words = title.replace(",", "").split()
-            row, rows, column = int(words[1]), int(words[3]), int(words[5])
+            title = re.search(r"row (\d+) of (\d+), column (\d+) of", page.extract_text())
+            row, rows, column = (int(number) for number in title.groups())
             low = np.array([column - 1, rows - row]) * tile
             writer = pypdf.PdfWriter()
             writer.add_page(page)

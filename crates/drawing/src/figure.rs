@@ -472,7 +472,11 @@ fn texts(
                 take(&mut taken, panel);
                 put(text, spot);
             }
-            None => beside.push((label.sides[0][1].midpoint(label.sides[1][1]), text.clone())),
+            None => {
+                // The texts beside a piece stand above it, so that the leader starts at the upper end.
+                let [p, q] = [0, 1].map(|end| label.sides[0][end].midpoint(label.sides[1][end]));
+                beside.push((if p.y > q.y { p } else { q }, text.clone()));
+            }
         }
     }
     shapes.extend(texts_beside(piece, figure, beside, name.is_none(), options));
@@ -490,7 +494,7 @@ fn texts_beside(
     let mut shapes = Vec::new();
     let [low, high] = figure.bounds();
     let height = options.text_height;
-    // Angles that do not fit stand above the piece, upright, each with a leader to the end of its fold.
+    // Angles that do not fit stand above the piece, upright, each with a leader to the upper end of its fold.
     beside.sort_by(|one, other| one.0.x.total_cmp(&other.0.x));
     let upright = label::height_beside(beside.len(), high.x - low.x, height);
     let columns = label::spread(&beside.iter().map(|(at, _)| at.x).collect::<Vec<_>>(), upright);
