@@ -380,6 +380,7 @@ def wang_tang(mesh, request):
     both_ways = [0.0, 0.0]
     tolerance = request.get("convexity_tolerance_deg", 1e-6)
     normals = request.get("normals")
+    monotone = request.get("bending", "monotone") == "monotone"
     for k, (i, j) in enumerate(path):
         e = Q[j] - P[i]
         n_p, n_q = unit_cross(e, tP[i]), unit_cross(e, tQ[j])
@@ -400,7 +401,7 @@ def wang_tang(mesh, request):
         sine_squared = s @ s
         A = a_left + a_right
         L = 2 * A / math.sqrt(e @ e)
-        bending[k] = A * (sine_squared if c >= 0 else 2 - sine_squared) / L**2
+        bending[k] = A * (2 - sine_squared if monotone and c < 0 else sine_squared) / L**2
         H[k] = np.cross(e, left - right)
     jumps = [math.sqrt((a - b) @ (a - b)) for a, b in zip(H, H[1:])]
     found = {

@@ -699,6 +699,14 @@ export interface components {
             /** @description Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have. */
             requests: components["schemas"]["RequestWithKind"][];
         };
+        /**
+         * @description The bending energy at folds beyond 90°.
+         *
+         *     - `monotone`: It grows with the angle up to 180°: 2 - sin²θ beyond 90°.
+         *     - `paper`: sin²θ, as Wang and Tang print it. A fold of 180° then costs nothing.
+         * @enum {string}
+         */
+        BendingLaw: "monotone" | "paper";
         /** @description A tensor-product Bézier patch. */
         Bezier: {
             /** @description Control points: `control_points[i][j]`, where i counts along u and j along v. */
@@ -2315,6 +2323,11 @@ export interface components {
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean | null;
             /**
+             * @description Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+             *     starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not. Default: `true`. Only with `objective: minimal_mean_curvature` and `initial_mesh` `auto` or `barycentres`.
+             */
+            candidate_fairing?: boolean | null;
+            /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
              *     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`.
              */
@@ -2369,8 +2382,8 @@ export interface components {
             /** @description Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`. */
             on_unstable?: components["schemas"]["OnUnstable"] | null;
             /**
-             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-             *     stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
+             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+             *     `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
             /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
@@ -2425,6 +2438,11 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean | null;
+            /**
+             * @description Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+             *     starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not. Default: `true`. Only with `objective: minimal_mean_curvature` and `initial_mesh` `auto` or `barycentres`.
+             */
+            candidate_fairing?: boolean | null;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
              *     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`.
@@ -2483,8 +2501,8 @@ export interface components {
             /** @description Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`. */
             on_unstable?: components["schemas"]["OnUnstable"] | null;
             /**
-             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-             *     stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
+             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+             *     `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
             /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
@@ -3037,6 +3055,8 @@ export interface components {
         RuledSurfaceRequest: {
             /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
             all_objectives?: boolean | null;
+            /** @description Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics. */
+            bending?: components["schemas"]["BendingLaw"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"] | null;
             /**
@@ -3108,6 +3128,8 @@ export interface components {
         RuledSurfaceRequestWithKind: {
             /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
             all_objectives?: boolean | null;
+            /** @description Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics. */
+            bending?: components["schemas"]["BendingLaw"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"] | null;
             /**

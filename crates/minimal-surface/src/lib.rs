@@ -229,8 +229,8 @@ fn relax(film: &mut Film, kind: InitialMeshKind, options: &Options, exec: &Execu
     let given = matches!(options.initial_mesh, InitialMesh::Given(_));
     match &options.method {
         Method::LiuWang(method) => {
-            let candidate = options.barycentres(film.boundaries.len()).is_some();
-            liu_wang::run(film, method, candidate, limits, exec)
+            let fairs = method.candidate_fairing && options.barycentres(film.boundaries.len()).is_some();
+            liu_wang::run(film, method, fairs, limits, exec)
         }
         Method::Harmonic => dirichlet::run_once(film, exec),
         Method::VertexRelaxation(method) => chen_cai_zheng::run(film, method, limits, exec),

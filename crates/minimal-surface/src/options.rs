@@ -215,8 +215,8 @@ pub struct VertexRelaxation {
     /// Relative change of area per iteration at which a stage of Laplacian fairing ends (ε₁). `None` stands for
     /// `area_tolerance`.
     pub fairing_tolerance: Option<f64>,
-    /// The stages and their processes in the caller's order. Each stage is repeated until its tolerance is met. `None`
-    /// stands for the stages of the paper.
+    /// The stages and their processes in the caller's order. Each stage is repeated until its tolerance is met. A stage
+    /// of edge swapping alone ends when no swap reduces the area. `None` stands for the stages of the paper.
     pub processes: Option<Vec<Vec<Process>>>,
 }
 
@@ -262,11 +262,15 @@ pub struct LiuWang {
     /// The seed by which the points of the initial mesh are chosen from the candidates, if [`InitialMesh::Auto`] stands
     /// for [`InitialMesh::Barycentres`].
     pub seed: u64,
+    /// Whether a mesh of [`InitialMesh::Barycentres`] is faired once before the first least squares. On by default,
+    /// although the paper has no such step, because without the curvatures at boundary vertices every start reaches an
+    /// objective of zero and keeps the layout of its points.
+    pub candidate_fairing: bool,
 }
 
 impl Default for LiuWang {
     fn default() -> Self {
-        Self { tolerance: LEAST_SQUARES_TOLERANCE, boundary_curvature: false, seed: 1 }
+        Self { tolerance: LEAST_SQUARES_TOLERANCE, boundary_curvature: false, seed: 1, candidate_fairing: true }
     }
 }
 
@@ -570,11 +574,8 @@ impl Options {
             errors.push(InputError::new(Place::field("resolution").then(name), detail));
         }
         if let Method::VertexRelaxation(VertexRelaxation { processes: Some(stages), .. }) = &self.method {
-            for (k, stage) in stages.iter().enumerate() {
-                if stage.iter().all(|process| *process == Process::EdgeSwapping) {
-                    let place = Place::field("processes").at(k);
-                    errors.push(InputError::new(place, "a stage needs laplacian_fairing or area_minimising"));
-                }
+            for (k, _) in stages.iter().enumerate().filter(|(_, stage)| stage.is_empty()) {
+                errors.push(InputError::new(Place::field("processes").at(k), "a stage needs a process"));
             }
         }
         errors

@@ -169,9 +169,18 @@ fn check_options(options: &Options) -> Result<(), Error> {
     };
     let objective = options.method.objective();
     let solver = objective == Objective::MinimalArea && !matches!(options.method, Method::Newton(_));
-    refuse(solver, "solver", "a film with junctions is solved by newton");
+    refuse(
+        solver,
+        "solver",
+        "a film with junctions is solved by newton, because the other solvers need edges with at most two triangles",
+    );
     refuse(objective != Objective::MinimalArea, "objective", "a film with junctions takes minimal_area");
-    refuse(!options.keeps_topology(), "topology", "a film with junctions keeps its topology");
+    refuse(
+        !options.keeps_topology(),
+        "topology",
+        "a film with junctions keeps its topology, because the rules that remove thin triangles and cut necks hold for \
+         edges with two triangles only",
+    );
     refuse(!options.constraints.is_empty(), "constraints", "a film with junctions takes no fixed points or curves");
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }

@@ -51,6 +51,7 @@ mod stack;
 mod strip;
 
 pub use graph::rails::Given;
+pub use graph::weight::BendingLaw;
 pub use pattern::FlatPattern;
 pub use pattern::flat_strip::FlatStrip;
 pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, DirectionCriterion, Options};
@@ -257,17 +258,15 @@ mod tests {
                         _ => &[None],
                     };
                     for &secondary in couplings {
-                        let options = Options {
-                            closed,
-                            objective,
-                            secondary,
-                            normals: Some(normals.clone()),
-                            ..Options::default()
-                        };
-                        let solve = |lanes| solve_with(&rails, &options, &Execution::default(), lanes).unwrap();
-                        let plain = solve(LaneWidth::Plain);
-                        for wide in LaneWidth::all().split_off(1) {
-                            assert_eq!(plain, solve(wide), "{objective:?} {m} {n} {wide:?}");
+                        for bending in [BendingLaw::Monotone, BendingLaw::Paper] {
+                            let normals = Some(normals.clone());
+                            let options =
+                                Options { closed, objective, secondary, bending, normals, ..Options::default() };
+                            let solve = |lanes| solve_with(&rails, &options, &Execution::default(), lanes).unwrap();
+                            let plain = solve(LaneWidth::Plain);
+                            for wide in LaneWidth::all().split_off(1) {
+                                assert_eq!(plain, solve(wide), "{objective:?} {m} {n} {wide:?} {bending:?}");
+                            }
                         }
                     }
                 }

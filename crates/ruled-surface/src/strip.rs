@@ -9,6 +9,7 @@ use crate::graph::cell_counter::CellCounter;
 use crate::graph::convexity::{self, ConvexityTest};
 use crate::graph::lanes::LaneWidth;
 use crate::graph::rails::{Given, Rails};
+use crate::graph::weight::BendingLaw;
 use objective::{Goal, Objective, Secondary};
 use plateau_mesh::error::{Error, Place};
 use plateau_mesh::execution::Execution;
@@ -28,6 +29,12 @@ impl Strip {
     pub fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Result<Self, Error> {
         let errors = check::strip_errors([p, q], closed);
         if errors.is_empty() { Ok(Self(Rails::new(p, q, closed))) } else { Err(Error::Input(errors)) }
+    }
+
+    /// Returns the strip with another law of the bending energy. Without a call it is [`BendingLaw::Monotone`].
+    #[must_use]
+    pub fn with_bending(self, bending: BendingLaw) -> Self {
+        Self(Rails { bending, ..self.0 })
     }
 
     /// Returns the optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1) on an open strip, and all the way

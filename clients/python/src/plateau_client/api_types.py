@@ -7,6 +7,11 @@ from typing import TYPE_CHECKING, Any, Dict, List, Literal, Optional, Sequence, 
 if TYPE_CHECKING:
     from typing_extensions import NotRequired
 
+BendingLaw = Literal['monotone', 'paper']
+"""The bending energy at folds beyond 90°.
+
+- `monotone`: It grows with the angle up to 180°: 2 - sin²θ beyond 90°.
+- `paper`: sin²θ, as Wang and Tang print it. A fold of 180° then costs nothing."""
 BoundarySampling = Literal['refine', 'keep']
 """Sampling of the boundary: whether points may be added on its segments.
 
@@ -1284,6 +1289,9 @@ class MinimalSurfaceRequest(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    candidate_fairing: NotRequired[Optional[bool]]
+    """Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+    starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not. Default: `true`. Only with `objective: minimal_mean_curvature` and `initial_mesh` `auto` or `barycentres`."""
     certify: NotRequired[Optional[Certify]]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
@@ -1321,8 +1329,8 @@ class MinimalSurfaceRequest(TypedDict):
     on_unstable: NotRequired[Optional[OnUnstable]]
     """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: NotRequired[Optional[Sequence[ProcessStage]]]
-    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+    `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
     resolution: NotRequired[Optional[Resolution]]
     """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
     seed: NotRequired[Optional[int]]
@@ -1361,6 +1369,9 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[Optional[bool]]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    candidate_fairing: NotRequired[Optional[bool]]
+    """Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+    starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not. Default: `true`. Only with `objective: minimal_mean_curvature` and `initial_mesh` `auto` or `barycentres`."""
     certify: NotRequired[Optional[Certify]]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
@@ -1398,8 +1409,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     on_unstable: NotRequired[Optional[OnUnstable]]
     """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: NotRequired[Optional[List[ProcessStage]]]
-    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+    `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
     resolution: NotRequired[Optional[Resolution]]
     """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
     seed: NotRequired[Optional[int]]
@@ -1761,6 +1772,8 @@ class RuledSurfaceRequest(TypedDict):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: NotRequired[Optional[bool]]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
+    bending: NotRequired[Optional[BendingLaw]]
+    """Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics."""
     cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -1816,6 +1829,8 @@ class RuledSurfaceRequestWithKind(TypedDict):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: NotRequired[Optional[bool]]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
+    bending: NotRequired[Optional[BendingLaw]]
+    """Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics."""
     cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -2599,6 +2614,8 @@ class RuledSurfaceOptions(TypedDict, total=False):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: Optional[bool]
     """Solve for every objective and add the comparison to the statistics. Default: `false`."""
+    bending: Optional[BendingLaw]
+    """Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics."""
     cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
@@ -2662,6 +2679,9 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: Optional[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    candidate_fairing: Optional[bool]
+    """Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+    starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not. Default: `true`. Only with `objective: minimal_mean_curvature` and `initial_mesh` `auto` or `barycentres`."""
     certify: Optional[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     bound is to be and how long the search may take. Only for `minimal_area`. Only with `objective: minimal_area`."""
@@ -2697,8 +2717,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     on_unstable: Optional[OnUnstable]
     """Only with `objective: minimal_area` and `solver` `auto` or `newton` and `topology: fixed`."""
     processes: Optional[Sequence[ProcessStage]]
-    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+    `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages. Only with `objective: minimal_area` and `solver: vertex_relaxation`."""
     resolution: Optional[Resolution]
     """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
     seed: Optional[int]

@@ -3,6 +3,7 @@
 
 use super::figure::{Largest, Least, Measured, RELATIVE, Sum};
 use plateau_mesh::DVec3;
+use plateau_ruled_surface::BendingLaw;
 
 /// A cross product below this fraction of the product of the lengths counts as zero.
 const PARALLEL: f64 = 1e-14;
@@ -31,6 +32,8 @@ pub(crate) struct Strip<'a> {
     pub bridges: Vec<[usize; 2]>,
     /// Tolerance of local convexity, in radians.
     pub convexity_tolerance: f64,
+    /// The bending energy at folds beyond 90°.
+    pub bending: BendingLaw,
     /// Assumed rounding error of a coordinate.
     pub step: f64,
 }
@@ -403,7 +406,8 @@ impl Strip<'_> {
         let turn = RELATIVE + left.turn + right.turn;
         let tolerance = if thin { f64::INFINITY } else { turn };
         folds.push(Fold { cosine, sine_squared, tolerance, counts: [true, !possible, !certain] });
-        let strength = if cosine < 0.0 { 2.0 - sine_squared } else { sine_squared };
+        let is_monotone = self.bending == BendingLaw::Monotone;
+        let strength = if is_monotone && cosine < 0.0 { 2.0 - sine_squared } else { sine_squared };
         let area = 0.5 * (left.double_area + right.double_area);
         // A / L² with L = 2 A / |e|. Times s(θ) this is the bending energy.
         let factor = length * length / (4.0 * area);

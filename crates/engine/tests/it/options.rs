@@ -162,6 +162,7 @@ fn each_option_of_a_film_acts_or_is_refused() {
             ("degenerate_angle_deg", vec![json!(20)]),
             ("seed", vec![json!(7), json!(8), json!(9)]),
             ("boundary_curvature", vec![json!(true)]),
+            ("candidate_fairing", vec![json!(false)]),
             ("certify", vec![json!({ "seconds": 0.1 })]),
         ],
         choices: vec![
@@ -222,6 +223,7 @@ fn each_option_of_a_strip_acts_or_is_refused() {
         ("closed", vec![json!(true)]),
         ("secondary_objective", vec![json!("minimal_bending_energy"), json!("minimal_area"), json!("minimal_twist")]),
         ("convexity_tolerance_deg", vec![json!(45)]),
+        ("bending", vec![json!("paper")]),
         ("direction", vec![json!("auto")]),
         ("caps", vec![json!("flat")]),
         ("tangents", vec![tangents]),
@@ -230,18 +232,21 @@ fn each_option_of_a_strip_acts_or_is_refused() {
     ];
     let table = Table { options: options.clone(), choices, bodies, first: 3 };
     println!("{:?}", check(kind("ruled_surface"), &table));
-    let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
-        (0..9).map(f64::from).map(|x| [x, y, 0.4 * (1.3 * x + phase).sin()]).collect()
+    let rail = |y: f64, height: f64, phase: f64| -> Vec<[f64; 3]> {
+        (0..9).map(f64::from).map(|x| [x, y, height * (1.3 * x + phase).sin()]).collect()
     };
     let upright = vec![[0, 0, 1]; 9];
-    let given = json!({ "directrices": [rail(0.0, 0.0), rail(1.0, 0.9)], "normals": [upright, upright] });
+    // The second strip folds by more than 90°, where `bending` acts.
+    let given = [0.4, 3.0].map(|height| {
+        json!({ "directrices": [rail(0.0, height, 0.0), rail(1.0, height, 0.9)], "normals": [upright, upright] })
+    });
     let options = options
         .into_iter()
         .filter(|(name, _)| !["direction", "closed", "sampling", "tangents"].contains(name))
         .collect();
     println!(
         "{:?}",
-        check(kind("ruled_surface"), &Table { options, choices: vec![normal], bodies: vec![given], first: 1 })
+        check(kind("ruled_surface"), &Table { options, choices: vec![normal], bodies: given.into(), first: 1 })
     );
 }
 
@@ -305,6 +310,26 @@ fn each_option_of_a_net_acts_or_is_refused() {
         let request = with(&net(json!({ cable: 3 })), &json!({ "kind": "cable_net", "weights": { weight: 1 } }));
         assert_eq!(outcome(&request), Err(vec![format!("/weights/{weight}")]));
     }
+}
+
+/// Edges can be swapped alone. The tolerances of the other processes then have no effect and are refused.
+#[test]
+fn a_stage_of_swapping_alone_takes_no_tolerance() {
+    let saddle: Vec<[f64; 3]> =
+        (0..16).map(|k| PI * k as f64 / 8.0).map(|t| [t.cos(), t.sin(), 0.4 * (2.0 * t).cos()]).collect();
+    let request = |stages: Value, more: Value| {
+        let base = json!({ "kind": "minimal_surface", "boundaries": [saddle], "solver": "vertex_relaxation",
+            "resolution": { "triangles": 240 }, "processes": stages });
+        outcome(&with(&base, &more))
+    };
+    let swapping = || json!(["edge_swapping"]);
+    assert!(request(swapping(), json!({})).unwrap().contains("edge_swapping"));
+    assert_eq!(request(swapping(), json!({ "area_tolerance": 0.1 })), Err(vec!["/area_tolerance".into()]));
+    assert_eq!(request(swapping(), json!({ "fairing_tolerance": 0.1 })), Err(vec!["/fairing_tolerance".into()]));
+    let fairing = || json!(["laplacian_fairing", "edge_swapping"]);
+    assert!(request(fairing(), json!({ "area_tolerance": 0.1 })).is_ok());
+    let both = json!({ "area_tolerance": 0.1, "fairing_tolerance": 0.1 });
+    assert_eq!(request(fairing(), both), Err(vec!["/area_tolerance".into()]));
 }
 
 /// The catalogue lists an option for an objective only if some request with that objective takes it.

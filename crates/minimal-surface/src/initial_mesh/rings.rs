@@ -195,7 +195,11 @@ impl Skeleton {
         match boundaries {
             [only] => Ok(Self::disc(only)),
             [first, second] => Ok(Self::annulus(first, second)),
-            _ => Err(Error::input(Place::field("initial_mesh"), "rings span one or two boundaries")),
+            _ => Err(Error::input(
+                Place::field("initial_mesh"),
+                "rings span one or two boundaries, because each ring runs from one boundary to one other; auto, disk and planar \
+                 span more",
+            )),
         }
     }
 

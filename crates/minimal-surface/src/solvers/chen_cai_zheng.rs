@@ -82,11 +82,11 @@ struct Relaxation<'a> {
 
 impl Relaxation<'_> {
     fn stages(&mut self, stages: &[Vec<Process>], options: &VertexRelaxation) -> Result<StopReason, Interruption> {
-        if self.film.fixed.iter().all(|&fixed| fixed) {
-            return Ok(StopReason::NothingToMove);
-        }
         if stages.iter().flatten().any(|&process| process == Process::EdgeSwapping) {
             self.swap_edges()?;
+        }
+        if self.film.fixed.iter().all(|&fixed| fixed) {
+            return Ok(StopReason::NothingToMove);
         }
         let mut reason = StopReason::AreaChange;
         for (k, stage) in stages.iter().enumerate() {

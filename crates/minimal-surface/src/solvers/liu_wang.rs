@@ -14,11 +14,13 @@
 //!   triangles.
 //! - Step 2 is added, because without the curvatures at the boundary F has n terms for 3 n unknowns. Every start then
 //!   reaches F = 0 and keeps the layout of its points along the surface, so the start decides the result. Only the
-//!   candidate mesh of step 1 is faired; other initial meshes are taken as they are.
+//!   candidate mesh of step 1 is faired; other initial meshes are taken as they are. `candidate_fairing: false` leaves
+//!   the fairing out.
 //! - Lengths are divided by the radius R of the boundary first, because the four stopping criteria depend on the scale.
 //! - |F_k - F_{k-1}| is tested after accepted steps only. In the printed form every rejected step would end the run.
-//! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there and
-//!   has a wrong sign.
+//! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there. As
+//!   printed, its denominators |n₁|² and |n₂|² are exchanged. Its signs are right; a wrong sign is in the line of its
+//!   proof that derives ∂(n₁·n₂).
 //! - Step 4 flips the edges whose two opposite angles add up to more than 180°. The mesh is then Delaunay on the
 //!   surface itself, and no plane projection is needed. The flips end, because each lowers the Dirichlet energy.
 //! - A mesh of several loops, or without interior vertices, is taken as it is.
@@ -110,7 +112,7 @@ impl LeastSquares<3> for Bending {
 }
 
 /// Steps 2 to 4 on a film: lowers F = ½ Σ H² until the triangulation stays the same. The fairing of step 2 is made only
-/// if the film is a `candidate` mesh of step 1.
+/// if `fairs` is set.
 ///
 /// `options.tolerance` is their ε, for lengths divided by R. A run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
 /// √ε(1 + ‖δ‖∞), or after `max_iterations` steps. Where F vanishes, the *normal cycle* curvature of the surface
@@ -123,11 +125,11 @@ impl LeastSquares<3> for Bending {
 pub(crate) fn run(
     film: &mut Film,
     options: &LiuWang,
-    candidate: bool,
+    fairs: bool,
     limits: Limits,
     execution: &Execution,
 ) -> Result<Run, Error> {
-    if candidate {
+    if fairs {
         fair(film);
     }
     let mut run = Run::new(Solver::LevenbergMarquardt);

@@ -81,7 +81,7 @@ fn with(method: LiuWang, interior_vertices: usize) -> Options {
 /// vertices. The default objective vanishes at its minimum, so it is minimised until only rounding is left.
 fn liu_wang(boundary: &[DVec3], interior_vertices: usize, seed: u64) -> [MinimalSurface; 2] {
     [(true, 1e-6), (false, 1e-15)].map(|(boundary_curvature, tolerance)| {
-        let options = with(LiuWang { boundary_curvature, tolerance, seed }, interior_vertices);
+        let options = with(LiuWang { boundary_curvature, tolerance, seed, ..LiuWang::default() }, interior_vertices);
         let surface = solve(&[boundary.to_vec()], &options, &Execution::default()).unwrap();
         assert_eq!(surface.mesh.vertices[..boundary.len()], *boundary);
         assert_eq!(surface.mesh.vertices.len(), boundary.len() + interior_vertices);
@@ -130,6 +130,30 @@ fn the_catenoid_of_24_boundary_and_25_interior_points() {
         let relaxed = mean_error(&relaxed, 24, &error);
         assert!(interior < ratio * relaxed, "{area_tolerance}: {interior}, {relaxed}");
     }
+}
+
+/// Without the fairing, the least squares start at the candidate points themselves, as in the paper.
+#[test]
+fn the_fairing_of_the_candidates_can_be_left_out() {
+    let (boundary, _) = catenoid();
+    let solved = |method| {
+        let options = Options { method, initial_mesh: InitialMesh::Barycentres { seed: 1 }, ..options(25, 1) };
+        solve(std::slice::from_ref(&boundary), &options, &Execution::default()).unwrap().mesh.vertices
+    };
+    // Edge swapping moves no vertex, so its result has the candidate points.
+    let processes = Some(vec![vec![Process::EdgeSwapping]]);
+    let candidates = solved(Method::VertexRelaxation(VertexRelaxation { processes, ..VertexRelaxation::default() }));
+    let farthest =
+        |vertices: &[DVec3]| vertices.iter().zip(&candidates).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+    // With so large a tolerance the least squares end before their first step.
+    let [faired, plain] = [true, false].map(|candidate_fairing| {
+        solved(Method::LiuWang(LiuWang { candidate_fairing, tolerance: 1e9, ..LiuWang::default() }))
+    });
+    assert!(farthest(&plain) < 1e-12 && farthest(&faired) > 0.05, "{} {}", farthest(&plain), farthest(&faired));
+    // The start decides about the layout of the points, and so about the result.
+    let [faired, plain] = [true, false]
+        .map(|candidate_fairing| solved(Method::LiuWang(LiuWang { candidate_fairing, ..LiuWang::default() })));
+    assert!(faired.iter().zip(&plain).any(|(a, b)| a.distance(*b) > 0.01));
 }
 
 #[test]

@@ -360,11 +360,12 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut [C; 2], top: &[f64], t: usize) -> u32 {
         let (_, squared, [in_p, in_q, out_p, out_q]) = self.arrays.triangles(band, t);
+        let law = self.arrays.bending;
         let mut energy = [
-            weight::bending(squared, &in_p, &out_p),
-            weight::bending(squared, &in_q, &out_p),
-            weight::bending(squared, &in_p, &out_q),
-            weight::bending(squared, &in_q, &out_q),
+            weight::bending(law, squared, &in_p, &out_p),
+            weight::bending(law, squared, &in_q, &out_p),
+            weight::bending(law, squared, &in_p, &out_q),
+            weight::bending(law, squared, &in_q, &out_q),
         ];
         let (mut by_p, mut by_q) = (state[0].shift_in(top), state[1]);
         let mut ties = [V::splat(self.simd, 0.0); 4];
@@ -535,7 +536,7 @@ impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
         if let Some(bridges) = self.concave {
             for (node, (arrive, leave)) in [(0, 2), (0, 3), (1, 2), (1, 3)].into_iter().enumerate() {
                 let (left, right) = (&triangles[arrive], &triangles[leave]);
-                let energy = weight::bending(squared, left, right);
+                let energy = weight::bending(self.arrays.bending, squared, left, right);
                 cost[node] = cost[node].break_ties(bridges.tie_energy(energy, left, right), left.length);
             }
         }
@@ -621,11 +622,12 @@ impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
         }
         let (area, bending) = (squared.constant(factors.double_area), squared.constant(factors.bending));
         let arrive = [shared + area * triangles[0].length, shared + area * triangles[1].length];
+        let law = self.arrays.bending;
         [
-            arrive[0] + bending * weight::bending(squared, &triangles[0], &triangles[2]),
-            arrive[0] + bending * weight::bending(squared, &triangles[0], &triangles[3]),
-            arrive[1] + bending * weight::bending(squared, &triangles[1], &triangles[2]),
-            arrive[1] + bending * weight::bending(squared, &triangles[1], &triangles[3]),
+            arrive[0] + bending * weight::bending(law, squared, &triangles[0], &triangles[2]),
+            arrive[0] + bending * weight::bending(law, squared, &triangles[0], &triangles[3]),
+            arrive[1] + bending * weight::bending(law, squared, &triangles[1], &triangles[2]),
+            arrive[1] + bending * weight::bending(law, squared, &triangles[1], &triangles[3]),
         ]
     }
 }

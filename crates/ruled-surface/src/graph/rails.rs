@@ -1,5 +1,6 @@
 //! The two directrices of a strip as the solver sees them: centred and scaled points, bank edges, tangents, normals.
 
+use super::weight::BendingLaw;
 use plateau_mesh::DVec3;
 use plateau_mesh::measure::power_of_two_above;
 use std::sync::OnceLock;
@@ -19,6 +20,7 @@ pub(crate) struct Rails {
     /// Largest distance by which rounding of the input moves a coordinate: the ulp of the largest |coordinate|, in the
     /// solver's unit.
     pub(crate) rounding: f64,
+    pub(crate) bending: BendingLaw,
 }
 
 #[derive(Clone, Debug)]
@@ -87,6 +89,7 @@ impl Rails {
             q: side(q, raw_q),
             unit: outer * inner,
             rounding: (largest_raw.next_up() - largest_raw) / inner,
+            bending: BendingLaw::default(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::lanes::{Lanes, MOST_LANES, Vector};
 use super::rails::{Rail, Rails};
-use super::weight::BridgeTriangle;
+use super::weight::{BendingLaw, BridgeTriangle};
 use plateau_mesh::DVec3;
 
 /// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row
@@ -16,6 +16,7 @@ pub(crate) struct StripArrays {
     pub(crate) columns: usize,
     pub(crate) row: RailNumbers,
     pub(crate) column: RailNumbers,
+    pub(crate) bending: BendingLaw,
 }
 
 /// Number of entries beyond either end of a row of numbers: the largest number of lanes that can lie beyond an end.
@@ -165,6 +166,7 @@ impl StripArrays {
             columns,
             row: RailNumbers::new(&rails.p, down, closed, with_tangents),
             column: RailNumbers::new(&rails.q, back, closed, with_tangents),
+            bending: rails.bending,
         }
     }
 

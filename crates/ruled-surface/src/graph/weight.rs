@@ -7,6 +7,30 @@
 
 use super::lanes::{Lanes, Vector};
 
+/// The bending energy at folds beyond 90°.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum BendingLaw {
+    /// It grows with the angle up to 180°: 2 - sin²θ beyond 90°.
+    #[default]
+    Monotone,
+    /// sin²θ, as Wang and Tang print it. A fold of 180° then costs nothing.
+    Paper,
+}
+
+impl BendingLaw {
+    /// The scalar product of the normals below which a fold counts as obtuse. No product is below -∞, so that the law
+    /// of the paper needs no further instruction.
+    #[inline(always)]
+    fn obtuse_below(self) -> f64 {
+        match self {
+            Self::Monotone => 0.0,
+            Self::Paper => f64::NEG_INFINITY,
+        }
+    }
+}
+
 /// Square of the sine below which a cross product counts as zero: |u × v| <= 1e-14 |u| |v|, about fifty units of
 /// rounding. Triangles above it still have a normal.
 const DEGENERATE_SQUARED: f64 = 1e-28;
@@ -85,15 +109,21 @@ fn half_variation<V: Lanes>(bridge: Vector<V>, bound: V, tangent: Vector<V>, giv
 }
 
 /// `minimal_bending_energy` (eq. 6, K = 1): A s(θ) / L², where A is the area of both triangles and L = 2A/|e|. The
-/// energy is therefore |e|² s / (4A). s is sin²θ for θ up to 90° and 2 - sin²θ beyond. The identity |N_l × N_r| = |e|
-/// |N_l·b_r| gives sin²θ without an angle. The energy is 0 where a triangle is degenerate.
+/// energy is therefore |e|² s / (4A). s is sin²θ for θ up to 90°; beyond, it is 2 - sin²θ, or sin²θ by the law of the
+/// paper. The identity |N_l × N_r| = |e| |N_l·b_r| gives sin²θ without an angle. The energy is 0 where a triangle is
+/// degenerate.
 #[inline(always)]
-pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &BridgeTriangle<V>, right: &BridgeTriangle<V>) -> V {
+pub(crate) fn bending<V: Lanes>(
+    law: BendingLaw,
+    bridge_squared: V,
+    left: &BridgeTriangle<V>,
+    right: &BridgeTriangle<V>,
+) -> V {
     let (zero, two) = (bridge_squared.constant(0.0), bridge_squared.constant(2.0));
     let height = left.normal.dot(right.bank);
     let both = left.squared * right.squared;
     let sine = bridge_squared * (height * height);
-    let obtuse = left.normal.dot(right.normal).less(zero);
+    let obtuse = left.normal.dot(right.normal).less(bridge_squared.constant(law.obtuse_below()));
     let share = V::select(obtuse, two * both - sine, sine);
     let energy = bridge_squared * share / (both * (two * (left.length + right.length)));
     V::select(left.sound & right.sound, energy, zero)

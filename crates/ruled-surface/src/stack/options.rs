@@ -1,6 +1,7 @@
 //! Options of a stack of strips.
 
 use super::sampling::Sampling;
+use crate::graph::weight::BendingLaw;
 use crate::strip::objective::{Objective, Secondary};
 use plateau_mesh::DVec3;
 
@@ -20,6 +21,8 @@ pub struct Options {
     /// Angle, in radians, by which the direction to a neighbour may lie outside the half-plane of a locally convex
     /// bridge. 0 asks for the exact test.
     pub convexity_tolerance: f64,
+    /// The bending energy at folds beyond 90°, wherever it is minimised or reported.
+    pub bending: BendingLaw,
     /// Whether directrices may be reversed.
     pub direction: Direction,
     /// The caps at the ends of a closed stack.
@@ -42,6 +45,7 @@ impl Default for Options {
             objective: Objective::MinimalArea,
             secondary: None,
             convexity_tolerance: DEFAULT_CONVEXITY_TOLERANCE,
+            bending: BendingLaw::Monotone,
             direction: Direction::AsGiven,
             caps: Caps::None,
             normals: None,

@@ -4,6 +4,7 @@ use super::caps;
 use super::options::{Caps, DirectionCriterion, Options};
 use super::sampling::{self, Sampling};
 use crate::graph::rails::{Given, Rails};
+use crate::graph::weight::BendingLaw;
 use crate::strip::check::{MOST_ERRORS, TOO_FEW_CLOSED, goal_errors, shape_errors, value_errors};
 use plateau_mesh::codes::WarningCode;
 use plateau_mesh::error::{Error, InputError, Place, Warning};
@@ -57,6 +58,7 @@ impl Directrix {
 #[derive(Clone, Debug)]
 pub(crate) struct Prepared {
     pub(crate) closed: bool,
+    pub(crate) bending: BendingLaw,
     pub(crate) directrices: Vec<Directrix>,
     pub(crate) warnings: Vec<Warning>,
 }
@@ -66,7 +68,8 @@ impl Prepared {
         self.directrices.iter().map(|d| d.points.len()).collect()
     }
     pub(crate) fn strip(&self, k: usize) -> Rails {
-        Rails::new(self.directrices[k].given(), self.directrices[k + 1].given(), self.closed)
+        let rails = Rails::new(self.directrices[k].given(), self.directrices[k + 1].given(), self.closed);
+        Rails { bending: self.bending, ..rails }
     }
     pub(crate) fn strips(&self) -> Vec<Rails> {
         (0..self.directrices.len() - 1).map(|k| self.strip(k)).collect()
@@ -95,7 +98,8 @@ pub(crate) fn prepare(
         errors.truncate(MOST_ERRORS);
         return Err(Error::Input(errors));
     }
-    let mut prepared = Prepared { closed: options.closed, directrices: Vec::new(), warnings: Vec::new() };
+    let Options { closed, bending, .. } = *options;
+    let mut prepared = Prepared { closed, bending, directrices: Vec::new(), warnings: Vec::new() };
     let mut offset = 0;
     for (k, points) in directrices.iter().enumerate() {
         let mut points = Cow::Borrowed(points);

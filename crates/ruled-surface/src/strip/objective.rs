@@ -160,7 +160,7 @@ impl Objective {
             Self::MinimalArea => "Wang and Tang, section 3.1, definition 3",
             Self::MinimalTwist => "Wang and Tang, section 3.2, eq. 4 and definition 5",
             Self::MaximalConvexity => "Wang and Tang, section 3.2, definition 6 (Frey 2004); q_{j-1} added",
-            Self::MinimalBendingEnergy => "Wang and Tang, section 3.3, eq. 6 and 7; monotone beyond 90°",
+            Self::MinimalBendingEnergy => "Wang and Tang, section 3.3, eq. 6 and 7; monotone beyond 90° by default",
             Self::MinimalMeanCurvatureVariation => {
                 "Wang and Tang, section 3.4, eq. 8 to 10; summed over all consecutive bridges as in section 5.2"
             }

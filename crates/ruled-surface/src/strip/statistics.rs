@@ -347,7 +347,7 @@ impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
                 [V::splat(simd, 0.0); 2]
             };
             let sound = V::bits(left.sound & right.sound);
-            let bending = weight::bending(squared, &left, &right);
+            let bending = weight::bending(strip.bending, squared, &left, &right);
             let curvature = weight::mean_curvature(
                 (weight::curvature_part(bridge, &left), left.sound),
                 (weight::curvature_part(bridge, &right), right.sound),

@@ -3,7 +3,7 @@
 
 use crate::ruled::{Case, Random, STYLES, Style, Values, random_case};
 use plateau_mesh::Execution;
-use plateau_ruled_surface::{Given, Objective, Secondary, Strip};
+use plateau_ruled_surface::{BendingLaw, Given, Objective, Secondary, Strip};
 
 fn given<'a>(points: &'a [plateau_mesh::DVec3], normals: &'a [plateau_mesh::DVec3]) -> Given<'a> {
     Given { points, tangents: None, normals: Some(normals) }
@@ -34,6 +34,7 @@ fn close(a: f64, b: f64) -> bool {
 
 fn check(case: &Case) {
     let strip = Strip::new(given(&case.p, &case.normals[0]), given(&case.q, &case.normals[1]), case.closed).unwrap();
+    let strip = strip.with_bending(case.bending);
     let execution = Execution::default();
     let convex = |i: usize, j: usize| case.is_convex(i, j);
     let bridges = case.p.len() + case.q.len() - usize::from(!case.closed);
@@ -96,7 +97,12 @@ fn check_many(seed: u64, count: usize, closed: bool, most: i64) {
     let long = if std::env::var_os("PLATEAU_LONG").is_some() { 20 } else { 1 };
     let mut random = Random::new(seed);
     for k in 0..count * long {
-        check(&random_case(&mut random, STYLES[k % STYLES.len()], closed, most));
+        let mut case = random_case(&mut random, STYLES[k % STYLES.len()], closed, most);
+        // A third of the strips bends by the law of the paper.
+        if k % 3 == 2 {
+            case.bending = BendingLaw::Paper;
+        }
+        check(&case);
     }
 }
 

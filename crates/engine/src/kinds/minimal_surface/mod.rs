@@ -145,8 +145,8 @@ pub struct MinimalSurfaceRequest {
     /// `area_tolerance`.
     #[serde(default)]
     pub fairing_tolerance: Option<Fraction>,
-    /// Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
-    /// stages.
+    /// Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. A stage of
+    /// `edge_swapping` alone ends when no swap reduces the area. Null means the paper's stages.
     #[serde(default)]
     pub processes: Option<List<ProcessStage, 1, 16>>,
     /// Maximum number of iterations. Null means the solver's default.
@@ -172,6 +172,11 @@ pub struct MinimalSurfaceRequest {
     #[serde(default, skip_serializing_if = "is_default")]
     #[schemars(extend("default" = false))]
     pub boundary_curvature: bool,
+    /// Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
+    /// starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[schemars(extend("default" = true))]
+    pub candidate_fairing: bool,
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     /// bound is to be and how long the search may take. Only for `minimal_area`.
     #[serde(default, skip_serializing_if = "is_default")]
@@ -184,6 +189,14 @@ fn default_degenerate_angle_deg() -> UpTo20 {
 
 fn default_seed() -> u32 {
     1
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn is_yes(value: &bool) -> bool {
+    *value
 }
 
 fn default_tolerance() -> Fraction {
@@ -449,6 +462,10 @@ impl Optioned for MinimalSurfaceRequest {
             ],
         ),
         RequestOption::with("boundary_curvature", &[&[when("objective", &["minimal_mean_curvature"])]]),
+        RequestOption::with(
+            "candidate_fairing",
+            &[&[when("objective", &["minimal_mean_curvature"]), when("initial_mesh", &["auto", "barycentres"])]],
+        ),
         RequestOption::with("certify", &[&[when("objective", AREA)]]),
     ];
 
@@ -471,16 +488,29 @@ impl Optioned for MinimalSurfaceRequest {
         };
         let is_made = matches!(self.initial_mesh, InitialMesh::Made(MadeMesh::Auto));
         let takes_points = self.boundaries.len() == 1 && self.constraints == Constraints::default();
-        refuse(
-            is_made && matches!(self.objective, Objective::MinimalMeanCurvature) && !takes_points,
-            "seed",
-            "has no effect in this request: it needs one boundary and no constraints, or `initial_mesh: barycentres`",
-        );
-        let fairs = |stage: &ProcessStage| !stage.processes().contains(&Process::AreaMinimising);
+        for member in ["seed", "candidate_fairing"] {
+            refuse(
+                is_made && matches!(self.objective, Objective::MinimalMeanCurvature) && !takes_points,
+                member,
+                "has no effect in this request: it needs one boundary and no constraints, or `initial_mesh: \
+                 barycentres`",
+            );
+        }
+        let has = |stage: &ProcessStage, process| stage.processes().contains(&process);
+        let minimises = |stage: &ProcessStage| has(stage, Process::AreaMinimising);
+        let fairs = |stage: &ProcessStage| has(stage, Process::LaplacianFairing) && !minimises(stage);
         refuse(
             self.processes.as_ref().is_some_and(|stages| !stages.iter().any(fairs)),
             "fairing_tolerance",
-            "has no effect in this request: it needs a stage of `processes` without area_minimising",
+            "has no effect in this request: it needs a stage of `processes` with laplacian_fairing and without \
+             area_minimising",
+        );
+        let own = self.fairing_tolerance.is_some();
+        refuse(
+            self.processes.as_ref().is_some_and(|stages| !stages.iter().any(|s| minimises(s) || fairs(s) && !own)),
+            "area_tolerance",
+            "has no effect in this request: it needs a stage of `processes` with area_minimising, or with \
+             laplacian_fairing and no `fairing_tolerance`",
         );
         errors
     }
@@ -643,6 +673,7 @@ impl MinimalSurfaceRequest {
                 tolerance: self.least_squares_tolerance.get(),
                 boundary_curvature: self.boundary_curvature,
                 seed: u64::from(self.seed),
+                candidate_fairing: self.candidate_fairing,
             }),
             (Objective::MinimalDirichletEnergy, _) => geometry::Method::Harmonic,
             (Objective::MinimalArea, Solver::VertexRelaxation) => {

@@ -193,6 +193,7 @@ impl SolverInput {
             closed: self.options.closed,
             bridges,
             convexity_tolerance: tolerance,
+            bending: self.options.bending,
             step: audit.step,
         })
     }

@@ -103,6 +103,9 @@ pub struct RuledSurfaceRequest {
     /// half-plane. 0 is the exact test.
     #[serde(default = "default_convexity_tolerance_deg")]
     pub convexity_tolerance_deg: UpTo45,
+    /// Bending energy at folds beyond 90 degrees, in the objective, the secondary objective and the statistics.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub bending: geometry::BendingLaw,
     /// `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
     /// agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
     /// one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
@@ -234,6 +237,7 @@ impl Optioned for RuledSurfaceRequest {
         RequestOption::always("closed"),
         RequestOption::with("secondary_objective", &[&[when("objective", &["maximal_convexity"])]]),
         RequestOption::always("convexity_tolerance_deg"),
+        RequestOption::always("bending"),
         RequestOption::always("direction"),
         RequestOption::with("caps", &[&[when("closed", &["true"])]]),
         RequestOption::always("normals"),
@@ -334,6 +338,7 @@ impl RuledSurfaceRequest {
             objective: self.objective.into(),
             secondary: self.secondary_objective,
             convexity_tolerance: self.convexity_tolerance_deg.get().to_radians(),
+            bending: self.bending,
             direction: self.direction,
             caps: self.caps,
             normals: self.normals.as_deref().map(common::polylines),

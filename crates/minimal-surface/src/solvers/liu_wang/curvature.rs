@@ -283,6 +283,32 @@ mod tests {
         }
     }
 
+    /// The gradient at V3 by eq. 3 for the edge from V3 to V4 between the triangles (1, 3, 4) and (2, 4, 3), with the
+    /// two denominators given.
+    fn equation_3([v1, v2, v3, v4]: [DVec3; 4], angle: f64, denominators: impl Fn(DVec3, DVec3) -> [f64; 2]) -> DVec3 {
+        let (e13, e14, e23, e24) = (v3 - v1, v4 - v1, v3 - v2, v4 - v2);
+        let (n1, n2) = (e13.cross(e14), e24.cross(e23));
+        let [first, second] = denominators(n1, n2);
+        let (a, b) = (n1.cross(-e14) / first, n2.cross(e24) / second);
+        let bracket = n1.dot(n2) * (a + b) - (n2.cross(-e14) + n1.cross(e24));
+        angle.signum() * bracket / n1.cross(n2).length()
+    }
+
+    #[test]
+    fn the_signs_of_equation_3_are_right_and_its_denominators_are_exchanged() {
+        for height in [-0.7, 0.4] {
+            let (v1, v2) = (DVec3::new(-1.0, 0.3, 0.2), DVec3::new(1.9, 0.1, height));
+            let (v3, v4) = (DVec3::new(0.1, -0.8, 0.0), DVec3::new(0.0, 1.0, 0.1));
+            let angle = dihedral_angle(v3, v4, v1, v2);
+            let [closed, ..] = dihedral_angle_gradient(v3, v4, v1, v2);
+            let corners = [v1, v2, v3, v4];
+            let exchanged = equation_3(corners, angle, |n1, n2| [n1.length_squared(), n2.length_squared()]);
+            let printed = equation_3(corners, angle, |n1, n2| [n2.length_squared(), n1.length_squared()]);
+            assert!(exchanged.distance(closed) < 1e-12, "{height}: {exchanged} {closed}");
+            assert!(printed.distance(closed) > 0.1, "{height}: {printed} {closed}");
+        }
+    }
+
     /// A wavy k x k grid on [0, 1]², oriented upwards.
     fn wavy(k: u32) -> Mesh {
         let at = |i, j| i * (k + 1) + j;

@@ -6,7 +6,7 @@ pub mod pairs;
 
 use plateau_mesh::DVec3;
 use plateau_mesh::random::SplitMix64;
-use plateau_ruled_surface::{Objective, Secondary};
+use plateau_ruled_surface::{BendingLaw, Objective, Secondary};
 
 /// Every named objective that needs no normals, with both couplings.
 pub const GOALS: [(Objective, Option<Secondary>); 7] = [
@@ -67,6 +67,7 @@ pub struct Case {
     pub p: Vec<DVec3>,
     pub q: Vec<DVec3>,
     pub normals: [Vec<DVec3>; 2],
+    pub bending: BendingLaw,
 }
 
 pub fn random_case(random: &mut Random, style: Style, closed: bool, most: i64) -> Case {
@@ -88,7 +89,7 @@ pub fn random_case(random: &mut Random, style: Style, closed: bool, most: i64) -
     };
     let (p, q) = (side(0.0), side(2.0));
     let normals = [&p, &q].map(|side| side.iter().map(|_| random.unit()).collect());
-    Case { style, closed, p, q, normals }
+    Case { style, closed, p, q, normals, bending: BendingLaw::Monotone }
 }
 
 /// Every functional of one triangulation.
@@ -199,7 +200,8 @@ impl Case {
             let (Some(left), Some(right)) = (before.1, after.1) else { continue };
             let angle = left.cross(right).length().atan2(left.dot(right));
             let sine = angle.sin() * angle.sin();
-            let s = if angle > std::f64::consts::FRAC_PI_2 { 2.0 - sine } else { sine };
+            let is_monotone = self.bending == BendingLaw::Monotone;
+            let s = if is_monotone && angle > std::f64::consts::FRAC_PI_2 { 2.0 - sine } else { sine };
             let area = before.0 + after.0;
             if e.length() > 0.0 {
                 let length = 2.0 * area / e.length();
