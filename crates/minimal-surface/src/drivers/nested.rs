@@ -235,6 +235,7 @@ fn refine(
     };
     let area = corrected.state.energy;
     let mut origin: Vec<u32> = (0..film.vertices.len() as u32).collect();
+    let mut is_widened = false;
     for _ in 0..WIDENINGS {
         let before = smallest_angle(film);
         if before >= if slides { LEAST_SLID_ANGLE } else { NARROW } {
@@ -250,8 +251,21 @@ fn refine(
         match correct(&mut widened, &finer, parents, &below.hierarchy, tolerance, solve)? {
             Some(better) if smallest_angle(&widened) > before => {
                 (*film, pattern, corrected, origin) = (widened, finer, better, kept);
+                is_widened = true;
             }
             _ => break,
+        }
+    }
+    if slides && is_widened {
+        // Widening leaves uneven triangles, which slide once more.
+        let (before, mut slid) = (smallest_angle(film), film.clone());
+        slide(&mut slid, solve.radius, FULL_SWEEPS, solve.exec)?;
+        let vertices: Vec<u32> = pattern.free.vertex.iter().map(|&v| origin[v as usize]).collect();
+        let parents = parents_of(&coarse_unknown, &vertices, &midpoints);
+        if let Some(better) = correct(&mut slid, &pattern, parents, &below.hierarchy, tolerance, solve)?
+            && smallest_angle(&slid) >= before.min(LEAST_SLID_ANGLE)
+        {
+            (*film, corrected) = (slid, better);
         }
     }
     below.pattern = pattern;

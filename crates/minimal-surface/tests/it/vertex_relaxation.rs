@@ -1,7 +1,7 @@
 //! The examples of Chen, Cai and Zheng, and the properties that their method has on every boundary.
 
 use crate::boundaries;
-use plateau_mesh::{DVec3, Execution};
+use plateau_mesh::{DVec3, Execution, Mesh};
 use plateau_minimal_surface::{
     BoundarySampling, InitialMesh, Method, MinimalSurface, Options, Process, Resolution, VertexRelaxation, solve,
 };
@@ -93,6 +93,46 @@ fn the_caller_may_name_another_order_of_the_processes() {
 }
 
 #[test]
+fn edges_are_swapped_alone_and_no_vertex_moves() {
+    // A saddle over a square grid, all of whose diagonals run the same way.
+    let n = 8u32;
+    let at = |i: u32, j: u32| DVec3::new(f64::from(i), f64::from(j), 0.3 * (f64::from(i) - 3.5) * (f64::from(j) - 3.5));
+    let vertices: Vec<DVec3> = (0..n).flat_map(|i| (0..n).map(move |j| at(i, j))).collect();
+    let cells = (0..n - 1).flat_map(|i| (0..n - 1).map(move |j| i * n + j));
+    let triangles = cells.flat_map(|k| [[k, k + n, k + n + 1], [k, k + n + 1, k + 1]]).collect();
+    let last = n - 1;
+    let sides = (0..last).map(|k| at(k, 0)).chain((0..last).map(|k| at(last, k)));
+    let boundary = sides.chain((1..n).rev().map(|k| at(k, last))).chain((1..n).rev().map(|k| at(0, k))).collect();
+    let processes = Some(vec![vec![Process::EdgeSwapping]]);
+    let options = Options {
+        initial_mesh: InitialMesh::Given(Mesh::new(vertices.clone(), triangles)),
+        ..relax_with(VertexRelaxation { processes, ..VertexRelaxation::default() }, 98)
+    };
+    let surface = solve(&[boundary], &options, &Execution::default()).unwrap();
+    let statistics = &surface.statistics;
+    assert_eq!((statistics.stop_reason.name(), statistics.iterations), ("area_change", 1));
+    assert_eq!(statistics.history.iter().map(|row| row.phase).collect::<Vec<_>>(), ["edge_swapping"]);
+    assert!(statistics.edges_swapped > 0 && statistics.area < statistics.initial_area, "{statistics:?}");
+    let stays = |p: &DVec3| vertices.iter().any(|given| given.distance(*p) < 1e-12);
+    assert!(surface.mesh.vertices.len() == vertices.len() && surface.mesh.vertices.iter().all(stays));
+}
+
+#[test]
+fn a_film_without_interior_vertices_swaps_its_edges() {
+    // The rings of a narrow strip: each vertex lies on one of the two boundaries.
+    let ring = |z: f64, turn: f64| -> Vec<DVec3> {
+        (0..24)
+            .map(|k| std::f64::consts::TAU * f64::from(k) / 24.0 + turn)
+            .map(|t| DVec3::new(t.cos(), t.sin(), z + 0.3 * (2.0 * t).cos()))
+            .collect()
+    };
+    let boundaries = [ring(0.0, 0.0), ring(0.3, 0.9)];
+    let surface = solve(&boundaries, &relax(48), &Execution::default()).unwrap();
+    assert_eq!(surface.mesh.vertices.len(), 48);
+    assert!(surface.statistics.edges_swapped > 0, "{:?}", surface.statistics);
+}
+
+#[test]
 fn two_contours_are_joined_as_in_their_ninth_figure() {
     let statistics = solved(&boundaries::rings(96, 1.0), &relax(1920)).statistics;
     assert_eq!((statistics.triangles, statistics.euler_characteristic), (1920, 0));
@@ -137,4 +177,26 @@ fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
         statistics.area,
         expected.statistics.area
     );
+}
+
+/// The largest curvatures that the paper prints are 7e-4 for its helicoid and 4e-3 for its catenoid. With these counts
+/// the default's films were above them by up to twice, because an angle kept single vertices in their places.
+#[test]
+fn the_default_is_below_the_curvatures_of_the_paper() {
+    let [keep, refine] = [BoundarySampling::Keep, BoundarySampling::Refine];
+    for (boundary, printed, boundary_sampling, triangles) in [
+        (boundaries::catenoid(), 4e-3, refine, 4647),
+        (boundaries::catenoid(), 4e-3, keep, 4304),
+        (boundaries::catenoid_split(46, 32), 4e-3, refine, 4304),
+        (boundaries::catenoid_split(58, 20), 4e-3, keep, 1000),
+        (boundaries::helicoid(), 7e-4, keep, 5419),
+        (boundaries::helicoid_split([12, 12, 49, 113]), 7e-4, refine, 9278),
+    ] {
+        let options = Options { boundary_sampling, ..Options::new(Resolution::Triangles(triangles)) };
+        let statistics = solve(&[boundary], &options, &Execution::default()).unwrap().statistics;
+        // The paper divides by the area of the whole ring, and the statistics by a third of it.
+        let curvature = statistics.mean_curvature.max / 3.0;
+        assert!(curvature <= printed, "{triangles}: {curvature:e}");
+        assert!(statistics.quality.angles.0.to_degrees() >= 20.0, "{triangles}: {:?}", statistics.quality.angles);
+    }
 }

@@ -9,7 +9,7 @@ use plateau_equilibrium::newton::{Aim, Direct};
 use plateau_mesh::film::Film;
 use plateau_mesh::remesh::area_flips::flip_to_less_area;
 use plateau_mesh::remesh::isotropic::{BoundaryEdges, graded, refine};
-use plateau_mesh::remesh::sliding::{SWEEPS, slide};
+use plateau_mesh::remesh::sliding::{FULL_SWEEPS, slide};
 use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
 use plateau_mesh::sparse::pattern::Pattern;
 use plateau_mesh::{DVec3, Error, measure};
@@ -127,7 +127,7 @@ impl Solve<'_> {
         let before = film.vertices.clone();
         let (rows, iterations) = (self.record.history.len(), self.record.iterations);
         let (area, angle, flipped) = (film.area(), smallest_angle(film), film.flipped_triangles());
-        let slid = slide(film, self.radius, SWEEPS, self.exec);
+        let slid = slide(film, self.radius, FULL_SWEEPS, self.exec);
         if slid.is_ok() && film.vertices == before {
             return Ok(());
         }
