@@ -325,7 +325,11 @@ const FILES: &[(&str, &str, &str)] = &[
         "A cable net between two low and two high points: forces of 20 kN on the rim, equal lengths inside",
         include_str!("../../api/examples/cable-net-by-targets.json"),
     ),
-    ("vault", "A cylindrical vault (NURBS) whose members are drawn towards eight lengths", include_str!("../../api/examples/vault.json")),
+    (
+        "vault",
+        "A cylindrical vault (NURBS) whose members are drawn towards eight lengths",
+        include_str!("../../api/examples/vault.json"),
+    ),
 ];
 
 /// Returns all examples in the order of the list.
