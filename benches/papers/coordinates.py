@@ -16,10 +16,16 @@ FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "requests")
 
 def rim(surface, us, vs, nu, nv):
     """The boundary of a patch with nu and nv intervals along its sides."""
+    return rim_of(surface, us, vs, (nu, nv, nu, nv))
+
+
+def rim_of(surface, us, vs, sides):
+    """The boundary of a patch with a number of intervals for each side: at vs[0], us[1], vs[1] and us[0]."""
     at = lambda ends, k, n: ends[0] + (ends[1] - ends[0]) * k / n
+    a, b, c, d = sides
     return (
-        [surface(at(us, k, nu), vs[0]) for k in range(nu)] + [surface(us[1], at(vs, k, nv)) for k in range(nv)]
-        + [surface(at(us[::-1], k, nu), vs[1]) for k in range(nu)] + [surface(us[0], at(vs[::-1], k, nv)) for k in range(nv)])
+        [surface(at(us, k, a), vs[0]) for k in range(a)] + [surface(us[1], at(vs, k, b)) for k in range(b)]
+        + [surface(at(us[::-1], k, c), vs[1]) for k in range(c)] + [surface(us[0], at(vs[::-1], k, d)) for k in range(d)])
 
 
 def circle(n, radius, z):
@@ -61,6 +67,37 @@ def scherk(b, sides):
     return rim(scherk_surface(b), side, side, sides, sides)
 
 
+def rounded(points):
+    return [tuple(round(c, 6) for c in point) for point in points]
+
+
+def helix(radius):
+    """Three turns that rise 0.25 a radian, 251 points."""
+    angles = [3 * TAU * k / 250 for k in range(251)]
+    return rounded((radius * math.cos(t), radius * math.sin(t), 0.25 * t) for t in angles)
+
+
+LEAN = 0.6
+
+
+def shoe():
+    """Two ovals, and the normals of the surface whose rulings lean by LEAN from the lower oval to the upper one."""
+    lower = lambda t: (3 * math.cos(t), 2 * math.sin(t), 0.1 * math.sin(2 * t))
+    upper = lambda t: (2.4 * math.cos(t), 1.8 * math.sin(t), 2 + 0.3 * math.cos(3 * t))
+    along = lambda curve, t: [b - a for a, b in zip(curve(t - 1e-5), curve(t + 1e-5))]
+
+    def normal(curve, t, ruling):
+        (a, b, c), (x, y, z) = along(curve, t), ruling
+        n = (b * z - c * y, c * x - a * z, a * y - b * x)
+        size = math.sqrt(sum(v * v for v in n))
+        return tuple(v / size for v in n)
+
+    angles = [TAU * k / 110 for k in range(111)]
+    between = lambda t, s: [b - a for a, b in zip(lower(t), upper(s))]
+    normals = [[normal(lower, t, between(t, t + LEAN)) for t in angles], [normal(upper, t, between(t - LEAN, t)) for t in angles]]
+    return [rounded(map(curve, angles)) for curve in (lower, upper)], [rounded(row) for row in normals]
+
+
 def membrane():
     points = []
     for k in range(9):
@@ -74,6 +111,8 @@ def requests():
         return {"kind": "minimal_surface", "boundaries": boundaries, "boundary_sampling": "keep", **more}
 
     upper = [(x + 0.3, y, z + 0.8) for x, y, z in lobes(72, 1, 2, 0.25)]
+    screw = lambda u, v: (u * math.cos(v), u * math.sin(v), v)
+    yield "ccz-6", films([rim_of(screw, (2, 10), (-1, 10), (12, 113, 12, 49))], resolution={"triangles": 2050})
     yield "ccz-8-top", films([lobes(160, 1.6, 3, 0.5)], resolution={"triangles": 2400})
     yield "ccz-8-bottom", films([lobes(97, 18, 2, 5)], resolution={"triangles": 1455})
     yield "ccz-4", films([banana()], resolution={"triangles": 960})
@@ -88,12 +127,19 @@ def requests():
     yield "bc-7", films([circle(36, 10, 0), circle(36, 10, 14)], resolution={"triangles": 576})
 
 
+    strips = {"kind": "ruled_surface"}
+    rails, normals = shoe()
+    yield "wt-3", {**strips, "objective": "minimal_bending_energy", "directrices": [helix(1), helix(1.5)]}
+    yield "wt-5", {**strips, "objective": "minimal_normal_variation", "normals": normals, "directrices": rails}
+
+
 def main():
     for name, request in requests():
         with open(os.path.join(FOLDER, f"{name}.json"), "w", encoding="utf-8") as file:
-            boundaries = request.pop("boundaries")
-            text = json.dumps(request)[:-1] + ', "boundaries": [\n'
-            text += ",\n".join("[" + ",\n".join(json.dumps(point) for point in loop) + "]" for loop in boundaries)
+            curves = "boundaries" if "boundaries" in request else "directrices"
+            loops = request.pop(curves)
+            text = json.dumps(request)[:-1] + f', "{curves}": [\n'
+            text += ",\n".join("[" + ",\n".join(json.dumps(point) for point in loop) + "]" for loop in loops)
             file.write(text + "\n]}\n")
 
 

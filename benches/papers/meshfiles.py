@@ -56,7 +56,7 @@ def read_obj(data):
         elif words[0] == "f":
             polygons.append([index(word) for word in words[1:]])
         elif words[0] in ("o", "g"):
-            name = " ".join(words[1:])
+            name = "_".join(words[1:])
         elif words[0] == "l":
             ends = [index(word) for word in words[1:]]
             lines.setdefault(name, []).extend(zip(ends, ends[1:]))

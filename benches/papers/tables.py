@@ -58,18 +58,19 @@ def chen_cai_zheng():
     columns = ["boundary, triangles", "run", "area", "largest curvature", "along the normal", "smallest angle", "faults"]
 
     def runs():
-        for name, limit, printed in [
-            ("helicoid", 535.0748, [("536.17", "0.1"), ("536.07", "0.0007")]),
-            ("catenoid", 58.1637, [("58.95", "0.23"), ("58.2", "0.004")]),
+        for name, request, limit, printed in [
+            ("helicoid", made("ccz-6"), 536.023, [("536.17", "0.1"), ("536.07", "0.0007")]),
+            ("catenoid", example("catenoid"), 58.1637, [("58.95", "0.23"), ("58.2", "0.004")]),
         ]:
-            first = f"{name}, {example(name)['resolution']['triangles']}"
+            first = f"{name}, {request['resolution']['triangles']}"
             for step, (area, curvature) in zip(("step 2", "step 3"), printed):
                 yield [first, f"the paper's {step}", area, curvature, "", "", ""]
             for tolerance, shown in ((0.01 / limit, "0.01"), (1e-6, "1e-6 of the area"), (1e-9, "1e-9 of the area")):
                 for step, stages in (("step 2", [FAIRING]), ("steps 2 and 3", None)):
-                    request = example(name, **RELAXATION, area_tolerance=tolerance, processes=stages)
-                    yield [first, f"{step}, ε {shown}", *ccz(film(request)[1])]
-            yield [first, "**default**", *ccz(film(example(name))[1])]
+                    found = film({**request, **RELAXATION, "area_tolerance": tolerance, "processes": stages})[1]
+                    yield [first, f"{step}, ε {shown}", *ccz(found)]
+            statistics, found = film(request)
+            yield [f"{name}, {statistics['triangles']}", "**default**", *ccz(found)]
             yield [first, "limit on this polygon", f"{limit}", "", "", "", ""]
 
     table(columns, runs())
@@ -164,15 +165,16 @@ def liu_wang():
     def row(name, boundary, interior, surface, printed):
         least = {"objective": "minimal_mean_curvature"}
         area = {"solver": "vertex_relaxation", "processes": ["area_minimising"]}
-        own = errors(boundary, interior, surface, **least, least_squares_tolerance=1e-15)
+        own = errors(boundary, interior, surface, **least)
+        plain = errors(boundary, interior, surface, **least, candidate_fairing=False)
         loose, tight = (errors(boundary, interior, surface, **area, area_tolerance=e) for e in (1e-4, 1e-9))
-        rest = [errors(boundary, interior, surface, **least, boundary_curvature=True),
-                errors(boundary, interior, surface, solver="vertex_relaxation"), errors(boundary, interior, surface)]
-        return [name, f"{own:.2e}", f"{loose:.2e}", f"{own / loose:.2f}", f"{tight:.2e}", f"{own / tight:.2f}", printed,
-                *(f"{value:.2e}" for value in rest)]
+        whole = errors(boundary, interior, surface, solver="vertex_relaxation")
+        rest = [errors(boundary, interior, surface, **least, boundary_curvature=True), errors(boundary, interior, surface)]
+        return [name, f"{own:.2e}", f"{plain:.2e}", f"{loose:.2e}", f"{own / loose:.2f}", f"{tight:.2e}", f"{own / tight:.2f}",
+                f"{whole:.2e}", f"{own / whole:.2f}", f"{plain / whole:.2f}", printed, *(f"{value:.2e}" for value in rest)]
 
-    columns = ["surface", "least squares", "area, to 1e-4", "ratio", "area, to 1e-9", "ratio", "the paper's ratio", "all rows",
-               "Chen, Cai, Zheng", "**default**"]
+    columns = ["surface", "least squares", "without fairing", "area, to 1e-4", "ratio", "area, to 1e-9", "ratio", "Chen, Cai, Zheng",
+               "ratio", "ratio without fairing", "the paper's ratio", "all rows", "**default**"]
     table(columns, (
         row(name, coordinates.rim(surface, us, (-v, v), sides, sides), interior, exact, printed)
         for name, surface, us, v, sides, interior, exact, printed in PATCHES))
@@ -212,6 +214,10 @@ def bento_cavalcanti():
                        str(statistics["degenerate_triangles"])]
         statistics, found = film(example("cut-cylinder"))
         yield ["Fig. 9: cut cylinder", "on", "direct", str(statistics["iterations"]), statistics["stop_reason"],
+               str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["degenerate_triangles"])]
+        kept = ("kind", "units", "boundaries", "boundary_sampling", "initial_mesh", "resolution")
+        statistics, found = film({key: value for key, value in example("cut-cylinder").items() if key in kept})
+        yield ["Fig. 9: cut cylinder", "", "**default**", str(statistics["iterations"]), statistics["stop_reason"],
                str(statistics["components"]), f"{found['shape']['area']:.4f}", str(statistics["degenerate_triangles"])]
 
     table(["example", "rules", "linear solver", "steps", "stopped by", "components", "area", "degenerate triangles"], rings())
@@ -269,6 +275,16 @@ def katoh_ohsaki_xu():
 
     table(["row: count, mean, min, max, std", "theirs", *(f"`{name}`" for name in names)], rows())
 
+    def floors():
+        for length in (4, 2, 1, 0.5):
+            few, plain = (film(example(name, edge_length=length))[0] for name in ("floor-fewest-nodes", "floor-equal-members"))
+            boundary = 2 * plain["nodes"] - 2 - plain["triangles"]
+            yield [f"{length}", f"{boundary}", f"{plain['edges']}", f"{plain['equal_edges']}", f"{plain['distinct_lengths']}",
+                   f"{few['nodes']}", f"{few['nodes'] / few['node_lower_bound']:.2f}"]
+
+    table(["ℓ", "boundary nodes", "members", "of length ℓ", "different lengths", "nodes, problem 1",
+           "over the lower bound of the fewest"], floors())
+
 
 # Their Table 1: area, twist, convex edges, bending, curvature variation, normal variation.
 PRINTED = {
@@ -291,22 +307,44 @@ def wang_tang():
     alone = ["minimal_area", "minimal_twist", "maximal_convexity", "minimal_bending_energy", "minimal_mean_curvature_variation"]
     coupled = ["maximal_convexity + minimal_bending_energy", "maximal_convexity + minimal_mean_curvature_variation"]
 
+    figures = ["area", "total_normal_twist", "convex_bridges", "bending_energy", "mean_curvature_variation", "normal_variation"]
+
+    def block(shown, request, printed):
+        """The rows of one pair of rails; the best of each column stands out."""
+        objectives = alone + (["minimal_normal_variation"] if request.get("normals") else []) + coupled
+        found = []
+        for objective in objectives:
+            first, _, second = objective.partition(" + ")
+            more = {"objective": first, "secondary_objective": second or None, "all_objectives": False}
+            found.append(film({**request, **more})[1]["wang_tang"])
+        for objective, f in zip(objectives, found):
+            cells = []
+            for k, name in enumerate(figures):
+                if f[name] is None:
+                    cells.append("")
+                    continue
+                best = max if name == "convex_bridges" else min
+                cell = lambda g: f"{g[name]}/{g['bridges']}" if name == "convex_bridges" else f"{g[name]:.2f}"
+                own = cell(f) if cell(f) != cell(best(found, key=lambda g: g[name])) else f"**{cell(f)}**"
+                theirs = printed.get(objective, ())[k:k + 1]
+                cells.append(own + "".join(f" ({value})" if k == 2 else f" ({value:.2f})" for value in theirs))
+            yield [shown, objective.replace("_", " "), *cells]
+
     def rows():
         for number in ("i", "ii", "iii", "iv", "v", "vi"):
-            for objective in alone + (["minimal_normal_variation"] if number == "v" else []) + coupled:
-                first, _, second = objective.partition(" + ")
-                request = example(f"wang-tang-{number}", objective=first, secondary_objective=second or None, all_objectives=False)
-                f = film(request)[1]["wang_tang"]
-                cells = [f"{f['area']:.2f}", f"{f['total_normal_twist']:.2f}", f"{f['convex_bridges']}/{f['bridges']}",
-                         f"{f['bending_energy']:.2f}", f"{f['mean_curvature_variation']:.2f}",
-                         "" if f["normal_variation"] is None else f"{f['normal_variation']:.2f}"]
-                printed = PRINTED.get((number, objective), ())
-                for k, value in enumerate(printed):
-                    cells[k] += f" ({value})" if k == 2 else f" ({value:.2f})"
-                yield [number.upper(), objective.replace("_", " "), *cells]
+            own = {objective: values for (of, objective), values in PRINTED.items() if of == number}
+            yield from block(number.upper(), example(f"wang-tang-{number}"), own)
 
-    table(["example", "objective", "area", "normal twist", "convex bridges", "bending energy", "curvature variation",
-           "normal variation"], rows())
+    columns = ["example", "objective", "area", "normal twist", "convex bridges", "bending energy", "curvature variation",
+               "normal variation"]
+    table(columns, rows())
+
+    def others():
+        theirs = {number: {objective: values for (of, objective), values in PRINTED.items() if of == number} for number in ("iii", "v")}
+        yield from block("two helices", made("wt-3"), theirs["iii"])
+        yield from block("two ovals", made("wt-5"), theirs["v"])
+
+    table(["rails", *columns[1:]], others())
 
 
 PAPERS = {"chen-cai-zheng": chen_cai_zheng, "liu-wang": liu_wang, "bento-cavalcanti": bento_cavalcanti,

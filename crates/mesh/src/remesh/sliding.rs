@@ -14,14 +14,14 @@ use glam::DMat3;
 /// Number of sweeps over all vertices of a film that is solved directly. Further sweeps over all of them make angles
 /// smaller.
 pub const FULL_SWEEPS: u32 = 4;
-/// Number of sweeps in total. The last ones visit few vertices: together they take less than a hundredth of a solve.
+/// Number of sweeps in total. The last ones visit few vertices: together they take about a hundredth of a solve.
 const SWEEPS: u32 = 12;
 /// Number of sweeps after which the neighbours of uneven vertices are visited too, because their motion may free a
 /// vertex that an angle keeps in its place.
 const WITHOUT_NEIGHBOURS: u32 = 3;
 /// A vertex is uneven, and the last sweeps visit it again, if its dimensionless gradient exceeds this: half its gradient
 /// divided by the area of its ring and multiplied by the radius of the boundary. At 5e-3, the gradients of Chen, Cai and
-/// Zheng's helicoid end below half of their printed 7e-4, which is 8e-3 here.
+/// Zheng's helicoid end near half of their printed 7e-4, which is 8e-3 here.
 const UNEVEN: f64 = 5e-3;
 /// Multiple of the identity that is added to a vertex's second derivative, as a fraction of its trace. The second
 /// derivative is singular if the ring is plane.
