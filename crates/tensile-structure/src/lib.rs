@@ -128,6 +128,9 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
     exec.part([0.5, 1.0], |exec| find(&finer, exec))
 }
 
+/// A search for the shape of a woven film.
+type Search<'a> = &'a dyn Fn(&Execution) -> Result<(Model, Found), Error>;
+
 /// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other searches follow. The
 /// first starts from the surface of straight lines between two boundaries, because a harmonic map narrows to a neck that
 /// unequal stresses do not have. The second travels, because the edges of a sail with sharp corners move so far that the
@@ -151,7 +154,7 @@ fn find_from_starts(structure: &Structure, options: &Options, exec: &Execution) 
     }
     let ruled = |exec: &Execution| find(FirstShape::Ruled, exec);
     let travelling = |exec: &Execution| travel(structure, options, exec);
-    let others: [Option<&dyn Fn(&Execution) -> Result<(Model, Found), Error>>; 2] = [
+    let others: [Option<Search>; 2] = [
         (structure.boundaries.len() == 2).then_some(&ruled),
         remeshing::travels_if_woven(structure).then_some(&travelling),
     ];
