@@ -2,8 +2,8 @@
 
 use base64::Engine as _;
 use plateau_engine::blocks::{self, Block, Input, Preset, Type};
-use plateau_engine::explain::edit_distance;
 use plateau_engine::kind::Kind;
+use plateau_strict_json::explain::edit_distance;
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 

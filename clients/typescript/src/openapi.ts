@@ -4740,40 +4740,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-29T00:04:32.337Z",
-                     *       "finished_at": "2026-11-29T00:04:32.337Z",
-                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *       "created_at": "2026-11-29T03:06:08.809Z",
+                     *       "finished_at": "2026-11-29T03:06:08.809Z",
+                     *       "id": "01M8JM8S19GVENBHXBTK9XNJ40",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
+                     *           "id": "01M8JM8S196JX60PG0ZZSSZH4F",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
-                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/request",
+                     *             "self": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
+                     *           "id": "01M8JM8S196SC1PPZK7V8T9PGC",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
-                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/request",
+                     *             "self": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
-                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
+                     *         "meshes": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40/meshes",
+                     *         "self": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4801,40 +4801,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-29T00:04:32.337Z",
-                     *       "finished_at": "2026-11-29T00:04:32.337Z",
-                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *       "created_at": "2026-11-29T03:06:08.809Z",
+                     *       "finished_at": "2026-11-29T03:06:08.809Z",
+                     *       "id": "01M8JM8S19GVENBHXBTK9XNJ40",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
+                     *           "id": "01M8JM8S196JX60PG0ZZSSZH4F",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
-                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/request",
+                     *             "self": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
+                     *           "id": "01M8JM8S196SC1PPZK7V8T9PGC",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
-                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/request",
+                     *             "self": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
-                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
+                     *         "meshes": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40/meshes",
+                     *         "self": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -4889,40 +4889,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-29T00:04:32.337Z",
-                     *       "finished_at": "2026-11-29T00:04:32.337Z",
-                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *       "created_at": "2026-11-29T03:06:08.809Z",
+                     *       "finished_at": "2026-11-29T03:06:08.809Z",
+                     *       "id": "01M8JM8S19GVENBHXBTK9XNJ40",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
+                     *           "id": "01M8JM8S196JX60PG0ZZSSZH4F",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
-                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/request",
+                     *             "self": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
+                     *           "id": "01M8JM8S196SC1PPZK7V8T9PGC",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
-                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/request",
+                     *             "self": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
-                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
+                     *         "meshes": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40/meshes",
+                     *         "self": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -5089,40 +5089,40 @@ export interface operations {
                      *         "running": 0,
                      *         "succeeded": 2
                      *       },
-                     *       "created_at": "2026-11-29T00:04:32.337Z",
-                     *       "finished_at": "2026-11-29T00:04:32.337Z",
-                     *       "id": "01M8J9W7YG4MF6ZGWRX48ZMQJ0",
+                     *       "created_at": "2026-11-29T03:06:08.809Z",
+                     *       "finished_at": "2026-11-29T03:06:08.809Z",
+                     *       "id": "01M8JM8S19GVENBHXBTK9XNJ40",
                      *       "jobs": [
                      *         {
-                     *           "id": "01M8J9W7YGMAD1ZC78P6JXWZGX",
+                     *           "id": "01M8JM8S196JX60PG0ZZSSZH4F",
                      *           "index": 0,
                      *           "kind": "ruled_surface",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX/request",
-                     *             "self": "/v1/jobs/01M8J9W7YGMAD1ZC78P6JXWZGX"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F/request",
+                     *             "self": "/v1/jobs/01M8JM8S196JX60PG0ZZSSZH4F"
                      *           },
                      *           "status": "succeeded"
                      *         },
                      *         {
-                     *           "id": "01M8J9W7YG9C5PZG31AEQERAKH",
+                     *           "id": "01M8JM8S196SC1PPZK7V8T9PGC",
                      *           "index": 1,
                      *           "kind": "cable_net",
                      *           "links": {
-                     *             "batch": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0",
-                     *             "events": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH/request",
-                     *             "self": "/v1/jobs/01M8J9W7YG9C5PZG31AEQERAKH"
+                     *             "batch": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40",
+                     *             "events": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC/request",
+                     *             "self": "/v1/jobs/01M8JM8S196SC1PPZK7V8T9PGC"
                      *           },
                      *           "status": "succeeded"
                      *         }
                      *       ],
                      *       "links": {
-                     *         "meshes": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0/meshes",
-                     *         "self": "/v1/batches/01M8J9W7YG4MF6ZGWRX48ZMQJ0"
+                     *         "meshes": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40/meshes",
+                     *         "self": "/v1/batches/01M8JM8S19GVENBHXBTK9XNJ40"
                      *       },
                      *       "status": "succeeded"
                      *     }
@@ -5253,18 +5253,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.324Z",
+                     *       "created_at": "2026-11-29T03:06:08.786Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.329Z",
-                     *       "finished_at": "2026-11-29T00:04:32.329Z",
-                     *       "id": "01M8J9W7Y4RH26ABBXEB996S0B",
+                     *       "expires_at": "2026-12-06T03:06:08.792Z",
+                     *       "finished_at": "2026-11-29T03:06:08.792Z",
+                     *       "id": "01M8JM8S0J5JE9PRCREH4V2KT3",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
-                     *         "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
+                     *         "events": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/events",
+                     *         "mesh": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/mesh",
+                     *         "request": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/request",
+                     *         "self": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5274,7 +5274,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.051711199014824e-16
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.326Z",
+                     *       "started_at": "2026-11-29T03:06:08.788Z",
                      *       "statistics": {
                      *         "balance": {
                      *           "imbalance": 8.322848724585886e-17,
@@ -5404,18 +5404,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.324Z",
+                     *       "created_at": "2026-11-29T03:06:08.786Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8J9W7Y4RH26ABBXEB996S0B",
+                     *       "id": "01M8JM8S0J5JE9PRCREH4V2KT3",
                      *       "kind": "cable_net",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/cancel",
-                     *         "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
-                     *         "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
-                     *         "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
+                     *         "cancel": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/cancel",
+                     *         "events": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/events",
+                     *         "request": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/request",
+                     *         "self": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -5598,18 +5598,18 @@ export interface operations {
                      *       "jobs": [
                      *         {
                      *           "cancelled_because": null,
-                     *           "created_at": "2026-11-29T00:04:32.324Z",
+                     *           "created_at": "2026-11-29T03:06:08.786Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-06T00:04:32.329Z",
-                     *           "finished_at": "2026-11-29T00:04:32.329Z",
-                     *           "id": "01M8J9W7Y4RH26ABBXEB996S0B",
+                     *           "expires_at": "2026-12-06T03:06:08.792Z",
+                     *           "finished_at": "2026-11-29T03:06:08.792Z",
+                     *           "id": "01M8JM8S0J5JE9PRCREH4V2KT3",
                      *           "kind": "cable_net",
                      *           "label": "an example",
                      *           "links": {
-                     *             "events": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B/request",
-                     *             "self": "/v1/jobs/01M8J9W7Y4RH26ABBXEB996S0B"
+                     *             "events": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/events",
+                     *             "mesh": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/mesh",
+                     *             "request": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3/request",
+                     *             "self": "/v1/jobs/01M8JM8S0J5JE9PRCREH4V2KT3"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5619,24 +5619,24 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.051711199014824e-16
                      *           },
-                     *           "started_at": "2026-11-29T00:04:32.326Z",
+                     *           "started_at": "2026-11-29T03:06:08.788Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         },
                      *         {
                      *           "cancelled_because": null,
-                     *           "created_at": "2026-11-29T00:04:32.301Z",
+                     *           "created_at": "2026-11-29T03:06:08.753Z",
                      *           "error": null,
-                     *           "expires_at": "2026-12-06T00:04:32.319Z",
-                     *           "finished_at": "2026-11-29T00:04:32.319Z",
-                     *           "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
+                     *           "expires_at": "2026-12-06T03:06:08.781Z",
+                     *           "finished_at": "2026-11-29T03:06:08.781Z",
+                     *           "id": "01M8JM8RZGECY60B57TMR0Q6Y5",
                      *           "kind": "tensile_structure",
                      *           "label": "an example",
                      *           "links": {
-                     *             "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
-                     *             "mesh": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/mesh",
-                     *             "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
-                     *             "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
+                     *             "events": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/events",
+                     *             "mesh": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/mesh",
+                     *             "request": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/request",
+                     *             "self": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5"
                      *           },
                      *           "metadata": null,
                      *           "progress": {
@@ -5646,12 +5646,12 @@ export interface operations {
                      *             "phase": "finished",
                      *             "residual": 3.3106481918620263e-12
                      *           },
-                     *           "started_at": "2026-11-29T00:04:32.303Z",
+                     *           "started_at": "2026-11-29T03:06:08.755Z",
                      *           "status": "succeeded",
                      *           "warnings": []
                      *         }
                      *       ],
-                     *       "next_cursor": "01M8J9W7XDPBK4KRBH3Y00ZPRM"
+                     *       "next_cursor": "01M8JM8RZGECY60B57TMR0Q6Y5"
                      *     }
                      */
                     "application/json": components["schemas"]["JobList"];
@@ -5693,50 +5693,50 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.195Z",
+                     *       "created_at": "2026-11-29T03:06:08.669Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.214Z",
-                     *       "finished_at": "2026-11-29T00:04:32.214Z",
-                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
+                     *       "expires_at": "2026-12-06T03:06:08.693Z",
+                     *       "finished_at": "2026-11-29T03:06:08.693Z",
+                     *       "id": "01M8JM8RWXM68Z1T43JB268C9V",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
-                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
+                     *         "events": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/mesh",
+                     *         "request": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/request",
+                     *         "self": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
                      *         "fraction": 1,
                      *         "iteration": 6,
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "phase": "finished",
-                     *         "residual": 3.2554828767319298e-9
+                     *         "residual": 1.8722577560448304e-9
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.198Z",
+                     *       "started_at": "2026-11-29T03:06:08.672Z",
                      *       "statistics": {
                      *         "angles_deg": {
-                     *           "max": 101.73816570796455,
-                     *           "min": 21.18617166042886
+                     *           "max": 104.33780670079115,
+                     *           "min": 21.186370900171823
                      *         },
-                     *         "area": 1.2818902834560277,
+                     *         "area": 1.2818748734933296,
                      *         "boundary_loops": 1,
                      *         "certificate": null,
                      *         "components": 1,
                      *         "converged": true,
                      *         "degenerate_triangles": 0,
                      *         "edge_lengths": {
-                     *           "max": 0.17942816245701437,
-                     *           "mean": 0.1264530607435818,
-                     *           "min": 0.05535453657770467,
-                     *           "std_dev": 0.0206521703259476
+                     *           "max": 0.18915666614812013,
+                     *           "mean": 0.12669452389402736,
+                     *           "min": 0.05535449178657415,
+                     *           "std_dev": 0.021051196739266774
                      *         },
                      *         "edges_swapped": 0,
                      *         "euler_characteristic": 1,
                      *         "extrapolated_area": {
-                     *           "area": 1.2792662070753635,
-                     *           "error_estimate": 0.0006560190951660309
+                     *           "area": 1.2792661940665389,
+                     *           "error_estimate": 0.000652169856697693
                      *         },
                      *         "flipped_triangles": 0,
                      *         "genus": 0,
@@ -5759,26 +5759,26 @@ export interface operations {
                      *         "iterations": 6,
                      *         "junctions": null,
                      *         "mean_curvature": {
-                     *           "max": 0.010184372135017295,
-                     *           "mean": 0.004047545512019322,
-                     *           "rms": 0.004747635026083317
+                     *           "max": 0.014523058319684461,
+                     *           "mean": 0.0038638879008855444,
+                     *           "rms": 0.004582613848931229
                      *         },
                      *         "objective": "minimal_area",
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "origin": [
                      *           0.5,
                      *           0.5,
                      *           0.5
                      *         ],
                      *         "pinches": [],
-                     *         "residual": 3.2554828767319298e-9,
-                     *         "residual_full": 0.008819924990519338,
+                     *         "residual": 1.8722577560448304e-9,
+                     *         "residual_full": 0.012577337445489686,
                      *         "self_intersections": 0,
                      *         "self_intersections_skipped": null,
                      *         "solver": "newton",
                      *         "spanning": null,
                      *         "stability": {
-                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "lowest_eigenvalue": 14.210948615748757,
                      *           "method": "inertia",
                      *           "morse_index": 0,
                      *           "stable": true
@@ -5947,50 +5947,50 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.195Z",
+                     *       "created_at": "2026-11-29T03:06:08.669Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.214Z",
-                     *       "finished_at": "2026-11-29T00:04:32.214Z",
-                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
+                     *       "expires_at": "2026-12-06T03:06:08.693Z",
+                     *       "finished_at": "2026-11-29T03:06:08.693Z",
+                     *       "id": "01M8JM8RWXM68Z1T43JB268C9V",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
-                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
+                     *         "events": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/mesh",
+                     *         "request": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/request",
+                     *         "self": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
                      *         "fraction": 1,
                      *         "iteration": 6,
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "phase": "finished",
-                     *         "residual": 3.2554828767319298e-9
+                     *         "residual": 1.8722577560448304e-9
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.198Z",
+                     *       "started_at": "2026-11-29T03:06:08.672Z",
                      *       "statistics": {
                      *         "angles_deg": {
-                     *           "max": 101.73816570796455,
-                     *           "min": 21.18617166042886
+                     *           "max": 104.33780670079115,
+                     *           "min": 21.186370900171823
                      *         },
-                     *         "area": 1.2818902834560277,
+                     *         "area": 1.2818748734933296,
                      *         "boundary_loops": 1,
                      *         "certificate": null,
                      *         "components": 1,
                      *         "converged": true,
                      *         "degenerate_triangles": 0,
                      *         "edge_lengths": {
-                     *           "max": 0.17942816245701437,
-                     *           "mean": 0.1264530607435818,
-                     *           "min": 0.05535453657770467,
-                     *           "std_dev": 0.0206521703259476
+                     *           "max": 0.18915666614812013,
+                     *           "mean": 0.12669452389402736,
+                     *           "min": 0.05535449178657415,
+                     *           "std_dev": 0.021051196739266774
                      *         },
                      *         "edges_swapped": 0,
                      *         "euler_characteristic": 1,
                      *         "extrapolated_area": {
-                     *           "area": 1.2792662070753635,
-                     *           "error_estimate": 0.0006560190951660309
+                     *           "area": 1.2792661940665389,
+                     *           "error_estimate": 0.000652169856697693
                      *         },
                      *         "flipped_triangles": 0,
                      *         "genus": 0,
@@ -6013,26 +6013,26 @@ export interface operations {
                      *         "iterations": 6,
                      *         "junctions": null,
                      *         "mean_curvature": {
-                     *           "max": 0.010184372135017295,
-                     *           "mean": 0.004047545512019322,
-                     *           "rms": 0.004747635026083317
+                     *           "max": 0.014523058319684461,
+                     *           "mean": 0.0038638879008855444,
+                     *           "rms": 0.004582613848931229
                      *         },
                      *         "objective": "minimal_area",
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "origin": [
                      *           0.5,
                      *           0.5,
                      *           0.5
                      *         ],
                      *         "pinches": [],
-                     *         "residual": 3.2554828767319298e-9,
-                     *         "residual_full": 0.008819924990519338,
+                     *         "residual": 1.8722577560448304e-9,
+                     *         "residual_full": 0.012577337445489686,
                      *         "self_intersections": 0,
                      *         "self_intersections_skipped": null,
                      *         "solver": "newton",
                      *         "spanning": null,
                      *         "stability": {
-                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "lowest_eigenvalue": 14.210948615748757,
                      *           "method": "inertia",
                      *           "morse_index": 0,
                      *           "stable": true
@@ -6684,50 +6684,50 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.195Z",
+                     *       "created_at": "2026-11-29T03:06:08.669Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.214Z",
-                     *       "finished_at": "2026-11-29T00:04:32.214Z",
-                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
+                     *       "expires_at": "2026-12-06T03:06:08.693Z",
+                     *       "finished_at": "2026-11-29T03:06:08.693Z",
+                     *       "id": "01M8JM8RWXM68Z1T43JB268C9V",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
-                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
+                     *         "events": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/mesh",
+                     *         "request": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/request",
+                     *         "self": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
                      *         "fraction": 1,
                      *         "iteration": 6,
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "phase": "finished",
-                     *         "residual": 3.2554828767319298e-9
+                     *         "residual": 1.8722577560448304e-9
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.198Z",
+                     *       "started_at": "2026-11-29T03:06:08.672Z",
                      *       "statistics": {
                      *         "angles_deg": {
-                     *           "max": 101.73816570796455,
-                     *           "min": 21.18617166042886
+                     *           "max": 104.33780670079115,
+                     *           "min": 21.186370900171823
                      *         },
-                     *         "area": 1.2818902834560277,
+                     *         "area": 1.2818748734933296,
                      *         "boundary_loops": 1,
                      *         "certificate": null,
                      *         "components": 1,
                      *         "converged": true,
                      *         "degenerate_triangles": 0,
                      *         "edge_lengths": {
-                     *           "max": 0.17942816245701437,
-                     *           "mean": 0.1264530607435818,
-                     *           "min": 0.05535453657770467,
-                     *           "std_dev": 0.0206521703259476
+                     *           "max": 0.18915666614812013,
+                     *           "mean": 0.12669452389402736,
+                     *           "min": 0.05535449178657415,
+                     *           "std_dev": 0.021051196739266774
                      *         },
                      *         "edges_swapped": 0,
                      *         "euler_characteristic": 1,
                      *         "extrapolated_area": {
-                     *           "area": 1.2792662070753635,
-                     *           "error_estimate": 0.0006560190951660309
+                     *           "area": 1.2792661940665389,
+                     *           "error_estimate": 0.000652169856697693
                      *         },
                      *         "flipped_triangles": 0,
                      *         "genus": 0,
@@ -6750,26 +6750,26 @@ export interface operations {
                      *         "iterations": 6,
                      *         "junctions": null,
                      *         "mean_curvature": {
-                     *           "max": 0.010184372135017295,
-                     *           "mean": 0.004047545512019322,
-                     *           "rms": 0.004747635026083317
+                     *           "max": 0.014523058319684461,
+                     *           "mean": 0.0038638879008855444,
+                     *           "rms": 0.004582613848931229
                      *         },
                      *         "objective": "minimal_area",
-                     *         "objective_value": 1.2818902834560277,
+                     *         "objective_value": 1.2818748734933296,
                      *         "origin": [
                      *           0.5,
                      *           0.5,
                      *           0.5
                      *         ],
                      *         "pinches": [],
-                     *         "residual": 3.2554828767319298e-9,
-                     *         "residual_full": 0.008819924990519338,
+                     *         "residual": 1.8722577560448304e-9,
+                     *         "residual_full": 0.012577337445489686,
                      *         "self_intersections": 0,
                      *         "self_intersections_skipped": null,
                      *         "solver": "newton",
                      *         "spanning": null,
                      *         "stability": {
-                     *           "lowest_eigenvalue": 14.208790689213886,
+                     *           "lowest_eigenvalue": 14.210948615748757,
                      *           "method": "inertia",
                      *           "morse_index": 0,
                      *           "stable": true
@@ -6805,18 +6805,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.195Z",
+                     *       "created_at": "2026-11-29T03:06:08.669Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8J9W7T29WAXPKBZXH2G059P",
+                     *       "id": "01M8JM8RWXM68Z1T43JB268C9V",
                      *       "kind": "minimal_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/cancel",
-                     *         "events": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/events",
-                     *         "request": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P/request",
-                     *         "self": "/v1/jobs/01M8J9W7T29WAXPKBZXH2G059P"
+                     *         "cancel": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/cancel",
+                     *         "events": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/events",
+                     *         "request": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V/request",
+                     *         "self": "/v1/jobs/01M8JM8RWXM68Z1T43JB268C9V"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6950,19 +6950,19 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.175Z",
+                     *       "created_at": "2026-11-29T03:06:08.646Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.188Z",
-                     *       "finished_at": "2026-11-29T00:04:32.188Z",
-                     *       "id": "01M8J9W7SEF1GNAKE25209MYV8",
+                     *       "expires_at": "2026-12-06T03:06:08.664Z",
+                     *       "finished_at": "2026-11-29T03:06:08.664Z",
+                     *       "id": "01M8JM8RW539CN9EK2204RZHQN",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/mesh",
-                     *         "pattern": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/pattern",
-                     *         "request": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/request",
-                     *         "self": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8"
+                     *         "events": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/mesh",
+                     *         "pattern": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/pattern",
+                     *         "request": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/request",
+                     *         "self": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -6972,7 +6972,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.179Z",
+                     *       "started_at": "2026-11-29T03:06:08.658Z",
                      *       "statistics": {
                      *         "area": 2.109781157966821,
                      *         "bending_energy": 0.10213068530252087,
@@ -7061,18 +7061,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.175Z",
+                     *       "created_at": "2026-11-29T03:06:08.646Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8J9W7SEF1GNAKE25209MYV8",
+                     *       "id": "01M8JM8RW539CN9EK2204RZHQN",
                      *       "kind": "ruled_surface",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/cancel",
-                     *         "events": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/events",
-                     *         "request": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8/request",
-                     *         "self": "/v1/jobs/01M8J9W7SEF1GNAKE25209MYV8"
+                     *         "cancel": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/cancel",
+                     *         "events": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/events",
+                     *         "request": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN/request",
+                     *         "self": "/v1/jobs/01M8JM8RW539CN9EK2204RZHQN"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7140,18 +7140,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.301Z",
+                     *       "created_at": "2026-11-29T03:06:08.753Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.319Z",
-                     *       "finished_at": "2026-11-29T00:04:32.319Z",
-                     *       "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
+                     *       "expires_at": "2026-12-06T03:06:08.781Z",
+                     *       "finished_at": "2026-11-29T03:06:08.781Z",
+                     *       "id": "01M8JM8RZGECY60B57TMR0Q6Y5",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
-                     *         "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
+                     *         "events": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/mesh",
+                     *         "request": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/request",
+                     *         "self": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7161,7 +7161,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": 3.3106481918620263e-12
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.303Z",
+                     *       "started_at": "2026-11-29T03:06:08.755Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 108.74950315516689,
@@ -7293,18 +7293,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.301Z",
+                     *       "created_at": "2026-11-29T03:06:08.753Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8J9W7XDPBK4KRBH3Y00ZPRM",
+                     *       "id": "01M8JM8RZGECY60B57TMR0Q6Y5",
                      *       "kind": "tensile_structure",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/cancel",
-                     *         "events": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/events",
-                     *         "request": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM/request",
-                     *         "self": "/v1/jobs/01M8J9W7XDPBK4KRBH3Y00ZPRM"
+                     *         "cancel": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/cancel",
+                     *         "events": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/events",
+                     *         "request": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5/request",
+                     *         "self": "/v1/jobs/01M8JM8RZGECY60B57TMR0Q6Y5"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7372,18 +7372,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.227Z",
+                     *       "created_at": "2026-11-29T03:06:08.712Z",
                      *       "error": null,
-                     *       "expires_at": "2026-12-06T00:04:32.296Z",
-                     *       "finished_at": "2026-11-29T00:04:32.296Z",
-                     *       "id": "01M8J9W7V2159XCJRB3GPH78PY",
+                     *       "expires_at": "2026-12-06T03:06:08.744Z",
+                     *       "finished_at": "2026-11-29T03:06:08.744Z",
+                     *       "id": "01M8JM8RY8P9BMMWYAX7VJGKX5",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "events": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/events",
-                     *         "mesh": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/mesh",
-                     *         "request": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/request",
-                     *         "self": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY"
+                     *         "events": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/events",
+                     *         "mesh": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/mesh",
+                     *         "request": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/request",
+                     *         "self": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
@@ -7393,7 +7393,7 @@ export interface operations {
                      *         "phase": "finished",
                      *         "residual": null
                      *       },
-                     *       "started_at": "2026-11-29T00:04:32.229Z",
+                     *       "started_at": "2026-11-29T03:06:08.714Z",
                      *       "statistics": {
                      *         "angles_deg": {
                      *           "max": 110.43137694084453,
@@ -7499,18 +7499,18 @@ export interface operations {
                     /**
                      * @example {
                      *       "cancelled_because": null,
-                     *       "created_at": "2026-11-29T00:04:32.227Z",
+                     *       "created_at": "2026-11-29T03:06:08.712Z",
                      *       "error": null,
                      *       "expires_at": null,
                      *       "finished_at": null,
-                     *       "id": "01M8J9W7V2159XCJRB3GPH78PY",
+                     *       "id": "01M8JM8RY8P9BMMWYAX7VJGKX5",
                      *       "kind": "uniform_mesh",
                      *       "label": "an example",
                      *       "links": {
-                     *         "cancel": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/cancel",
-                     *         "events": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/events",
-                     *         "request": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY/request",
-                     *         "self": "/v1/jobs/01M8J9W7V2159XCJRB3GPH78PY"
+                     *         "cancel": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/cancel",
+                     *         "events": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/events",
+                     *         "request": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5/request",
+                     *         "self": "/v1/jobs/01M8JM8RY8P9BMMWYAX7VJGKX5"
                      *       },
                      *       "metadata": null,
                      *       "progress": {
