@@ -156,7 +156,7 @@ PATCHES = [
 def liu_wang():
     def errors(boundary, interior, surface, **more):
         def of(seed):
-            request = {"kind": "minimal_surface", "boundaries": [boundary], "boundary_sampling": "keep", "seed": seed,
+            request = {"kind": "minimal_surface", "boundaries": [boundary], "seed": seed,
                        "initial_mesh": "barycentres", "resolution": {"interior_vertices": interior}, **more}
             return film(request, surface)[1]["liu_wang"]["mean_error"]
 

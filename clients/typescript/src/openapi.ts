@@ -2311,7 +2311,7 @@ export interface components {
              *     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`.
              */
             boundary_curvature?: boolean | null;
-            /** @description Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            /** @description Only with `initial_mesh` `auto`, `planar`, `disk` or `rings`. */
             boundary_sampling?: components["schemas"]["BoundarySampling"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"] | null;
@@ -2427,7 +2427,7 @@ export interface components {
              *     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`.
              */
             boundary_curvature?: boolean | null;
-            /** @description Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`. */
+            /** @description Only with `initial_mesh` `auto`, `planar`, `disk` or `rings`. */
             boundary_sampling?: components["schemas"]["BoundarySampling"] | null;
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"] | null;

@@ -1281,7 +1281,7 @@ class MinimalSurfaceRequest(TypedDict):
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
     boundary_sampling: NotRequired[Optional[BoundarySampling]]
-    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    """Only with `initial_mesh` `auto`, `planar`, `disk` or `rings`."""
     cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -1361,7 +1361,7 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
     boundary_sampling: NotRequired[Optional[BoundarySampling]]
-    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    """Only with `initial_mesh` `auto`, `planar`, `disk` or `rings`."""
     cache: NotRequired[Optional[Cache]]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -2671,7 +2671,7 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
     does. The film then leaves the minimal surface beside the boundary. Default: `false`. Only with `objective: minimal_mean_curvature`."""
     boundary_sampling: Optional[BoundarySampling]
-    """Only with `initial_mesh` `auto`, `planar`, `disk`, `rings` or `barycentres`."""
+    """Only with `initial_mesh` `auto`, `planar`, `disk` or `rings`."""
     cache: Optional[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]

@@ -75,8 +75,10 @@ struct Table {
 }
 
 /// Options that are refused at another member, because that member is required or would have to change.
-const ELSEWHERE: [(&str, &str); 4] = [
+const ELSEWHERE: [(&str, &str); 6] = [
     ("optimise", "/max_distinct_lengths"),
+    ("optimise_nodes", "/optimise"),
+    ("solver", "/topology"),
     ("constraints", "/topology"),
     ("topology", "/initial_mesh"),
     ("initial_mesh", "/constraints"),
@@ -278,7 +280,7 @@ fn each_option_of_a_lattice_acts_or_is_refused() {
             json!({ "domain": { "polygon": [[0, 0, 0], [10, 0, 0], [12, 7, 0], [3, 9, 0]] }, "optimise": "lengths",
                     "max_distinct_lengths": 4 }),
         ],
-        bodies: vec![json!({ "edge_length": 1.5 })],
+        bodies: vec![json!({ "edge_length": 1.5 }), json!({ "edge_length": 1.1 })],
         first: 2,
     };
     println!("{:?}", check(kind("uniform_mesh"), &table));

@@ -431,7 +431,7 @@ impl Optioned for MinimalSurfaceRequest {
     const OPTIONS: &'static [RequestOption] = &[
         RequestOption::with("solver", &[&[when("objective", AREA)]]),
         RequestOption::with("resolution", &[&[when("initial_mesh", MADE)]]),
-        RequestOption::with("boundary_sampling", &[&[when("initial_mesh", MADE)]]),
+        RequestOption::with("boundary_sampling", &[&[when("initial_mesh", SAMPLED)]]),
         RequestOption::always("initial_mesh"),
         RequestOption::always("constraints"),
         RequestOption::always("join_tolerance"),
@@ -520,6 +520,8 @@ impl Optioned for MinimalSurfaceRequest {
 const AREA: &[&str] = &["minimal_area"];
 /// The initial meshes that the service makes.
 const MADE: &[&str] = &["auto", "planar", "disk", "rings", "barycentres"];
+/// The initial meshes that may have points between those of the boundaries.
+const SAMPLED: &[&str] = &["auto", "planar", "disk", "rings"];
 /// The choices with which triangles with small angles are removed while the film shrinks.
 const REMOVES_TRIANGLES: &[&[Choice]] = &[
     &[when("objective", AREA), when("solver", &["pinkall_polthier"])],
