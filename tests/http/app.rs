@@ -32,7 +32,8 @@ pub fn client() -> reqwest::Client {
 pub fn client_builder() -> reqwest::ClientBuilder {
     // Installing fails if the provider has already been installed.
     let _ = rustls::crypto::ring::default_provider().install_default();
-    reqwest::Client::builder()
+    // A server closes connections that are idle for long, and a request that is on its way then has no answer.
+    reqwest::Client::builder().pool_idle_timeout(std::time::Duration::from_secs(5))
 }
 
 pub fn root() -> PathBuf {
@@ -120,11 +121,13 @@ impl TestApp {
     }
 
     /// Returns the processes of the server's large jobs.
+    #[cfg(feature = "test-hooks")]
     pub fn children(&self) -> Vec<u32> {
         hold::children_of(self.child.id().expect("the server runs"))
     }
 
     /// Waits until the server has one child process, and returns it.
+    #[cfg(feature = "test-hooks")]
     pub async fn only_child(&self) -> u32 {
         hold::until("one child runs", async || self.children().len() == 1).await;
         self.children()[0]

@@ -156,6 +156,8 @@ async fn a_list_selects_by_label_time_and_several_states() {
         "created_after=",
         "created_after=2020-01-01",
         "created_after=2020-01-01T00:00:00",
+        "created_after=Bsh\u{e7}\u{3223c}",
+        "created_after=2020-01-01T00:00:00\u{e7}00:0",
         "label=a&label=b",
         "owner=me",
     ] {

@@ -16,6 +16,7 @@ export { pictureRecent, showRecent } from './app/recent';
 export { follow } from './model/rigging';
 export { copy, openShare, savePicture } from './app/sharing';
 export { cableTable } from './panels/cables';
+export { charts, samplesOf } from './panels/chart';
 export { Compare } from './panels/compare';
 export { Flat } from './panels/flat';
 export { build, disable, schemaOf } from './panels/form';

@@ -6136,7 +6136,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204. */
+                /** @description Identifier of the last event that the client saw, `attempt.sequence`. An empty one names no event. After the final event the answer is 204. */
                 "Last-Event-ID"?: string;
             };
             path: {

@@ -71,9 +71,9 @@ pub fn events_entry() -> Value {
         } } },
     });
     let last = json!({ "name": "Last-Event-ID", "in": "header", "required": false,
-        "description": "Identifier of the last event that the client saw, `attempt.sequence`. After the final event \
-         the answer is 204.",
-        "schema": { "type": "string", "pattern": r"^[0-9]{1,9}\.[0-9]{1,9}$" } });
+        "description": "Identifier of the last event that the client saw, `attempt.sequence`. An empty one names no \
+         event. After the final event the answer is 204.",
+        "schema": { "type": "string", "pattern": r"^([0-9]{1,9}\.[0-9]{1,9})?$" } });
     let responses =
         json!({ "200": stream, "204": { "description": "The client has seen the final event, so no event follows" } });
     json!({

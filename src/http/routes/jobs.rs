@@ -140,12 +140,13 @@ fn read_time(text: &str) -> Result<i64, Failure> {
         None => {
             let (time, offset) = text.len().checked_sub(6).and_then(|at| text.split_at_checked(at)).ok_or_else(bad)?;
             let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<i64>().ok());
-            let (hours, minutes) = offset[1..].split_once(':').ok_or_else(bad)?;
+            let (sign, offset) = offset.split_at_checked(1).ok_or_else(bad)?;
+            let (hours, minutes) = offset.split_once(':').ok_or_else(bad)?;
             let number = |text| digits(text).flatten().ok_or_else(bad);
             let offset_ms = (number(hours)? * 60 + number(minutes)?) * 60_000;
-            match offset.as_bytes()[0] {
-                b'+' => (time, offset_ms),
-                b'-' => (time, -offset_ms),
+            match sign {
+                "+" => (time, offset_ms),
+                "-" => (time, -offset_ms),
                 _ => return Err(bad()),
             }
         }

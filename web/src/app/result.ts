@@ -4,7 +4,6 @@
 import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
 import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf, type Vec3 } from '../model/request';
-import { charts, samplesOf } from '../panels/chart';
 import { showLegend } from '../panels/legend';
 import { keyFigures } from '../panels/headlines';
 import { fileOf, isOfPage } from '../solvers';
@@ -59,7 +58,6 @@ export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDraggi
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request), sizeOf(mesh, metresOf(request))));
   showReport();
-  $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.
   offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl' as const] : [])], job);
   const pattern = Boolean(job.links.pattern && values.flat_pattern);
@@ -79,6 +77,8 @@ export function showReport(): void {
   const { x, y, z } = surface.group.position;
   const toRequest = (at: Vec3): Vec3 => host.frame.fromScene([at[0] + x, at[1] + y, at[2] + z]);
   const { result, numerics } = later.parts.statistics(job, unit);
+  const samples = later.parts.samplesOf((job.statistics as Record<string, unknown>).history as HistoryRow[] | undefined);
+  $('charts').replaceChildren(...later.parts.charts(samples, 'Area', toleranceOf(request)));
   $('details').replaceChildren(...later.parts.details(job, { mesh, request, toRequest }, unit, fileName(doc().title) ?? job.kind.replaceAll('_', '-')));
   $('warnings').replaceChildren(...later.parts.warnings(job.warnings, unit));
   $('statistics').replaceChildren(...result);

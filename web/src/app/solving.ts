@@ -4,10 +4,10 @@ import { ConnectionFailed, hasEnded, type JobInfo, JobFailed, type Kind, NotFoun
 import { isStatic, plateau } from '../api';
 import { $ } from '../dom';
 import type { Request } from '../model/request';
-import { charts, phaseName, type Sample } from '../panels/chart';
+import type { Sample } from '../panels/chart';
 import { isLoaded, isOfPage, isRefused, isUnusable, meshOfJob, MOST_TRIANGLES, moveHere, prepare, solveHere, solvesHere } from '../solvers';
 import type { ResultMesh } from '../stage/mesh';
-import { duration, number } from '../text';
+import { duration, humanise, number } from '../text';
 import { ask, whileBusy } from './busy';
 import { keep, keepNow, rememberJob } from './keeping';
 import type { Asked, Source } from './life';
@@ -15,7 +15,7 @@ import { showPattern } from './modes';
 import { say } from './notes';
 import { hideProblem, showProblem } from './problems';
 import { nameJob, show, showStale, toleranceOf } from './result';
-import { doc, session } from './session';
+import { doc, later, session } from './session';
 
 /** In live mode, a job that takes longer than this is cancelled when its input has changed. */
 const PATIENCE_MS = 2000;
@@ -348,10 +348,10 @@ function showProgress(progress: Progress | null, samples: Sample[], since: numbe
   const bar = $<HTMLProgressElement>('progress');
   if (progress) {
     bar.value = progress.fraction;
-    $('running-charts').replaceChildren(...charts(samples, doc().kind === 'minimal_surface' ? 'Area' : 'Objective', toleranceOf(doc().request)));
+    $('running-charts').replaceChildren(...(later.parts?.charts(samples, doc().kind === 'minimal_surface' ? 'Area' : 'Objective', toleranceOf(doc().request)) ?? []));
   }
   const parts = [
-    bar.position > 0 && `${Math.round(bar.position * 100)} %`, text ?? (last ? phaseName(last.phase) : 'Running'), last && last.iteration > 0 && `iteration ${number(last.iteration)}`, elapsed,
+    bar.position > 0 && `${Math.round(bar.position * 100)} %`, text ?? (last ? humanise(last.phase) : 'Running'), last && last.iteration > 0 && `iteration ${number(last.iteration)}`, elapsed,
   ];
   say(parts.filter(Boolean).join(' · '));
 }

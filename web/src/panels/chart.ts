@@ -2,7 +2,7 @@
 
 import type { HistoryRow } from 'plateau-client';
 import { el, svg } from '../dom';
-import { humanise, number } from '../text';
+import { number } from '../text';
 
 export interface Sample { iteration: number; phase: string; value: number | null; residual: number | null }
 
@@ -75,7 +75,6 @@ function ticks(low: number, high: number, logarithmic: boolean): number[] {
   return found.length > 1 ? found : [low, high];
 }
 
-export const phaseName = (phase: string): string => humanise(phase);
 
 export const samplesOf = (rows: HistoryRow[] | undefined | null): Sample[] =>
   (rows ?? []).map((each) => ({ iteration: each.iteration, phase: each.phase, value: each.area ?? null, residual: each.residual ?? null }));
