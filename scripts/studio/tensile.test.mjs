@@ -202,7 +202,7 @@ test.quick('a net is shown without triangles, its supports move, and none of its
   assert.equal((await points(page)).length, 4, 'the free vertex is no handle');
   assert.ok(await page.isDisabled('#draw'));
   const layers = await page.locator('#layers button').allTextContents();
-  assert.deepEqual(layers, ['Lines', 'Reactions', 'Drawing']);
+  assert.deepEqual(layers, ['Lines', 'Reactions', 'Drawing', 'Box']);
   await showPanel(page, 'results');
   assert.deepEqual(await page.locator('#downloads button').allTextContents(), ['GLB', 'GLTF', 'OBJ', 'PLY']);
   await page.focus('#view');

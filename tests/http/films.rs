@@ -74,9 +74,10 @@ async fn rings_too_far_apart_have_no_connected_film_and_two_discs_are_best() {
 async fn impossible_processes_get_an_error_with_their_pointer() {
     let app = TestApp::start().await;
     let mut request = example("tent");
-    request["processes"] = json!([{ "together": ["edge_swapping"] }]);
     request["solver"] = json!("vertex_relaxation");
-    assert_eq!(pointers(&problem(app.post(MINIMAL, &request).await, 422).await), ["/processes/0"]);
+    // Edge swapping may stand alone.
+    request["processes"] = json!([{ "together": ["edge_swapping"] }]);
+    assert!(solved(&app, &request, &json!({})).await["triangles"].as_u64() > Some(0));
     request["processes"] = json!(["ironing"]);
     assert_eq!(pointers(&problem(app.post(MINIMAL, &request).await, 422).await), ["/processes/0"]);
 }
