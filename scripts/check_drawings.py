@@ -66,7 +66,7 @@ def near(found, expected, tolerance, what):
     return apart
 
 
-# ---- patterns as the readers show them: outlines and lines with angles, piece by piece, y up, in millimetres
+# ---- Patterns as the readers show them. A piece has an outline and lines with angles, in millimetres with y up.
 
 
 def from_svg(data):

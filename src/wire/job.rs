@@ -32,7 +32,8 @@ pub fn failures() -> Vec<(String, &'static str)> {
     failures
 }
 
-/// Kind of a stored job. A process of a newer version may have accepted a job of a kind that this version does not know.
+/// Kind of a stored job. A process of a newer version may have accepted a job of a kind that this version does not
+/// know.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JobKind {
     Known(Kind),

@@ -22,8 +22,8 @@ const SEWING_LINE: &str = "14";
 const ANNOTATION: &str = "15";
 const OUTLINE_VALIDATION: &str = "84";
 const SEWING_VALIDATION: &str = "87";
-/// All layers of the standard. Besides those above: cut-outs, drill holes, notches of other shapes (T, castle, check and
-/// U), and the validation curves of inner lines and cut-outs.
+/// All layers of the standard. Besides those above: cut-outs, drill holes, notches of other shapes (T, castle, check
+/// and U), and the validation curves of inner lines and cut-outs.
 const LAYERS: [&str; 18] = [
     OUTLINE,
     TURN_POINTS,

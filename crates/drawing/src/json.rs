@@ -7,8 +7,8 @@ use crate::sheets::{Layout, Place};
 use plateau_mesh::DVec2;
 use serde_json::{Value, json};
 
-/// Writes the figures. Lengths are in millimetres. The coordinates of a piece start at the lower left corner of its cut,
-/// or at that of its sheet.
+/// Writes the figures. Lengths are in millimetres. The coordinates of a piece start at the lower left corner of its
+/// cut, or at that of its sheet.
 #[must_use]
 pub fn to_json(figures: &[Figure], layout: Option<&Layout>) -> Vec<u8> {
     let place = |k: usize| layout.map(|layout| &layout.places[k]);

@@ -4,7 +4,8 @@ use plateau_mesh::DVec2;
 
 /// Height of the smallest text, in millimetres.
 const LEAST_HEIGHT: f64 = 2.0;
-/// Height of the smallest text inside a piece, as a fraction of the height asked for. It is 2 mm of the default of 5 mm.
+/// Height of the smallest text inside a piece, as a fraction of the height asked for. The
+/// default of 5 mm gives 2 mm.
 const LEAST_INSIDE: f64 = 0.4;
 /// Distance of two texts that stand side by side, as a multiple of their height.
 const PITCH: f64 = 1.6;
@@ -103,12 +104,12 @@ pub fn corners(spot: &Spot, text: &str) -> [DVec2; 4] {
     [spot.at - along - up, spot.at + along - up, spot.at + along + up, spot.at - along + up]
 }
 
-/// Spreads places of upright texts along a line so that neighbours of this height have room, and moves them as little as
-/// that allows: the places are in increasing order, and so are the results.
+/// Spreads places of upright texts along a line so that neighbours of this height have room, and moves them as little
+/// as that allows: the places are in increasing order, and so are the results.
 #[must_use]
 pub fn spread(places: &[f64], height: f64) -> Vec<f64> {
     let distance = PITCH * height;
-    // Groups of places that touch: the mean of where they would start, their number, and the first place of each.
+    // Groups of places that touch: where the first place of each comes to lie, and their number.
     let mut groups: Vec<(f64, usize)> = Vec::new();
     for &place in places {
         let mut group = (place, 1);

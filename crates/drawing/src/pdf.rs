@@ -145,8 +145,8 @@ impl Tiles {
         }
     }
 
-    /// Uses the tiles inside a polygon. Those that its edges cross are used already, so that the middles of the others
-    /// decide.
+    /// Uses the tiles inside a polygon. The tiles that the polygon's edges cross are used already, so that the middle
+    /// of each other tile decides.
     fn fill(&mut self, points: &[DVec2]) {
         let [low, high] = crate::piece::bounds(points);
         for row in self.rows(low.y, high.y) {

@@ -121,8 +121,8 @@ impl Piece {
         Some(std::iter::once(first).chain(self.folds.iter().map(|fold| fold.ends)).chain([last]).collect())
     }
 
-    /// Returns the part between two of its `bridges`, turned as a piece of its own would be, to measure it. The part has
-    /// no panels, and its seams are not those of the surface.
+    /// Returns the part between two of its `bridges`, turned as a piece of its own would be, to measure it. The part
+    /// has no panels, and its seams are not those of the surface.
     pub(crate) fn part(&self, bridges: &[[DVec2; 2]], from: usize, to: usize) -> Self {
         let own = &bridges[from..=to];
         let middle = |[p, q]: [DVec2; 2]| p.midpoint(q);

@@ -12,21 +12,21 @@ use std::collections::BTreeMap;
 
 /// A point in which several bends meet.
 pub(crate) struct Fan {
-    /// Middle of the opening that the bends leave there.
+    /// Middle of the opening that the bends leave at the point.
     pub(crate) centre: DVec2,
     /// Corners of the panels between the bends.
     pub(crate) corners: Vec<DVec2>,
 }
 
-/// Factor by which a relief circle is larger than the opening that it takes, so that rounding decides nothing.
+/// Ratio of a relief circle to the opening that the circle takes. It is above 1, so that rounding decides nothing.
 const WIDER: f64 = 1.001;
 /// Longest chord error of a relief circle in millimetres: below the width of any cut.
 const RELIEF_CHORD: f64 = 0.005;
 
-/// Cuts circles of this radius out of the piece of a blank at the points in which bends meet, and ends its folds and the
-/// sides of its zones there. With `only_overlaps` only those are cut at which the outline crosses itself, and each is at
-/// least as large as the opening, so that both of its sides end on it. Otherwise an opening that reaches beyond its
-/// circle stays as it is.
+/// Cuts circles of this radius out of the piece of a blank at the points in which bends meet, and ends its folds and
+/// the sides of its zones there. With `only_overlaps` only those are cut at which the outline crosses itself, and each
+/// is at least as large as the opening, so that both of its sides end on it. Otherwise an opening that reaches beyond
+/// its circle stays as it is.
 ///
 /// # Errors
 /// Returns [`Refused::Unsuitable`] at `relief` for a circle that leaves nothing of the outline.
@@ -176,8 +176,8 @@ impl Ring {
         polygon::chain_meets_itself(&mouth)
     }
 
-    /// Replaces the points inside a circle around a corner by the circle. Returns false if the outline lies in the circle
-    /// but for one point or less.
+    /// Replaces the points inside a circle around a corner by the circle. Returns false if the outline lies in the
+    /// circle but for one point or less.
     fn cut(&mut self, corner: usize, circle: &Circle) -> bool {
         let is_inside = |corner: usize| circle.contains(self.corners[corner].point);
         let (mut from, mut to) = (corner, corner);
@@ -237,7 +237,7 @@ impl Ring {
     }
 }
 
-/// Ends a line on the circles that contain one of its ends, one circle after the other.
+/// Ends a line on the circles that contain an end of the line, one circle after the other.
 fn trim(ends: &mut [DVec2; 2], circles: &[Circle], columns: &Columns) {
     let mut from = 0;
     loop {

@@ -2,10 +2,10 @@
 //!
 //! [`Request::read`](request::Request::read) reads the bytes of a valid request straight into its type and checks it,
 //! and [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas
-//! refuse (`plateau-strict-json`). After them come checks that a schema cannot express, such as too few distinct points.
-//! The last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
-//! schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value must be.
-//! Without the feature `explain` only the first wrong value is named.
+//! refuse (`plateau-strict-json`). After them come checks that a schema cannot express, such as too few distinct
+//! points. The last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared
+//! with its schema (`components`, `schema`), so that every error has a JSON Pointer and a text that says what the value
+//! must be. Without the feature `explain` only the first wrong value is named.
 //!
 //! The crate does not know about jobs, stores, HTTP, clocks or threads. These belong to its hosts: the service, the
 //! command line and a web page.

@@ -37,8 +37,8 @@ impl RequestOption {
         Self { name, needs }
     }
 
-    /// Returns the choices with which the option acts, as a phrase, or `None` if it always acts. Choices that the request
-    /// has made are left out.
+    /// Returns the choices with which the option acts, as a phrase, or `None` if it always acts. Choices that the
+    /// request has made are left out.
     pub fn phrase(&self, is_made: impl Fn(&Choice) -> bool) -> Option<String> {
         let alternatives = self.needs.iter().map(|choices| {
             let open = choices.iter().filter(|choice| !is_made(choice));
@@ -167,8 +167,8 @@ pub(crate) fn has_empty(value: &Value) -> bool {
     }
 }
 
-/// Removes the members that are null, and empty lists except those in `kept` (see [`Optioned::EMPTY_LISTS`]). Without the
-/// schemas, members that the request must not have are removed too.
+/// Removes the members that are null, and empty lists except those in `kept` (see [`Optioned::EMPTY_LISTS`]). Without
+/// the schemas, members that the request must not have are removed too.
 #[cfg(not(feature = "explain"))]
 pub(crate) fn pruned(value: &Value, within: &str, kept: &[(&str, &str)]) -> Value {
     match value {

@@ -68,7 +68,8 @@ impl Request {
     /// Reads the JSON of a request of a known kind. The members that `aside` names are not part of the request and are
     /// returned unchanged.
     ///
-    /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](plateau_strict_json::json::parse) and
+    /// Returns `None` if the body is not JSON or the request is not valid.
+    /// [`json::parse`](plateau_strict_json::json::parse) and
     /// [`Request::from_value`] then find every error.
     #[cfg(feature = "stored")]
     #[must_use]

@@ -1,9 +1,9 @@
 //! Measures Chen, Cai and Zheng's curvature of the default's films over forty counts of triangles.
 //!
 //! `cargo run --release -p plateau-minimal-surface --example curvature_sweep` solves the helicoid and the catenoid of
-//! their Figs. 6 and 7 with 40 counts from 1,000 to 20,000, three splits of the points over the sides and both samplings
-//! of the boundary: 480 films. It prints a table. `-- docs/validation/curvature_sweep.svg` also draws the curvatures over
-//! the counts.
+//! their Figs. 6 and 7 with 40 counts from 1,000 to 20,000, three splits of the points over the sides and both
+//! samplings of the boundary: 480 films. It prints a table. `-- docs/validation/curvature_sweep.svg` also draws the
+//! curvatures over the counts.
 
 #![allow(
     clippy::disallowed_macros,
@@ -27,7 +27,7 @@ const RANGE: [f64; 2] = [1_000.0, 20_000.0];
 const SAMPLINGS: [(BoundarySampling, &str); 2] =
     [(BoundarySampling::Refine, "refine"), (BoundarySampling::Keep, "keep")];
 
-/// One of the paper's two patches.
+/// A patch of the paper: its helicoid or its catenoid.
 struct Patch {
     name: &'static str,
     /// The curvature that the paper prints for its own mesh of about 2,000 triangles.

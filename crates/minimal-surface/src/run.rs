@@ -126,7 +126,7 @@ impl ExtrapolatedArea {
     }
 }
 
-/// One way to span the boundaries.
+/// A way to span the boundaries by films.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -154,9 +154,9 @@ pub struct SpanningComparison {
     /// Whether a film holds that connects all boundaries.
     pub connected_film_exists: bool,
     /// The largest fraction of the gap between two boundaries at which a connected film holds. Between coaxial rings of
-    /// 32 points and more it is within 2% of the largest catenoid's. It is determined only if no connected film holds at
-    /// the whole gap. The gap is measured along the line through the centroids of the boundaries. `None` if there is no
-    /// gap or no film was found.
+    /// 32 points and more it is within 2% of the largest catenoid's. It is determined only if no connected film holds
+    /// at the whole gap. The gap is measured along the line through the centroids of the boundaries. `None` if there is
+    /// no gap or no film was found.
     pub largest_gap_fraction: Option<f64>,
 }
 

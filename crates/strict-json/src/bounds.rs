@@ -275,6 +275,11 @@ pub fn is_default<T: Default + PartialEq>(member: &T) -> bool {
     *member == T::default()
 }
 
+/// The default of a member that is true unless the request says otherwise.
+pub fn yes() -> bool {
+    true
+}
+
 /// Always returns true, so that serde leaves a member out of the written request. It is for members that are stored
 /// elsewhere.
 pub fn unwritten<T>(_member: &T) -> bool {

@@ -131,10 +131,10 @@ fn on_its_mesh(structure: &Structure, options: &Options, exec: &Execution) -> Re
 /// A search for the shape of a woven film.
 type Search<'a> = &'a dyn Fn(&Execution) -> Result<(Model, Found), Error>;
 
-/// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other searches follow. The
-/// first starts from the surface of straight lines between two boundaries, because a harmonic map narrows to a neck that
-/// unequal stresses do not have. The second travels, because the edges of a sail with sharp corners move so far that the
-/// triangles of the initial mesh become too thin.
+/// Finds the shape on the initial mesh. If the search does not converge for a woven film, two other searches follow.
+/// The first starts from the surface of straight lines between two boundaries, because a harmonic map narrows to a neck
+/// that unequal stresses do not have. The second travels, because the edges of a sail with sharp corners move so far
+/// that the triangles of the initial mesh become too thin.
 fn find_from_starts(structure: &Structure, options: &Options, exec: &Execution) -> Result<(Model, Found), Error> {
     let find = |first_shape: FirstShape, exec: &Execution| {
         let mut model = exec

@@ -246,7 +246,7 @@ impl Run<'_> {
         let is_woven = self.structure.weave().is_some();
         let possible = |attempt: &Attempt| {
             let is_plain_attempt = attempt.from == Start::Given && attempt.tension_rounds == 0;
-            // A woven film is slow, and its stress field sets its stresses, so that its tension does not grow.
+            // Form finding of a woven film is slow, and the stress field sets the stresses, so that no tension grows.
             let suits_weave = attempt.pace == Pace::BOLD && attempt.tension_rounds == 0;
             (plain || is_plain_attempt) && (!is_woven || suits_weave)
         };

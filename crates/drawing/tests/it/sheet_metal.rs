@@ -263,8 +263,8 @@ fn bends_without_room_are_refused_by_their_parameter() {
     assert_eq!(refused(folded(176.0)), (false, vec!["radius".to_owned()]));
 }
 
-/// The panels of a closed prism of eight sides end where its setbacks do: below the radius at which a side has no flat part
-/// left there is a blank, and above it there is none.
+/// The panels of a closed prism of eight sides end where its setbacks do: below the radius at which a side has no flat
+/// part left there is a blank, and above it there is none.
 #[test]
 fn bend_zones_that_leave_nothing_of_a_panel_are_refused_from_the_radius_on_at_which_they_meet() {
     let closed = Options { closed: true, objective: Objective::MinimalBendingEnergy, ..Options::default() };
@@ -281,8 +281,8 @@ fn bend_zones_that_leave_nothing_of_a_panel_are_refused_from_the_radius_on_at_wh
     }
 }
 
-/// The development of a corner of the square: the cone over a quarter of the circle, by the rule of Simpson. Returns its
-/// angle at the corner and its area.
+/// The development of a corner of the square: the cone over a quarter of the circle, by the rule of Simpson. Returns
+/// its angle at the corner and its area.
 fn corner_cone() -> [f64; 2] {
     let at = |turn: f64| DVec3::new(0.6 * turn.cos() - 1.0, 0.6 * turn.sin() - 1.0, 1.5);
     let along = |turn: f64| 0.6 * DVec3::new(-turn.sin(), turn.cos(), 0.0);
@@ -298,8 +298,8 @@ fn corner_cone() -> [f64; 2] {
 
 #[test]
 fn a_square_to_round_tends_to_its_four_cones_and_triangles() {
-    // Square of side 2 to a circle of radius 0.6 at height 1.5: the area is 9.316352. By another route it is that of four
-    // cones and of four triangles, each over a side of the square.
+    // Square of side 2 to a circle of radius 0.6 at height 1.5: the area is 9.316352. By another route it is that of
+    // four cones and of four triangles, each over a side of the square.
     let [angle, area] = corner_cone();
     assert!((angle - 0.505_840).abs() < 1e-6, "{angle}");
     let whole = 4.0 * (area + 0.5 * 2.0 * f64::hypot(0.4, 1.5));
@@ -312,8 +312,8 @@ fn a_square_to_round_tends_to_its_four_cones_and_triangles() {
         let archive = ruled(&[square, ring(count, 0.6, 1.5, 0.0)], &options);
         let area: f64 = pieces(&archive).iter().map(|piece| polygon::area(&piece.outline)).sum();
         errors.push((area - 9.316_352).abs());
-        // The folds at each corner of the square: the longest and the shortest are the slants of the cone, and the angle
-        // between the outer ones is that of the cone.
+        // The folds at each corner of the square: the longest and the shortest are the slants of the cone, and the
+        // angle between the outer ones is that of the cone.
         let mut corners: Vec<Vec<[DVec2; 2]>> = Vec::new();
         let [piece] = &pieces(&archive)[..] else { panic!("one piece") };
         let bridges = piece.folds.iter().map(|fold| fold.ends);
@@ -323,7 +323,7 @@ fn a_square_to_round_tends_to_its_four_cones_and_triangles() {
                 _ => corners.push(vec![ends]),
             }
         }
-        // The strip is cut at one of the bridges, so that the fan there is in two parts.
+        // The strip is cut at one of the bridges, so that the fan of this bridge is in two parts.
         for fan in corners.iter().filter(|fan| fan.len() == count / 4 + 1) {
             let length = |[p, q]: &[DVec2; 2]| p.distance(*q);
             let longest = fan.iter().map(length).fold(0.0, f64::max);

@@ -96,7 +96,10 @@ fn sail(name: &'static str, cable: Value, radius: f64, given: &[&str]) -> Case {
             reason: Some(SAG),
             ..figure("sag of a cable", "/cables/0/sag", radius * (1.0 - cosine), "r (1 - cos θ)")
         },
-        Figure { reason: Some(SEGMENTS), ..figure("force of a cable", "/cables/0/force", radius, "σ r") },
+        Figure {
+            reason: (cable["mode"] == "length").then_some(SEGMENTS),
+            ..figure("force of a cable", "/cables/0/force", radius, "σ r")
+        },
     ];
     let request = move |_| {
         let side = |k: u32| {

@@ -398,9 +398,9 @@ fn points_of_slits_and_near_double_points_of_boundaries_stay_apart() {
                 assert!(texts.contains("/boundaries/0/2") && texts.contains("/boundaries/0/4"), "{texts}");
             }
             End::Refused(..) => {}
-            // In a slit wider than the tolerance the end is a place of its own, to which a film can be drawn.
+            // In a slit wider than the tolerance of 9e-6 the end is a place of its own, to which a film can be drawn.
             End::Solved(solved) => {
-                assert!(width > 2e-6, "{k}: {width}");
+                assert!(width > 9e-6, "{k}: {width}");
                 let codes = codes(&solved.1);
                 assert!(codes.contains(&"nearly_joined") && !codes.contains(&"joined"), "{k}: {codes:?}");
             }

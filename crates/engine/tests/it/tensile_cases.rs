@@ -330,18 +330,19 @@ fn a_woven_sail_with_a_sharp_corner_is_found() {
     has_area("woven_sail_with_a_sharp_corner", 24.593, 2e-3);
 }
 
-/// Input: plane woven sails whose corners are all sharp; the areas are those of their polygons less segments of ellipses.
-/// Symptom: the mesh with which the search began was renewed where it had worn, but had no vertices where the edges went
-/// to, so that one sail was not converged and the other was not found.
+/// Input: plane woven sails whose corners are all sharp; the areas are those of their polygons less segments of
+/// ellipses. Symptom: the mesh with which the search began was renewed where it had worn, but had no vertices where the
+/// edges went to, so that one sail was not converged and the other was not found.
 #[test]
 fn woven_sails_with_sharp_corners_travel() {
     has_area("woven_sail_with_four_sharp_corners", 27.8831, 4e-3);
     has_area("woven_sail_with_five_sharp_corners", 34.7870, 4e-3);
 }
 
-/// Input: woven cones between two rings, higher than a film of equal stresses between them can be. Symptom: the harmonic
-/// map from which the search began narrows to a neck, and no equilibrium was found. On the surface of revolution
-/// sin φ = (c / r)^k with the slope φ of the meridian and the ratio k of weft to warp, and c follows from the height.
+/// Input: woven cones between two rings, higher than a film of equal stresses between them can be. Symptom: the
+/// harmonic map from which the search began narrows to a neck, and no equilibrium was found. On the surface of
+/// revolution sin φ = (c / r)^k with the slope φ of the meridian and the ratio k of weft to warp, and c follows from
+/// the height.
 #[test]
 fn woven_cones_are_found_above_the_height_of_a_film_of_equal_stresses() {
     has_area("woven_funnel_k0.5_h4_R10", 332.66, 5e-3);

@@ -19,9 +19,9 @@ const SWEEPS: u32 = 12;
 /// Number of sweeps after which the neighbours of uneven vertices are visited too, because their motion may free a
 /// vertex that an angle keeps in its place.
 const WITHOUT_NEIGHBOURS: u32 = 3;
-/// A vertex is uneven, and the last sweeps visit it again, if its dimensionless gradient exceeds this: half its gradient
-/// divided by the area of its ring and multiplied by the radius of the boundary. At 5e-3, the gradients of Chen, Cai and
-/// Zheng's helicoid end near half of their printed 7e-4, which is 8e-3 here.
+/// A vertex is uneven, and the last sweeps visit it again, if its dimensionless gradient exceeds this: half its
+/// gradient divided by the area of its ring and multiplied by the radius of the boundary. At 5e-3, the gradients of
+/// Chen, Cai and Zheng's helicoid end near half of their printed 7e-4, which is 8e-3 here.
 const UNEVEN: f64 = 5e-3;
 /// Multiple of the identity that is added to a vertex's second derivative, as a fraction of its trace. The second
 /// derivative is singular if the ring is plane.
@@ -84,6 +84,7 @@ pub fn slide(film: &mut Film, radius: f64, full: u32, exec: &Execution) -> Resul
                 visited.extend(neighbours);
                 visited.sort_unstable();
                 visited.dedup();
+                // After an odd sweep the next one runs forwards, as the sorted list does.
                 if sweep % 2 == 1 {
                     continue;
                 }

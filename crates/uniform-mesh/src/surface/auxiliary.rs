@@ -122,8 +122,8 @@ impl Pole {
         p
     }
 
-    /// Returns the corners of a triangle of parameters, each with its motion. A corner at the pole, which stands still,
-    /// is moved along the side to the middle of the other two corners, where the triangle has its right orientation.
+    /// Returns the corners of a triangle of parameters, each with its motion. A corner at the pole is moved
+    /// along the side to the middle of the other two corners, because the triangle has its right orientation there.
     pub fn beside(self, triangle: [(DVec2, DVec2); 3]) -> [(DVec2, DVec2); 3] {
         let mut moved = triangle;
         for k in 0..3 {

@@ -26,7 +26,7 @@ use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::{DVec3, Mesh};
 use plateau_minimal_surface::{self as geometry, BoundarySampling, LinearSolver, OnUnstable, Process};
 use plateau_strict_json::bounds::{
-    Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten,
+    Fraction, List, NonNegative, UpTo20, Whole, given, given_one, is_default, unwritten, yes,
 };
 use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_strict_json::union;
@@ -174,7 +174,7 @@ pub struct MinimalSurfaceRequest {
     pub boundary_curvature: bool,
     /// Whether `minimal_mean_curvature` fairs a mesh of candidate points (`initial_mesh: barycentres`) once before it
     /// starts: each inner vertex becomes the mean of its neighbours. Liu and Wang's method does not.
-    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    #[serde(default = "yes", skip_serializing_if = "Clone::clone")]
     #[schemars(extend("default" = true))]
     pub candidate_fairing: bool,
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
@@ -189,14 +189,6 @@ fn default_degenerate_angle_deg() -> UpTo20 {
 
 fn default_seed() -> u32 {
     1
-}
-
-fn yes() -> bool {
-    true
-}
-
-fn is_yes(value: &bool) -> bool {
-    *value
 }
 
 fn default_tolerance() -> Fraction {

@@ -15,7 +15,7 @@ use crate::options::{Optioned, RequestOption, when};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_ruled_surface as geometry;
-use plateau_strict_json::bounds::{AtLeast0, List, UpTo45, Whole, is_default, unwritten};
+use plateau_strict_json::bounds::{AtLeast0, List, UpTo45, Whole, is_default, unwritten, yes};
 use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_strict_json::union;
 use schemars::JsonSchema;
@@ -190,10 +190,6 @@ pub struct ObjectiveSum {
     /// Whether each term is first divided by its own optimum on the strip, because the terms have different units.
     #[serde(default = "yes")]
     pub normalise: bool,
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`.

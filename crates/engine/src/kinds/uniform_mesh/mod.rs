@@ -13,7 +13,7 @@ use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::options::{Optioned, RequestOption, when};
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_strict_json::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten};
+use plateau_strict_json::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten, yes};
 use plateau_strict_json::rejection::{FieldError, Rejection};
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
@@ -112,10 +112,6 @@ pub struct UniformMeshRequest {
     #[serde(default = "default_auxiliary_grid", skip_serializing_if = "is_default_auxiliary_grid")]
     #[schemars(extend("default" = [15, 15]))]
     pub auxiliary_grid: [Whole<2, 400>; 2],
-}
-
-fn yes() -> bool {
-    true
 }
 
 fn default_auxiliary_grid() -> [Whole<2, 400>; 2] {

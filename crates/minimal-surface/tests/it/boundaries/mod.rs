@@ -14,7 +14,8 @@ pub fn patch(
     patch_with_sides(surface, (u0, u1), (v0, v1), [nu, nv, nu, nv])
 }
 
-/// The same with a number of intervals for each side, in the order in which the boundary passes them: at v0, u1, v1, u0.
+/// The boundary of the patch with a number of intervals for each side. The sides are at v0, u1, v1 and u0, in the order
+/// in which the boundary passes them.
 pub fn patch_with_sides(
     surface: impl Fn(f64, f64) -> DVec3,
     (u0, u1): (f64, f64),
