@@ -28,7 +28,7 @@ fn step() -> usize {
     match (std::env::var_os("PLATEAU_LONG").is_some(), crate::is_full()) {
         (true, _) => 1,
         (false, true) => 4,
-        (false, false) => 16,
+        (false, false) => 32,
     }
 }
 

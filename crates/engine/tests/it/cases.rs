@@ -4,7 +4,7 @@
 //! The requests are in `crates/engine/tests/cases`. References are closed forms, or Surface Evolver's results on the
 //! same boundary.
 
-use crate::read;
+use crate::{MOST_WORK, read, solve};
 use plateau_engine::solved::{Signal, Unsolved};
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ fn solved(name: &str) -> (Value, Vec<String>) {
 /// Same as [`solved`], for the body of a request. `name` appears in failure messages only.
 fn solved_body(name: &str, body: &[u8]) -> (Value, Vec<String>) {
     let accepted = read(body).unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
-    let solved = accepted.solve(&|| Signal::Continue, &|_| {}).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
+    let solved = solve(&accepted).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
     let statistics = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
     (statistics, solved.warnings.iter().map(|warning| warning.code.to_string()).collect())
 }
@@ -133,7 +133,7 @@ fn a_hoop_that_no_net_has_is_refused_and_one_below_the_limit_is_found() {
     for force in [2.65, 3.0, 4.0, 10.0, 100.0] {
         request["cables"][0]["force"] = force.into();
         let accepted = read(request.to_string().as_bytes()).unwrap();
-        let refused = accepted.solve(&|| Signal::Continue, &|_| {}).unwrap_err();
+        let refused = solve(&accepted).unwrap_err();
         let Unsolved::Failed(error) = refused else { panic!("{refused:?}") };
         assert_eq!(error.kind, "/problems/targets-not-reached", "{force}: {error:?}");
         assert!(error.errors.iter().all(|error| error.pointer.starts_with("/edges/")), "{force}: {:?}", error.errors);
@@ -238,7 +238,7 @@ fn five_to_eight_rings_that_face_outwards_have_a_connected_film() {
 fn a_film_past_its_limit_is_refused_although_a_coarse_mesh_holds_it_and_one_before_it_is_said_to_be_near_it() {
     let past = body("film_ring_past_critical");
     let accepted = read(&past).expect("a valid request");
-    let Err(failed) = accepted.solve(&|| Signal::Continue, &|_| {}) else { panic!("no such film exists") };
+    let Err(failed) = solve(&accepted) else { panic!("no such film exists") };
     assert!(format!("{failed:?}").contains("connected"), "{failed:?}");
     // The distance of the rings is reduced from 1.002 to 0.996 of the largest one at which a connected film exists.
     let before = String::from_utf8(past).expect("JSON").replace("0.664", "0.66");
@@ -260,7 +260,7 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
 #[test]
 fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
     let accepted = read(&body("film_canopy")).unwrap();
-    let refused = accepted.solve(&|| Signal::Continue, &|_| {}).unwrap_err();
+    let refused = solve(&accepted).unwrap_err();
     let Unsolved::Failed(error) = refused else { panic!("{refused:?}") };
     assert_eq!(error.kind, "/problems/self-intersecting-boundary");
     let pointers: Vec<&str> = error.errors.iter().map(|error| &error.pointer[..]).collect();
@@ -271,7 +271,7 @@ fn a_canopy_whose_sides_cross_is_refused_with_pointers_to_both() {
 #[test]
 fn area_and_triangles_of_a_stack_are_those_of_its_mesh_caps_included() {
     let accepted = read(&body("ruled_caps")).unwrap();
-    let solved = accepted.solve(&|| Signal::Continue, &|_| {}).unwrap();
+    let solved = solve(&accepted).unwrap();
     let statistics: Value = serde_json::from_str(&solved.statistics).unwrap();
     let mesh = &solved.archive.contents().mesh;
     let of = |&t: &[u32; 3]| {
@@ -361,10 +361,6 @@ fn the_residual_is_that_of_the_mesh_down_to_rounding() {
     assert!(residual > 0.0 && residual < 1e-9, "{residual}");
 }
 
-/// Largest allowed number of elementary operations between two checks of the cancel signal. `cargo bench -p
-/// plateau-engine --bench audit` prints how long the work between two checks takes.
-const MOST_WORK: u64 = 2_000_000;
-
 /// Returns hard requests of every kind, in addition to the files of cases.
 fn hard_cases() -> Vec<(String, Value)> {
     let ring = |n: usize, x: f64, z: f64, radius: f64| -> Vec<[f64; 3]> {
@@ -411,26 +407,12 @@ fn hard_cases() -> Vec<(String, Value)> {
         .into()
 }
 
-/// Cases that each take seconds and are left to `scripts/test --full`.
-const LONG: [&str; 12] = [
-    "best",
-    "film_T_roof_200000",
-    "film_gps_corr_4000",
-    "loops_bipyr5_0.97_fixed",
-    "loops_cube_0.97_fixed",
-    "loops_octa_0.97_best",
-    "loops_of_111_points_free",
-    "noisy_frame_of_139_points",
-    "rings_past_critical_2000",
-    "spiky_loops_that_cross_best",
-    "woven_column_k0.25_h7",
-    "woven_sail_with_a_sharp_corner",
-];
-
 /// A solver cannot be cancelled while it works without a check of the signal.
 #[test]
 fn no_solver_works_for_long_without_a_look_at_the_signal() {
-    let files = ["tests/cases", "tests/cases/tensile"].into_iter().flat_map(|folder| {
+    // The first tier looks at the files where another test solves them, and leaves out the case that takes seconds.
+    let folders: &[&str] = if crate::is_full() { &["tests/cases", "tests/cases/tensile"] } else { &[] };
+    let files = folders.iter().flat_map(|folder| {
         let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
         std::fs::read_dir(folder).expect("the cases").map(|entry| entry.expect("a case").path())
     });
@@ -444,7 +426,7 @@ fn no_solver_works_for_long_without_a_look_at_the_signal() {
     cases.sort_by(|a, b| a.0.cmp(&b.0));
     cases.extend(hard_cases());
     if !crate::is_full() {
-        cases.retain(|(name, _)| !LONG.contains(&name.as_str()));
+        cases.retain(|(name, _)| name != "best");
     }
     let mut kinds = std::collections::BTreeSet::new();
     for (name, value) in cases {

@@ -23,6 +23,7 @@ mod tensile_cases;
 
 use plateau_engine::limits::Limits;
 use plateau_engine::request::Request;
+use plateau_engine::solved::{Signal, Solved, Unsolved};
 use plateau_engine::source::no_jobs;
 use plateau_strict_json::json;
 use plateau_strict_json::rejection::Rejection;
@@ -40,6 +41,17 @@ const LIMITS: Limits = Limits {
 /// Reads a request that names its own kind.
 fn read(body: &[u8]) -> Result<Request, Rejection> {
     Request::read_with_kind(&json::parse(body)?, &no_jobs, &LIMITS).map(|accepted| accepted.request)
+}
+
+/// Largest allowed number of elementary operations between two checks of the cancel signal. `cargo bench -p
+/// plateau-engine --bench audit` prints how long the work between two checks takes.
+const MOST_WORK: u64 = 2_000_000;
+
+/// Solves a request, and demands that its solver asks for the signal often enough.
+fn solve(request: &Request) -> Result<Solved, Unsolved> {
+    let (result, work) = request.solve_and_count(&|| Signal::Continue, &|_| {});
+    assert!(work <= MOST_WORK, "{work} operations between two looks at the signal");
+    result
 }
 
 /// Returns the folder of the repository.

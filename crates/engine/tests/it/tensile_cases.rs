@@ -3,7 +3,7 @@
 //!
 //! The requests are in `crates/engine/tests/cases/tensile`.
 
-use crate::read;
+use crate::{read, solve};
 use plateau_engine::solved::{Signal, Unsolved};
 use plateau_strict_json::rejection::Rejection;
 use serde_json::{Value, json};
@@ -32,7 +32,7 @@ fn end(request: &Value) -> End {
         }
         Err(Rejection::Malformed(detail)) => panic!("{detail}"),
     };
-    match accepted.solve(&|| Signal::Continue, &|_| {}) {
+    match solve(&accepted) {
         Ok(solved) => {
             let mut statistics: Value = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
             statistics["warnings"] = serde_json::to_value(&solved.warnings).expect("warnings are JSON");

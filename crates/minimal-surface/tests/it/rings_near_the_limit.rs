@@ -102,14 +102,14 @@ fn beyond_the_largest_distance_nothing_converges_and_below_it_nothing_is_lost() 
     if std::env::var_os("PLATEAU_LONG").is_none() {
         // The first tier takes the distances next to the limit, where a fault shows first, and of the finer films those
         // between the most unequal rings.
-        let factors = [0.99, 1.01, 1.1, 0.7, 2.0];
-        let factors = &factors[..if crate::is_full() { factors.len() } else { 2 }];
+        let first = |values: &'static [f64], number: usize| if crate::is_full() { values } else { &values[..number] };
+        let factors = first(&[0.99, 1.01, 1.1, 0.7, 2.0], 2);
         sweep(&[1.0, 0.1], &[[48, 24]], &[300], factors);
-        let radii = [0.001, 0.1, 1.0];
-        sweep(&radii[..if crate::is_full() { radii.len() } else { 1 }], &[[48, 24]], &[2000], factors);
+        sweep(first(&[0.001, 0.1, 1.0], 1), &[[48, 24]], &[2000], factors);
         // With only 300 triangles the edges at the small ring are many times as long as the ring is wide.
-        sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[0.98, 0.99]);
-        sweep(&[0.005, 0.001], &[[48, 24]], &[300], &[1.005, 1.5]);
+        let radii = first(&[0.001, 0.005], 1);
+        sweep(radii, &[[48, 24]], &[300], first(&[0.99, 0.98], 1));
+        sweep(radii, &[[48, 24]], &[300], first(&[1.005, 1.5], 1));
         return;
     }
     let radii = [1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];

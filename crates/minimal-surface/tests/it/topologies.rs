@@ -124,7 +124,9 @@ fn discs_beside_each_other_are_no_connected_film() {
         vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
     };
     let saddle = [square(0.0, 4.0, 0.5), square(17.0, 1.0, 0.0)];
-    for boundaries in [beside(0.1), beside(0.5), beside(20.0), saddle] {
+    let all = [beside(0.1), saddle, beside(0.5), beside(20.0)];
+    let number = if crate::is_full() { all.len() } else { 2 };
+    for boundaries in all.into_iter().take(number) {
         let surface = spanned(&boundaries, TopologyRule::Best, 800);
         let comparison = comparison(&surface);
         assert_eq!(comparison.topologies[0].films, [[0], [1]]);
