@@ -4,7 +4,7 @@
 //! The requests are in `crates/engine/tests/cases/tensile`.
 
 use crate::{read, solve};
-use plateau_engine::solved::{Signal, Unsolved};
+use plateau_engine::solved::Unsolved;
 use plateau_strict_json::rejection::Rejection;
 use serde_json::{Value, json};
 
