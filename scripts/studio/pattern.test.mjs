@@ -109,9 +109,9 @@ test('a result of the page has the page\'s pattern until the service has it too'
   assert.equal(await page.isVisible('#unkept'), false);
 });
 
-test('the name of each flat piece stands on its piece', async () => {
+test('the name of each flat piece stands on its piece, or a leader goes from it into its piece', async () => {
   const { page } = studio;
-  let named = 0;
+  const named = { on: 0, beside: 0 };
   for (const example of ['contour-stack', 'wang-tang-v', 'two-rails', 'wavy-strip']) {
     const text = await (await openFlat(page, example)).text();
     const pieces = await page.evaluate((source) => {
@@ -121,23 +121,32 @@ test('the name of each flat piece stands on its piece', async () => {
         const title = piece.querySelector('title').textContent;
         const cut = piece.querySelector('path.cut');
         const name = [...piece.querySelectorAll('text')].find((each) => each.textContent === title);
-        if (!name) return { title, off: 'no name' };
+        if (!name) return { title, named: 'no name' };
         const { x, y, width, height } = name.getBBox();
         const matrix = name.transform.baseVal.consolidate()?.matrix ?? drawing.createSVGMatrix();
         const corners = [[x, y], [x + width, y], [x, y + height], [x + width, y + height], [x + width / 2, y + height / 2]];
         // The box of a text has room for letters that reach below the line; the name has none.
         const outside = corners.filter(([cx, cy]) => !cut.isPointInFill(drawing.createSVGPoint().matrixTransform(matrix.translate(cx, y + height / 2 + (cy - y - height / 2) * 0.7))));
-        return { title, off: outside.length };
+        if (outside.length === 0) return { title, named: 'on' };
+        const corner = ([cx, cy]) => drawing.createSVGPoint().matrixTransform(matrix.translate(cx, cy));
+        const [low, high] = [corner([x, y]), corner([x + width, y + height])];
+        const leads = [...piece.querySelectorAll('line.mark')].some((leader) => {
+          const [x1, y1, x2, y2] = ['x1', 'y1', 'x2', 'y2'].map((end) => leader[end].baseVal.value);
+          const gap = Math.hypot(Math.max(low.x - x1, x1 - high.x, 0), Math.max(low.y - y1, y1 - high.y, 0));
+          const end = Object.assign(drawing.createSVGPoint(), { x: x2, y: y2 });
+          return gap < 2 * height && cut.isPointInFill(end);
+        });
+        return { title, named: outside.length === corners.length && leads ? 'beside' : 'off' };
       });
       drawing.remove();
       return found;
     }, text);
     assert.ok(pieces.length > 0, example);
-    assert.deepEqual(pieces.filter(({ off }) => off !== 0), [], example);
-    named += pieces.length;
+    assert.deepEqual(pieces.filter(({ named }) => named !== 'on' && named !== 'beside'), [], example);
+    pieces.forEach((piece) => { named[piece.named] += 1; });
     await page.click('[data-mode="model"]');
   }
-  assert.ok(named >= 7, `${named} pieces`);
+  assert.ok(named.on >= 1 && named.on + named.beside >= 7, JSON.stringify(named));
 });
 
 test('the pattern has room between its bars in every window', async () => {
