@@ -3,6 +3,7 @@
 
 pub mod flatness;
 pub mod frame;
+mod insertion_order;
 pub mod location;
 pub mod polygon;
 pub mod touching;

@@ -8,6 +8,7 @@
 //! them). Constraints are never flipped, and lines of sight end at them. All decisions use the adaptive predicates of
 //! `robust`, so that the result is exactly Delaunay, not only to a tolerance.
 
+use super::insertion_order::insertion_order;
 use crate::DVec2;
 use crate::topology::{NONE, next, previous};
 use robust::{Coord, incircle, orient2d};
@@ -96,7 +97,7 @@ pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<
         return Err(InvalidConstraints::WrongSide { from: c.from, to: c.to });
     }
     let inside = faces.cdt.inner_faces().filter(|face| is_inside(faces.label[face.fix().index()]));
-    Ok(inside.map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect())
+    Ok(inside.map(|face| face.vertices().map(|vertex| faces.point(vertex.fix()))).collect())
 }
 
 /// Where a face of spade's triangulation lies.
@@ -108,10 +109,13 @@ struct Label {
     lattice: bool,
 }
 
-/// Spade's triangulation of the whole convex hull, with the label of each face.
+/// Spade's triangulation of the whole convex hull, with the label of each face. `points` and `vertices` translate
+/// between the numbers of spade's vertices and those of the given points.
 struct Faces {
     cdt: ConstrainedDelaunayTriangulation<Point2<f64>>,
     label: Vec<Option<Label>>,
+    points: Vec<u32>,
+    vertices: Vec<u32>,
 }
 
 impl Faces {
@@ -120,87 +124,124 @@ impl Faces {
     /// # Errors
     /// A [`InvalidConstraints`]. [`InvalidConstraints::WrongSide`] is not detected here.
     fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, InvalidConstraints> {
-        let mut crossing = None;
-        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
+        let order = insertion_order(points);
+        let one_by_one = order.is_some();
+        let order = order.unwrap_or_else(|| (0..points.len() as u32).collect());
+        let mut vertices = vec![0; points.len()];
+        order.iter().enumerate().for_each(|(vertex, &point)| vertices[point as usize] = vertex as u32);
+        let edges = constraints.iter().map(|c| [c.from, c.to].map(|v| vertices[v as usize] as usize)).collect();
         // Spade refuses coordinates of less than 1e-142, so they become 0.
-        let sites = points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
-        let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
-            crossing.get_or_insert(edge);
-        })
-        .map_err(|_| InvalidConstraints::OutOfRange)?;
+        let site = |&v: &u32| spade::mitigate_underflow(Point2::new(points[v as usize].x, points[v as usize].y));
+        let sites = order.iter().map(site).collect();
+        let (cdt, crossing) = if one_by_one { inserted(sites, edges) } else { loaded(sites, edges) }
+            .ok_or(InvalidConstraints::OutOfRange)?;
         if let Some([from, to]) = crossing {
-            return Err(InvalidConstraints::Crossing { from: from as u32, to: to as u32 });
+            return Err(InvalidConstraints::Crossing { from: order[from], to: order[to] });
         }
         if cdt.num_vertices() != points.len() {
             return Err(InvalidConstraints::OutOfRange);
         }
+        let mut faces = Self { cdt, label: Vec::new(), points: order, vertices };
         // Spade splits a constraint that runs through a point, so that the triangulation does not contain the whole
         // constraint.
-        let is_missing = |c: &&Constraint| directed(&cdt, c).is_none_or(|edge| !edge.is_constraint_edge());
+        let is_missing = |c: &&Constraint| faces.directed(c).is_none_or(|edge| !edge.is_constraint_edge());
         if let Some(c) = constraints.iter().find(is_missing) {
             return Err(InvalidConstraints::Crossing { from: c.from, to: c.to });
         }
-        let label = labels(&cdt, constraints);
-        Ok(Self { cdt, label })
+        faces.label = faces.labels(constraints);
+        Ok(faces)
+    }
+
+    /// The given point of a vertex of spade's.
+    fn point(&self, vertex: FixedVertexHandle) -> u32 {
+        self.points[vertex.index()]
     }
 
     fn left_of(&self, c: &Constraint) -> Option<Label> {
-        directed(&self.cdt, c).and_then(|edge| self.label[edge.face().fix().index()])
+        self.directed(c).and_then(|edge| self.label[edge.face().fix().index()])
     }
 
     fn right_of(&self, c: &Constraint) -> Option<Label> {
-        directed(&self.cdt, c).and_then(|edge| self.label[edge.rev().face().fix().index()])
+        self.directed(c).and_then(|edge| self.label[edge.rev().face().fix().index()])
+    }
+
+    /// The constraint as an edge of the triangulation; `None` if it runs through a point.
+    fn directed(&self, c: &Constraint) -> Option<Edge<'_>> {
+        let [from, to] = [c.from, c.to].map(|v| FixedVertexHandle::from_index(self.vertices[v as usize] as usize));
+        self.cdt.get_edge_from_neighbors(from, to)
+    }
+
+    /// Finds the label of each face, starting outside the convex hull.
+    fn labels(&self, constraints: &[Constraint]) -> Vec<Option<Label>> {
+        let cdt = &self.cdt;
+        let mut borders: Vec<_> =
+            constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
+        borders.sort_unstable_by_key(|&(ends, _)| ends);
+        let border_of = |edge: &Edge<'_>| {
+            let [a, b] = [edge.from(), edge.to()].map(|vertex| self.point(vertex.fix()));
+            borders.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| borders[k].1)
+        };
+        let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
+        label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
+        // A region is filled completely before the next border is crossed. A face without a label beyond a border
+        // therefore belongs to a new region, one level further in.
+        let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
+        let mut crossings = VecDeque::new();
+        // Ends because edges are added only when a face gets its label, which happens once.
+        loop {
+            let (edge, border) = match within.pop() {
+                Some(edge) if edge.is_constraint_edge() => match border_of(&edge) {
+                    Some(border @ (Border::Outline | Border::Lattice)) => {
+                        crossings.push_back((edge, border));
+                        continue;
+                    }
+                    border => (edge, border),
+                },
+                Some(edge) => (edge, None),
+                None => match crossings.pop_front() {
+                    Some((edge, border)) => (edge, Some(border)),
+                    None => return label,
+                },
+            };
+            let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
+                continue;
+            };
+            let there = match border {
+                Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
+                Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
+                Some(Border::Slit) | None => here,
+            };
+            let Some(face) = edge.rev().face().as_inner() else { continue };
+            label[face.fix().index()] = Some(there);
+            within.extend(face.adjacent_edges());
+        }
     }
 }
 
-/// The constraint as an edge of the triangulation; `None` if it runs through a point.
-fn directed<'a>(cdt: &'a ConstrainedDelaunayTriangulation<Point2<f64>>, c: &Constraint) -> Option<Edge<'a>> {
-    let [from, to] = [c.from, c.to].map(|v| FixedVertexHandle::from_index(v as usize));
-    cdt.get_edge_from_neighbors(from, to)
+/// A triangulation, and the first constraint that crosses another one.
+type Constrained = (ConstrainedDelaunayTriangulation<Point2<f64>>, Option<[usize; 2]>);
+
+/// Triangulates all points at once. `None` if a coordinate is out of spade's range.
+fn loaded(sites: Vec<Point2<f64>>, edges: Vec<[usize; 2]>) -> Option<Constrained> {
+    let mut crossing = None;
+    let cdt = ConstrainedDelaunayTriangulation::try_bulk_load_cdt(sites, edges, |edge| {
+        crossing.get_or_insert(edge);
+    });
+    Some((cdt.ok()?, crossing))
 }
 
-/// Finds the label of each face, starting outside the convex hull.
-fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Constraint]) -> Vec<Option<Label>> {
-    let mut borders: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
-    borders.sort_unstable_by_key(|&(ends, _)| ends);
-    let border_of = |edge: &Edge<'_>| {
-        let [a, b] = [edge.from(), edge.to()].map(|vertex| vertex.fix().index() as u32);
-        borders.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| borders[k].1)
-    };
-    let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
-    label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
-    // A region is filled completely before the next border is crossed. A face without a label beyond a border therefore
-    // belongs to a new region, one level further in.
-    let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
-    let mut crossings = VecDeque::new();
-    // Ends because edges are added only when a face gets its label, which happens once.
-    loop {
-        let (edge, border) = match within.pop() {
-            Some(edge) if edge.is_constraint_edge() => match border_of(&edge) {
-                Some(border @ (Border::Outline | Border::Lattice)) => {
-                    crossings.push_back((edge, border));
-                    continue;
-                }
-                border => (edge, border),
-            },
-            Some(edge) => (edge, None),
-            None => match crossings.pop_front() {
-                Some((edge, border)) => (edge, Some(border)),
-                None => return label,
-            },
-        };
-        let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
-            continue;
-        };
-        let there = match border {
-            Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
-            Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
-            Some(Border::Slit) | None => here,
-        };
-        let Some(face) = edge.rev().face().as_inner() else { continue };
-        label[face.fix().index()] = Some(there);
-        within.extend(face.adjacent_edges());
+/// Does the same with one point after the other. Each point is looked for from the one before it.
+fn inserted(sites: Vec<Point2<f64>>, edges: Vec<[usize; 2]>) -> Option<Constrained> {
+    let mut cdt = ConstrainedDelaunayTriangulation::new();
+    for site in sites {
+        cdt.insert(site).ok()?;
     }
+    let crossing = edges.into_iter().find(|&[from, to]| {
+        let [from, to] = [from, to].map(FixedVertexHandle::from_index);
+        cdt.get_edge_from_neighbors(from, to).is_none_or(|edge| !edge.is_constraint_edge())
+            && cdt.try_add_constraint(from, to).is_empty()
+    });
+    Some((cdt, crossing))
 }
 
 /// The triangulation's input with points of equal coordinates merged, and the data to separate them again in the
@@ -352,7 +393,7 @@ impl Triangulation {
             .inner_faces()
             .filter(|face| inside(face.fix().index()))
             .map(|face| {
-                let mut corners = face.vertices().map(|v| v.fix().index() as u32);
+                let mut corners = face.vertices().map(|v| faces.point(v.fix()));
                 let least = (0..3).min_by_key(|&k| corners[k]).unwrap_or(0);
                 corners.rotate_left(least);
                 (corners, face.fix().index())
@@ -371,10 +412,10 @@ impl Triangulation {
                 if edge.is_constraint_edge() {
                     continue;
                 }
-                let k = position(corners[t as usize], edge.from().fix().index() as u32);
+                let k = position(corners[t as usize], faces.point(edge.from().fix()));
                 let other = number[edge.rev().face().fix().index()];
                 if other != NONE {
-                    let j = position(corners[other as usize], edge.to().fix().index() as u32);
+                    let j = position(corners[other as usize], faces.point(edge.to().fix()));
                     twin[t as usize][k] = 3 * other + j as u32;
                 }
             }
@@ -619,5 +660,58 @@ mod tests {
             Some(InvalidConstraints::Crossing { .. })
         ));
         assert!(matches!(outline(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]), Some(InvalidConstraints::WrongSide { .. })));
+    }
+
+    /// A narrow band along a diagonal, whose outline turns at every point.
+    fn diagonal_zigzag(points: usize) -> (Vec<DVec2>, Vec<Constraint>) {
+        let mut random = crate::random::SplitMix64::new(7);
+        let half = points / 2;
+        let mut at = |k: usize, side: f64| {
+            let along = k as f64 + random.between(-0.2, 0.2);
+            DVec2::new(along - side, along + side * (1.0 + (k % 2) as f64))
+        };
+        let mut outline: Vec<DVec2> = (0..half).map(|k| at(k, -0.1)).collect();
+        outline.extend((0..half).rev().map(|k| at(k, 0.1)));
+        let n = outline.len() as u32;
+        let constraints = (0..n).map(|k| Constraint { from: k, to: (k + 1) % n, border: Border::Outline }).collect();
+        (outline, constraints)
+    }
+
+    /// Input: a polygon of 40,000 points along a diagonal. Symptom: 12 s in spade's bulk load, without a look at the
+    /// signal, because all points lie in two directions from their middle. Rule: such points are inserted one by one,
+    /// and the triangles are those of the bulk load.
+    #[test]
+    fn points_in_few_directions_have_the_triangles_of_the_bulk_load() {
+        let (points, constraints) = diagonal_zigzag(8_000);
+        let sorted = |mut triangles: Vec<[u32; 3]>| {
+            triangles.iter_mut().for_each(|corners| {
+                let least = (0..3).min_by_key(|&k| corners[k]).unwrap();
+                corners.rotate_left(least);
+            });
+            triangles.sort_unstable();
+            triangles
+        };
+        assert!(insertion_order(&points).is_some());
+        let found = sorted(triangles_inside(&points, &constraints).unwrap());
+        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
+        let (cdt, crossing) = loaded(points.iter().map(|p| Point2::new(p.x, p.y)).collect(), edges).unwrap();
+        assert_eq!(crossing, None);
+        let faces = Faces { label: Vec::new(), points: (0..8_000).collect(), vertices: (0..8_000).collect(), cdt };
+        let label = faces.labels(&constraints);
+        let inside = faces.cdt.inner_faces().filter(|face| label[face.fix().index()].is_some_and(|l| l.depth == 1));
+        assert_eq!(found, sorted(inside.map(|face| face.vertices().map(|v| v.fix().index() as u32)).collect()));
+        assert_eq!(found.len(), 7_998);
+        Triangulation::build(points, &constraints).unwrap().sanity_check();
+
+        let mut random = crate::random::SplitMix64::new(8);
+        let anywhere: Vec<DVec2> = (0..8_000).map(|_| DVec2::new(random.unit(), random.unit())).collect();
+        assert!(insertion_order(&anywhere).is_none());
+    }
+
+    #[test]
+    fn crossing_outlines_in_few_directions_are_named() {
+        let (mut points, constraints) = diagonal_zigzag(8_000);
+        points.swap(700, 720);
+        assert!(matches!(triangles_inside(&points, &constraints), Err(InvalidConstraints::Crossing { .. })));
     }
 }
