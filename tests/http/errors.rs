@@ -279,7 +279,9 @@ async fn an_unknown_query_parameter_is_400_on_every_path() {
         problem(app.get(&format!("{path}?a=1")).await, 400).await;
     }
     // A page's own query is not the server's.
-    assert_eq!(app.get("/?example=tent").await.status(), 200);
+    if cfg!(feature = "studio") {
+        assert_eq!(app.get("/?example=tent").await.status(), 200);
+    }
 }
 
 #[tokio::test]

@@ -1,6 +1,6 @@
 //! Options: the members of a request that act only with some choices of its other members.
 //!
-//! Each kind has one table, [`Optioned::OPTIONS`]. The check of a request reads it, and so do the catalogue
+//! Each kind has one table, `Optioned::OPTIONS`. The check of a request reads it, and so do the catalogue
 //! (`GET /v1/objectives`) and the descriptions of the API document.
 
 use plateau_strict_json::rejection::FieldError;

@@ -178,7 +178,7 @@ impl Request {
     }
 
     /// Solves the request on the calling thread. The solver calls `signal` as often as
-    /// [`Execution`](plateau_mesh::Execution) promises.
+    /// [`Execution`] promises.
     ///
     /// # Errors
     /// Returns the error of the solver.
