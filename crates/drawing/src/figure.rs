@@ -472,6 +472,10 @@ fn texts(
                 take(&mut taken, panel);
                 put(text, spot);
             }
+            // Cloth has no leaders, so that the number of a bridge stands at its edge, also across folds.
+            None if options.profile == Profile::Astm && label.panels[0] == label.panels[1] => {
+                put(text, at_edge(label.sides[0], &figure.cut, text, options.text_height));
+            }
             None => {
                 // The texts beside a piece stand above it, so that the leader starts at the upper end.
                 let [p, q] = [0, 1].map(|end| label.sides[0][end].midpoint(label.sides[1][end]));
@@ -481,6 +485,15 @@ fn texts(
     }
     shapes.extend(texts_beside(piece, figure, beside, name.is_none(), options));
     shapes
+}
+
+/// Returns the place of a text along the middle of an edge, inside the piece. It is no longer than the edge.
+fn at_edge([from, to]: [DVec2; 2], cut: &[DVec2], text: &str, height: f64) -> Spot {
+    let height = height.min(0.8 * from.distance(to) / label::width(text, 1.0));
+    let middle = from.midpoint(to);
+    let inwards = (to - from).perp().normalize_or_zero() * (0.8 * height);
+    let at = if polygon::contains(cut, middle + inwards) { middle + inwards } else { middle - inwards };
+    Spot::amid(at, label::readable((to - from).normalize_or_zero()), height)
 }
 
 /// Returns the texts that do not fit into a piece: angles with the ends of their folds, and the name.

@@ -91,6 +91,29 @@ fn each_piece_is_a_block_with_its_outline_on_layer_1() {
     }
 }
 
+/// Input: halves of a duct whose ends are narrow panels. Symptom: the number of a bridge found no room clear of the
+/// folds, and was left out at one of its two sides. Rule: each side of a cut has the number of its bridge.
+#[test]
+fn each_side_of_a_cut_has_the_number_of_its_bridge() {
+    let mut numbers = 0;
+    for (name, archive) in all() {
+        for height in ["2", "25", "200"] {
+            let query = format!("profile=astm-d6673&cut_at=2,5&allowance=10&text_height={height}");
+            let Ok(file) = make(&archive, &query) else { continue };
+            let pairs = dxf_pairs(&file);
+            let texts: Vec<&str> = entities(&pairs)
+                .iter()
+                .filter(|e| e[0].1 == "TEXT" && value(e, 8) == "15" && value(e, 1).starts_with("bridge"))
+                .map(|e| value(e, 1))
+                .collect();
+            let pair = |text: &&str| texts.iter().filter(|other| *other == text).count() == 2;
+            assert!(!texts.is_empty() && texts.iter().all(pair), "{name} {height}: {texts:?}");
+            numbers += texts.len();
+        }
+    }
+    assert!(numbers >= 12, "{numbers}");
+}
+
 #[test]
 fn what_cloth_has_no_use_for_is_refused() {
     let (_, archive) = all().remove(1);
