@@ -1,9 +1,9 @@
 //! The order in which points are inserted into a Delaunay triangulation whose points lie in few directions.
 //!
-//! spade's bulk load goes outwards from the middle of the bounding box and looks up the direction of each point on the
-//! hull. If most points lie in a few directions, as along a narrow diagonal strip, it walks along the hull instead, and
-//! takes quadratic time. Such points are inserted one by one in an order that is random from afar and follows a curve
-//! that fills the plane from near (Amenta, Choi, Rote: Incremental constructions con BRIO, 2003). This takes O(n log n)
+//! spade's bulk load goes outwards from the mean of the points and looks up the direction of each point on the hull. If
+//! most points lie in a few directions, as along a narrow diagonal strip, it walks along the hull instead, and takes
+//! quadratic time. Such points are inserted one by one in an order that is random from afar and follows a curve that
+//! fills the plane from near (Amenta, Choi, Rote: Incremental constructions con BRIO, 2003). This takes O(n log n)
 //! expected time wherever the points lie.
 
 use crate::DVec2;
@@ -18,7 +18,7 @@ pub(super) fn insertion_order(points: &[DVec2]) -> Option<Vec<u32>> {
     let number = points.len();
     let low = points.iter().copied().reduce(DVec2::min)?;
     let high = points.iter().copied().reduce(DVec2::max)?;
-    if number < MOST_IN_A_DIRECTION || !lies_in_few_directions(points, low + (high - low) / 2.0) {
+    if number < MOST_IN_A_DIRECTION || !lies_in_few_directions(points) {
         return None;
     }
     let scale = f64::from(u32::MAX) / (high - low).max_element();
@@ -35,10 +35,11 @@ pub(super) fn insertion_order(points: &[DVec2]) -> Option<Vec<u32>> {
     Some(keys.into_iter().map(|(_, _, v)| v).collect())
 }
 
-/// Whether a point has on average more than [`MOST_IN_A_DIRECTION`] points in its direction from the centre, where a
+/// Whether a point has on average more than [`MOST_IN_A_DIRECTION`] points in its direction from their mean, where a
 /// direction is the n-th part of a turn.
-fn lies_in_few_directions(points: &[DVec2], centre: DVec2) -> bool {
+fn lies_in_few_directions(points: &[DVec2]) -> bool {
     let number = points.len();
+    let centre = points.iter().sum::<DVec2>() / number as f64;
     let mut counts = vec![0usize; number];
     for &p in points {
         let d = p - centre;
@@ -49,10 +50,11 @@ fn lies_in_few_directions(points: &[DVec2], centre: DVec2) -> bool {
             (false, false) => 5.0 + d.y / d.x,
             (false, true) => 7.0 - d.x / d.y,
         };
-        // The middle itself has no direction, and becomes 0.
+        // The mean itself has no direction, and becomes 0.
         counts[((turn / 8.0 * number as f64) as usize).min(number - 1)] += 1;
     }
-    counts.iter().map(|count| count * count).sum::<usize>() > MOST_IN_A_DIRECTION * number
+    // A page counts in 32 bits, which do not hold the square of the points that a request may have.
+    counts.iter().map(|&count| (count as u64).pow(2)).sum::<u64>() > (MOST_IN_A_DIRECTION * number) as u64
 }
 
 /// Puts a zero bit before each bit.
