@@ -4,8 +4,7 @@ use plateau_mesh::DVec2;
 
 /// Height of the smallest text, in millimetres.
 const LEAST_HEIGHT: f64 = 2.0;
-/// Height of the smallest text inside a piece, as a fraction of the height asked for. The
-/// default of 5 mm gives 2 mm.
+/// Height of the smallest text inside a piece, as a fraction of the height asked for. The default of 5 mm gives 2 mm.
 const LEAST_INSIDE: f64 = 0.4;
 /// Distance of two texts that stand side by side, as a multiple of their height.
 const PITCH: f64 = 1.6;
