@@ -1,6 +1,5 @@
-//! Settings: one struct per concern, with the units in the names. `config/default.toml` and the table of settings in
-//! `docs/OPERATIONS.md` are generated from the doc comments and defaults of this file. A test fails if they differ and
-//! names the command that writes them again.
+//! Settings: one struct per concern, with the units in the names. `config/default.toml` is generated from the doc comments
+//! and defaults of this file. A test fails if they differ and names the command that writes the file again.
 //!
 //! Flags take precedence over the environment, the environment over the file, and the file over the defaults. A setting
 //! `[section] key` is also read from `PLATEAU_SECTION__KEY`; four of them have short names too (`PLATEAU_LISTEN`,
@@ -610,11 +609,7 @@ mod tests {
     }
 
     const DEFAULT_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/config/default.toml");
-    const OPERATIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/OPERATIONS.md");
-    /// The lines of OPERATIONS.md between which the table of settings stands.
-    const TABLE: [&str; 2] =
-        ["<!-- settings, written by: PLATEAU_WRITE=1 cargo test --lib config -->\n", "<!-- end of settings -->\n"];
-    /// The command that writes both files again.
+    /// The command that writes the file again.
     const REFRESH: &str = "PLATEAU_WRITE=1 cargo test --lib config";
 
     /// Documentation of a struct of settings: its name in the file, its own text, and the name and text of each
@@ -680,40 +675,10 @@ mod tests {
         text
     }
 
-    fn settings_table(sections: &[Section], defaults: &Table) -> String {
-        let mut text = String::from("| setting | default | meaning |\n| --- | --- | --- |\n");
-        for Section { name: section, settings, .. } in sections {
-            for (name, doc) in settings {
-                let default = match defaults[section].get(name) {
-                    Some(Value::Table(_)) => "none".into(),
-                    Some(Value::Array(values)) if values.is_empty() => "none".into(),
-                    Some(Value::String(text)) if text.is_empty() => "empty".into(),
-                    Some(Value::String(text)) => format!("`{text}`"),
-                    Some(value) => format!("`{value}`"),
-                    None => "absent".into(),
-                };
-                text.push_str(&format!("| `{section}.{name}` | {default} | {doc} |\n"));
-            }
-        }
-        text
-    }
-
-    /// Compares a file with its expected content. With PLATEAU_WRITE it writes the file first.
-    fn check_or_write(path: &str, expected: &str) {
-        if std::env::var_os("PLATEAU_WRITE").is_some() {
-            std::fs::write(path, expected).unwrap();
-        }
-        let found = std::fs::read_to_string(path).unwrap();
-        assert!(
-            found == expected,
-            "{path} is not what the doc comments of src/config.rs say; write it again: {REFRESH}"
-        );
-    }
-
     #[test]
-    fn the_default_file_and_the_operators_table_come_from_the_doc_comments() {
+    fn the_default_file_comes_from_the_doc_comments() {
         let sections = sections();
-        // The files say what a build with every part does.
+        // The file says what a build with every part does.
         let mut every_part = Config::default();
         (every_part.http.studio, every_part.http.hops) = (true, true);
         let defaults = Table::try_from(&every_part).unwrap();
@@ -728,12 +693,13 @@ mod tests {
         assert_eq!(sections.len(), defaults.len());
         let file = default_file(&sections, &defaults);
         assert_eq!(toml::from_str::<Config>(&file).unwrap(), every_part);
-        check_or_write(DEFAULT_FILE, &file);
-        let operations = std::fs::read_to_string(OPERATIONS).unwrap();
-        let (before, rest) = operations.split_once(TABLE[0]).expect("the mark before the table");
-        let (_, after) = rest.split_once(TABLE[1]).expect("the mark after the table");
-        let table = settings_table(&sections, &defaults);
-        check_or_write(OPERATIONS, &[before, TABLE[0], &table, TABLE[1], after].concat());
+        if std::env::var_os("PLATEAU_WRITE").is_some() {
+            std::fs::write(DEFAULT_FILE, &file).unwrap();
+        }
+        assert!(
+            std::fs::read_to_string(DEFAULT_FILE).unwrap() == file,
+            "{DEFAULT_FILE} is not what the doc comments of src/config.rs say; write it again: {REFRESH}"
+        );
     }
 
     #[test]
