@@ -86,7 +86,6 @@ pub(super) struct Found {
     /// The residual of step 2.
     pub residual: f64,
     pub iterations: u32,
-    pub energy: f64,
     pub stability: Option<Stability>,
     /// Displacements of the vertices in the lowest mode.
     pub lowest_mode: Option<Vec<DVec3>>,
@@ -113,7 +112,6 @@ impl Found {
             stop_reason: StopReason::Stalled,
             residual: f64::INFINITY,
             iterations: 0,
-            energy: 0.0,
             stability: None,
             lowest_mode: None,
             pressures: vec![0.0; chambers],
@@ -327,13 +325,13 @@ impl Run<'_> {
         self.settle_and_solve(found)
     }
 
-    /// The residual and the energy of a shape that was left before Newton's method began.
+    /// The residual of a shape that was left before Newton's method began.
     fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
         let mut body = self.model.body(self.structure, 1.0, Stage::Exact)?;
         let settings = Settings { max_steps: 0, ..Settings::default() };
         let (_, state) =
             body.solve_once(&settings, &Execution::default(), &mut |_, _| {}, &mut self.factor).map_err(too_large)?;
-        (found.residual, found.energy) = (state.residual, state.energy);
+        found.residual = state.residual;
         Ok(())
     }
 
@@ -405,7 +403,6 @@ impl Run<'_> {
             let solves = self.solves;
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
-            found.energy = state.energy;
             self.multipliers(&state, found);
             match StopReason::after(outcome).map_err(Error::from)? {
                 // Without a step the residual is that of the reference shape itself.
@@ -447,7 +444,6 @@ impl Run<'_> {
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
             found.residual = state.residual;
-            found.energy = state.energy;
             self.multipliers(&state, found);
             let reason = StopReason::after(outcome).map_err(Error::from)?;
             if reason != StopReason::Residual {

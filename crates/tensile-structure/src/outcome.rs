@@ -3,7 +3,7 @@
 
 use super::corners;
 use super::form_finding::{Ending, Found, SAME_FORCE};
-use super::model::{Model, ModelCable, MovingRing, forces};
+use super::model::{Model, ModelCable, MovingRing, Stage, forces};
 use super::options::{
     CableMode, Chamber, Course, FilmPrestress, FilmStress, Pressure, Ring, Structure, cable_place, chord, layer_place,
 };
@@ -162,7 +162,8 @@ pub(super) fn finish(
     let edge_forces = edge_forces(&model, &holds, &triangles, &stresses, &at);
     let reactions = reactions(&model, &found, &holds, &edge_forces);
     let statistics = Statistics {
-        energy: found.energy,
+        // The energy is that of the mesh that is returned, whichever step ended the search.
+        energy: model.body(structure, 1.0, Stage::Exact)?.energy(),
         vertices: at.len(),
         triangles: triangles.len(),
         area: measure::area(&film),
