@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 
-ELSEWHERE = {"cablenet.md", "src/hops/RemoteDefinition.cs", "HopsComponent.cs"}
+ELSEWHERE = {"cablenet.md", "film.ts", "src/hops/RemoteDefinition.cs", "HopsComponent.cs"}
 FILE = re.compile(r"(?:.*/)?[^/]+\.(?:rs|md|py|sql|mjs|ts|toml|jsonl|txt|json|css|html|yml|yaml|sh|cs|png)")
 os.chdir(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 listed = subprocess.check_output(["git", "ls-files", "-co", "--exclude-standard"], text=True)

@@ -153,8 +153,12 @@ def test_a_server_that_is_not_there_and_a_key_that_is_missing(tmp_path_factory: 
     assert patience.seconds == flows.FIRST_CONTACT_S
     patience.reached = True
     assert patience.seconds == flows.PATIENCE_S and flows.Patience(7).seconds == 7
-    with pytest.raises(ConnectionFailed):
-        Plateau("http://127.0.0.1:9", patience=0.2).limits()
+    absent = Plateau("http://127.0.0.1:9", patience=0.2)
+    for ask in (absent.limits, lambda: absent.minimal_surface([TENT])):
+        with pytest.raises(ConnectionFailed, match=r"^http://127\.0\.0\.1:9 cannot be reached .*start the service") as told:
+            ask()
+        # No server can have accepted a job, so that a key to ask for it would mislead.
+        assert told.value.idempotency_key is None
     folder = tmp_path_factory.mktemp("keys")
     key = "0123456789abcdef0123456789abcdef"
     (folder / "config.toml").write_text(f'[auth.keys]\nstudio = "{hashlib.sha256(key.encode()).hexdigest()}"\n')

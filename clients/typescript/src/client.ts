@@ -424,7 +424,8 @@ export class Plateau {
         sending.signal?.throwIfAborted();
         if (!this.#patience.reached && (await this.#isBlocked())) throw this.#blocked(error);
         if (await attempts.again(0, sending.signal)) continue;
-        throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
+        const remedy = this.#patience.reached ? '' : '; start the service there, or name its address by `url` or PLATEAU_URL';
+        throw new ConnectionFailed(`${this.url} cannot be reached${remedy}`, { cause: error });
       }
       if (response.ok) return body;
       const problem = problemOf(response, new TextDecoder().decode(body));

@@ -171,11 +171,11 @@ def _call(request: Call, patience: Patience, until: Optional[float]) -> Flow[htt
             retry_after = response.headers.get("retry-after", "")
             asked_s = max(0.2, float(retry_after)) if retry_after.isdigit() else 0.0
         except httpx.TransportError as error:
-            failure, cause = errors.ConnectionFailed(f"{type(error).__name__}: {error}"), error
             if isinstance(error, httpx.UnsupportedProtocol):
-                raise failure from error
+                raise errors.ConnectionFailed(f"{type(error).__name__}: {error}") from error
             # A connection that breaks later had reached a server.
             patience.reached = patience.reached or not isinstance(error, (httpx.ConnectError, httpx.ConnectTimeout))
+            failure, cause = unanswered(error, patience), error
         now = time.monotonic()
         give_up_at = now + patience.seconds if give_up_at is None else give_up_at
         if now + asked_s >= give_up_at:
@@ -185,6 +185,15 @@ def _call(request: Call, patience: Patience, until: Optional[float]) -> Flow[htt
         yield Pause(pause if left is None else min(pause, left))
         _left(until)
         pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
+
+
+def unanswered(error: httpx.TransportError, patience: Patience) -> errors.ConnectionFailed:
+    """The exception for a request without an answer. It names the address, and the remedy if no server was ever there."""
+    url = error.request.url
+    text = f"{url.scheme}://{url.netloc.decode()} cannot be reached ({type(error).__name__}: {error})"
+    if not patience.reached:
+        text += "; start the service there, or name its address by PLATEAU_URL"
+    return errors.ConnectionFailed(text)
 
 
 def problem(response: httpx.Response) -> errors.ProblemError:
@@ -243,12 +252,19 @@ def submit(
     if wait_s > 0:
         headers["Prefer"] = f"wait={wait_s}"
     posted = Call("POST", PATHS[kind], {}, headers, to_json(request), longer_s=wait_s, whole=True)
-    try:
+    with keyed(key, patience):
         response = yield from call(posted, patience, until)
-    except errors.ConnectionFailed as error:
-        error.idempotency_key = key
-        raise
     return cast("Job", response.json())
+
+
+@contextlib.contextmanager
+def keyed(key: str, patience: Patience) -> Iterator[None]:
+    """Gives a failed connection the key of its submission, which a server may have accepted if one was ever reached."""
+    try:
+        yield
+    except errors.ConnectionFailed as error:
+        error.idempotency_key = key if patience.reached else None
+        raise
 
 
 @contextlib.contextmanager
@@ -381,11 +397,8 @@ def submit_batch(requests: Sequence[Mapping[str, Any]], key: str, patience: Pati
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
     body = to_json({"requests": [dict(request) for request in requests]})
     posted = Call("POST", "v1/batches", {}, headers, body, whole=True)
-    try:
+    with keyed(key, patience):
         response = yield from call(posted, patience)
-    except errors.ConnectionFailed as error:
-        error.idempotency_key = key
-        raise
     return cast("Batch", response.json())
 
 
