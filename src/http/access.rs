@@ -305,16 +305,7 @@ mod tests {
         ] {
             assert!(is_public(path), "{path}");
         }
-        for path in [
-            "/v1/jobs",
-            "/metrics",
-            "/docsx",
-            "/healthy",
-            "//v1/jobs",
-            "/v1/examples",
-            "/solve",
-            "/hopsx",
-        ] {
+        for path in ["/v1/jobs", "/metrics", "/docsx", "/healthy", "//v1/jobs", "/v1/examples", "/solve", "/hopsx"] {
             assert!(!is_public(path), "{path}");
         }
     }
