@@ -99,6 +99,17 @@ test('arcs, splines and weights of DXF are the curves that they stand for', asyn
   for (const [x, y] of await ring('ezdxf-rational-spline.dxf')) assert.ok(Math.abs(Math.hypot(x, y) - 10) < 1e-9, 'a quarter of a circle');
   // The uniform cubic spline of a rectangle passes a sixth of the way from each corner to its neighbours.
   assert.ok((await ring('ezdxf-spline.dxf')).some(([x, y]) => Math.hypot(x - 10 / 6, y - 1) < 1e-9));
+  // A spline without control points passes the points that it was fitted to. Where the last one is the first, it is closed.
+  const through = [[0, 0], [5, -1], [10, 0], [10, 6], [0, 6]];
+  const fitted = await ring('ezdxf-spline-through.dxf');
+  for (const [x, y] of through) assert.ok(fitted.some((point) => Math.hypot(point[0] - x, point[1] - y) < 1e-9), `through ${x}, ${y}`);
+  const fits = [...through, through[0]];
+  const spline = (z) => `0\nSPLINE\n8\n0\n70\n0\n71\n3\n74\n6\n${fits.map(([x, y]) => `11\n${x}\n21\n${y}\n31\n${z}\n`).join('')}`;
+  await studio.open('wavy-strip');
+  await give(page, 'rails.dxf', `0\nSECTION\n2\nENTITIES\n${spline(0)}${spline(2)}0\nENDSEC\n0\nEOF\n`);
+  const strip = await request(page);
+  assert.equal(strip.closed, true);
+  assert.deepEqual(strip.directrices.map((rail) => rail.length), [40, 40], 'eight points from each to the next, also from the last to the first');
 });
 
 test.quick('the two rails of an own strip come back from its OBJ, whatever is drawn before', async () => {
@@ -112,6 +123,16 @@ test.quick('the two rails of an own strip come back from its OBJ, whatever is dr
   assert.equal(await page.evaluate(() => window.studio.kind()), 'ruled_surface');
   assert.deepEqual((await request(page)).directrices.map((rail) => rail.length), directrices.map((rail) => rail.length));
   await solved(page);
+});
+
+test('what was done to a file stays in view beside the error of its film', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await open(page, 'geopandas-degrees.geojson');
+  await page.locator('#problem:not([hidden])').waitFor();
+  const note = await page.locator('#card p:has-text("projected to a plane")').boundingBox();
+  const sheet = await page.locator('#sheet').boundingBox();
+  assert.ok(note.y >= sheet.y && note.y + note.height <= sheet.y + sheet.height, JSON.stringify({ note, sheet }));
 });
 
 test('a file that is no drawing is named, and the numbers of tables are read as people write them', async () => {

@@ -66,3 +66,23 @@ test('an arc passes its three points, and a curve all of its points, for loops a
   assert.equal(rail.length, 13);
   assert.ok(near(rail[0], [0, 30]) && near(rail[6], [5, 32]) && near(rail[12], [10, 30]));
 });
+
+test('a curve through points at uneven distances has no loop and keeps close to them', async () => {
+  const { page } = studio;
+  await studio.open();
+  await page.uncheck('#live');
+  await page.click('#intro-draw');
+  await draw(page, 'curve', ['0, 0', '10, 0', '10.4, 0.4', '10.4, 10']);
+  await page.keyboard.press('Enter');
+  const [curve] = (await request(page)).boundaries;
+  const side = ([px, py], [qx, qy], [rx, ry]) => Math.sign((qx - px) * (ry - py) - (qy - py) * (rx - px));
+  const crossings = curve.flatMap((a, i) => curve.slice(i + 2).filter((c, j) => {
+    const [b, d] = [curve[i + 1], curve[i + j + 3]];
+    return d && side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  }));
+  assert.deepEqual(crossings, []);
+  await draw(page, 'curve', ['0, 20', '10, 20', '10, 20.5', '0, 20.5']);
+  await page.keyboard.press('Enter');
+  const loop = (await request(page)).boundaries[1];
+  assert.ok(loop.every(([x]) => x > -0.25 && x < 10.25), 'no farther out than half of its width');
+});

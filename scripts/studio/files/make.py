@@ -1,9 +1,12 @@
-"""Writes the drawings of this folder with other programs: ezdxf, GDAL, geopandas, pandas, trimesh, OpenSCAD, pstoedit, potrace, assimp
-and Gnumeric. The files are committed, and files.json says what the studio must find in each.
+"""Writes the drawings of this folder with other programs: ezdxf, GDAL, geopandas, pandas, trimesh, OpenSCAD, pstoedit, potrace, assimp,
+Gnumeric and FreeCAD. The files are committed, and files.json says what the studio must find in each.
 
     pip install ezdxf geopandas trimesh networkx
-    apt-get install openscad pstoedit potrace assimp-utils gnumeric
+    apt-get install openscad pstoedit potrace assimp-utils gnumeric libfreecad-python3-0.20
     python3 make.py
+
+librecad-arch.dxf was drawn in LibreCAD 2.2 in mm by these commands, and saved as DXF 2007: line 0,0 8000,0 8000,6000;
+arc 8000,6000 4000,8000 0,6000; line 0,6000 0,0; circle 4000,3000 500.
 """
 
 import json
@@ -122,3 +125,27 @@ rows = "\n".join(" ".join("1" if (x - 60) ** 2 / 50**2 + (y - 40) ** 2 / 30**2 <
 subprocess.run(["potrace", "-b", "dxf", "-o", here / "potrace-disc.dxf", here / "disc.tmp.pbm"], check=True)
 subprocess.run(["potrace", "-b", "geojson", "-o", here / "potrace-disc.geojson", here / "disc.tmp.pbm"], check=True)
 (here / "disc.tmp.pbm").unlink()
+
+# Wires of FreeCAD, which writes each edge as an entity of its own: a stadium of lines and arcs, a leaf of a spline and
+# a line, and a sail. Debian's FreeCAD belongs to Debian's Python.
+FREECAD = """
+import sys
+sys.path.append("/usr/lib/freecad-python3/lib")
+import FreeCAD, Import, Part
+from FreeCAD import Vector
+line, arc = (lambda *ends: Part.makeLine(*(Vector(*end) for end in ends))), (lambda *points: Part.Arc(*(Vector(*point) for point in points)).toShape())
+spline = Part.BSplineCurve()
+spline.interpolate([Vector(0, 0, 0), Vector(5000, 4000, 0), Vector(10000, 0, 0)])
+sail = [Vector(0, 0, 0), Vector(12400, 0, 2500), Vector(12400, 6100, 0), Vector(0, 6100, 2500)]
+document = FreeCAD.newDocument()
+for name, shape in {
+    "Stadium": Part.Wire([line((0, 0, 0), (8000, 0, 0)), arc((8000, 0, 0), (11000, 3000, 0), (8000, 6000, 0)), line((8000, 6000, 0), (0, 6000, 0)), arc((0, 6000, 0), (-3000, 3000, 0), (0, 0, 0))]),
+    "Leaf": Part.Wire([spline.toShape(), line((10000, 0, 0), (0, 0, 0))]),
+    "Sail": Part.makePolygon([*sail, sail[0]]),
+}.items():
+    part = document.addObject("Part::Feature", name)
+    part.Shape = shape
+    document.recompute()
+    Import.writeDXFObject([part], f"freecad-{name.lower()}.dxf")
+"""
+subprocess.run(["/usr/bin/python3", "-c", FREECAD], check=True, cwd=here)

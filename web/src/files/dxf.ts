@@ -2,10 +2,11 @@
 // their places, by dxf-parser. `$INSUNITS` of the header is the unit.
 
 import DxfParser from 'dxf-parser';
-import { CatmullRomCurve3, Vector3, Vector4 } from 'three';
-import { NURBSCurve } from 'three/examples/jsm/curves/NURBSCurve.js';
+import { Vector4 } from 'three';
+import { calcBSplinePoint } from 'three/examples/jsm/curves/NURBSUtils.js';
 import type { Vec3 } from '../model/request';
-import { chains, type Drawing, FileFault, type Polyline, polyline, quote } from './lines';
+import { curve } from '../model/shapes';
+import { type Drawing, FileFault, joined, type Polyline, polyline, quote } from './lines';
 import type { Length } from './units';
 
 interface Vertex { x: number; y: number; z?: number; bulge?: number }
@@ -31,8 +32,8 @@ const UNITS: Record<number, Length> = { 1: 'in', 2: 'ft', 3: 'mi', 4: 'mm', 5: '
 /** Entities that are no lines and are left out without a word. */
 const SILENT = ['VIEWPORT', 'ATTDEF', 'ATTRIB', 'SEQEND'];
 
-/** Collects what the entities of a file give. */
-interface Found { segments: Map<string, [Vec3, Vec3][]>; lines: Polyline[]; left: Map<string, number>; weights: Map<string, number[]> }
+/** Collects what the entities of a file give. The lines and arcs of each layer are joined at the end. */
+interface Found { loose: Map<string, Vec3[][]>; lines: Polyline[]; left: Map<string, number>; weights: Map<string, number[]> }
 type Place = (point: Vec3) => Vec3;
 
 export function readDxf(source: string): Drawing {
@@ -44,10 +45,10 @@ export function readDxf(source: string): Drawing {
   } catch (error) {
     throw new FileFault(`This is not DXF that can be read: ${error instanceof Error ? error.message : String(error)}.`);
   }
-  const found: Found = { segments: new Map(), lines: [], left: new Map(), weights };
+  const found: Found = { loose: new Map(), lines: [], left: new Map(), weights };
   collect(parsed, parsed.entities ?? [], (point) => point, undefined, 0, found);
-  const loose = [...found.segments].flatMap(([layer, segments]) => chains(segments, 1e-7, layer));
-  const all = [...found.lines, ...loose];
+  const layers = new Set([...found.lines.map(({ layer }) => layer!), ...found.loose.keys()]);
+  const all = [...layers].flatMap((layer) => joined(found.loose.get(layer) ?? [], found.lines.filter((line) => line.layer === layer), layer));
   if (all.length === 0) throw new FileFault('This DXF file has no lines, polylines, arcs or splines.');
   const left = [...found.left].map(([type, n]) => `${n} ${type.toLowerCase()}`).join(', ');
   return { format: 'DXF', lines: all, unit: UNITS[Number(parsed.header?.$INSUNITS)] ?? null, up: 'z', notes: left === '' ? [] : [`Left out, because they are no lines: ${left}.`] };
@@ -67,13 +68,21 @@ function collect(parsed: Parsed, entities: Entity[], outer: Place, layerOfBlock:
     const add = (points: Vec3[], closed = false, place: Place = upright): void => {
       if (points.length >= 2) found.lines.push(polyline(points.map((point) => outer(place(point))), closed, layer));
     };
+    /** Adds an open piece of a chain. */
+    const piece = (points: Vec3[], place: Place = upright): void => {
+      const own = found.loose.get(layer) ?? [];
+      own.push(points.map((point) => outer(place(point))));
+      found.loose.set(layer, own);
+    };
     const own = (entity.vertices ?? []).map(({ x, y, z }): Vec3 => [x, y, z ?? entity.elevation ?? 0]);
-    if (entity.type === 'LINE' && own.length >= 2) found.segments.set(layer, [...found.segments.get(layer) ?? [], [outer(own[0]!), outer(own[1]!)]]);
+    if (entity.type === 'LINE' && own.length >= 2) piece(own.slice(0, 2), (point) => point);
     else if ((entity.type === 'LWPOLYLINE' || entity.type === 'POLYLINE') && !entity.isPolyfaceMesh && !entity.is3dPolygonMesh) add(bulged(entity.vertices ?? [], own, entity.shape === true), entity.shape === true);
-    else if ((entity.type === 'CIRCLE' || entity.type === 'ARC') && entity.center && entity.radius) add(arc(entity), entity.type === 'CIRCLE');
+    else if (entity.type === 'CIRCLE' && entity.center && entity.radius) add(arc(entity), true);
+    else if (entity.type === 'ARC' && entity.center && entity.radius) piece(arc(entity));
     else if (entity.type === 'ELLIPSE' && entity.center && entity.majorAxisEndPoint) {
       const { points, closed } = ellipse(entity);
-      add(points, closed, (point) => point);
+      if (closed) add(points, true, (point) => point);
+      else piece(points, (point) => point);
     } else if (entity.type === 'SPLINE') add(spline(entity, found.weights), entity.closed === true, (point) => point);
     else if (!SILENT.includes(entity.type)) found.left.set(entity.type, (found.left.get(entity.type) ?? 0) + 1);
   }
@@ -160,20 +169,21 @@ function ellipse({ center, majorAxisEndPoint: major, axisRatio = 1, startAngle =
 function spline({ handle, fitPoints = [], controlPoints = [], knotValues: knots = [], degreeOfSplineCurve: degree = 3, closed }: Entity, weights: Found['weights']): Vec3[] {
   const own = ({ x, y, z }: Vertex): Vec3 => [x, y, z ?? 0];
   if (controlPoints.length <= degree || knots.length !== controlPoints.length + degree + 1) {
-    const through = (fitPoints.length > 0 ? fitPoints : controlPoints).map((point) => new Vector3(...own(point)));
-    if (through.length < 3) return through.map((point) => point.toArray());
-    const round = closed === true || through[0]!.distanceTo(through.at(-1)!) === 0;
-    const points = new CatmullRomCurve3(round && !closed ? through.slice(0, -1) : through, round).getPoints(PER_SPAN * through.length);
-    return (round ? points.slice(0, -1) : points).map((point) => point.toArray());
+    const through = (fitPoints.length > 0 ? fitPoints : controlPoints).map(own);
+    if (through.length < 3) return through;
+    const returns = through[0]!.every((value, axis) => value === through.at(-1)![axis]);
+    const points = curve(returns ? through.slice(0, -1) : through, closed === true || returns, PER_SPAN);
+    return returns ? [...points, points[0]!] : points;
   }
   const weight = weights.get(String(handle)) ?? [];
   const controls = controlPoints.map(({ x, y, z }, i) => new Vector4(x, y, z ?? 0, weight[i] ?? 1));
   const last = knots.length - 1 - degree;
-  const curve = new NURBSCurve(degree, knots, controls, degree, last);
-  const [low, high] = [knots[degree]!, knots[last]!];
   const inner = [...new Set(knots.slice(degree, last + 1))];
-  const places = [...inner.slice(1).flatMap((to, i) => Array.from({ length: PER_SPAN }, (_, k) => inner[i]! + ((to - inner[i]!) * k) / PER_SPAN)), high];
-  const points = places.map((u) => curve.getPoint((u - low) / (high - low)).toArray() as Vec3);
+  const places = [...inner.slice(1).flatMap((to, i) => Array.from({ length: PER_SPAN }, (_, k) => inner[i]! + ((to - inner[i]!) * k) / PER_SPAN)), knots[last]!];
+  const points = places.map((u): Vec3 => {
+    const { x, y, z, w } = calcBSplinePoint(degree, knots, controls, u);
+    return [x / w, y / w, z / w];
+  });
   return closed && Math.hypot(...points[0]!.map((value, axis) => value - points.at(-1)![axis]!)) < 1e-9 * Math.hypot(...points[0]!) + 1e-12 ? points.slice(0, -1) : points;
 }
 

@@ -59,40 +59,84 @@ export function polyline(points: Vec3[], closed = false, layer?: string): Polyli
   return { points: repeats ? points.slice(0, -1) : points, closed: closed || repeats, ...(layer !== undefined && { layer }) };
 }
 
-/** Loose segments joined to chains where their ends agree to `tolerance` of their whole size. */
-export function chains(segments: [Vec3, Vec3][], tolerance = 1e-7, layer?: string): Polyline[] {
-  const size = segments.reduce((most, ends) => ends.reduce((each, end) => Math.max(each, ...end.map(Math.abs)), most), 1e-300);
-  const step = size * tolerance;
-  const name = (point: Vec3): string => point.map((value) => Math.round(value / step)).join(',');
-  const at = new Map<string, number[]>();
-  segments.forEach(([a, b], i) => {
-    for (const end of [a, b]) {
-      const list = at.get(name(end)) ?? [];
-      list.push(i);
-      at.set(name(end), list);
-    }
-  });
+/**
+ * Loose pieces joined to chains where their ends agree to `tolerance` of the pieces' extent. A chain ends where more
+ * than two pieces meet.
+ */
+export const chains = (pieces: Vec3[][], tolerance = 1e-7, layer?: string): Polyline[] =>
+  chainsOf(pieces, tolerance).map(({ points, closed }) => ({ points, closed, ...(layer !== undefined && { layer }) }));
+
+/**
+ * The lines of a layer: loose pieces are joined to chains. Open lines remain as they are, except where they close a
+ * loop of loose pieces.
+ */
+export function joined(loose: Vec3[][], lines: Polyline[], layer: string): Polyline[] {
+  const open = lines.filter(({ closed }) => !closed);
+  const loops = chainsOf([...loose, ...open.map(({ points }) => points)], 1e-7)
+    .filter(({ closed, pieces }) => closed && pieces.some((i) => i < loose.length) && pieces.some((i) => i >= loose.length));
+  const taken = new Set(loops.flatMap(({ pieces }) => pieces));
+  return [
+    ...lines.filter((line) => line.closed || !taken.has(loose.length + open.indexOf(line))), ...loops.map(({ points }) => ({ points, closed: true, layer })),
+    ...chains(loose.filter((_, i) => !taken.has(i)), 1e-7, layer),
+  ];
+}
+
+function chainsOf(pieces: Vec3[][], tolerance: number): { points: Vec3[]; closed: boolean; pieces: number[] }[] {
+  const nodes = nodesOf(pieces, tolerance);
+  const at: number[][] = [];
+  nodes.forEach((both, i) => { for (const node of both) (at[node] ??= []).push(i); });
   const used = new Set<number>();
-  const follow = (from: Vec3): Vec3[] => {
-    const out: Vec3[] = [];
+  const follow = (from: number): { points: Vec3[]; end: number; taken: number[] } => {
+    const points: Vec3[] = [], taken: number[] = [];
     for (let here = from; ;) {
-      const around = at.get(name(here)) ?? [];
-      const next = around.length <= 2 ? around.find((i) => !used.has(i)) : undefined;
-      if (next === undefined) return out;
+      const next = at[here]!.length <= 2 ? at[here]!.find((i) => !used.has(i)) : undefined;
+      if (next === undefined) return { points, end: here, taken };
       used.add(next);
-      const [a, b] = segments[next]!;
-      here = name(a) === name(here) ? b : a;
-      out.push(here);
+      taken.push(next);
+      const [a, b] = nodes[next]!;
+      points.push(...(a === here ? pieces[next]!.slice(1) : pieces[next]!.slice(0, -1).reverse()));
+      here = a === here ? b : a;
     }
   };
-  const found: Polyline[] = [];
-  segments.forEach(([a, b], i) => {
-    if (used.has(i)) return;
+  return nodes.flatMap(([a, b], i) => {
+    if (used.has(i)) return [];
     used.add(i);
     const forth = follow(b), back = follow(a);
-    const points = [...back.reverse(), a, b, ...forth];
-    const closed = points.length > 3 && name(points[0]!) === name(points.at(-1)!);
-    found.push({ points: closed ? points.slice(0, -1) : points, closed, ...(layer !== undefined && { layer }) });
+    const points = [...back.points.reverse(), ...pieces[i]!, ...forth.points];
+    const closed = points.length > 3 && forth.end === back.end;
+    return [{ points: closed ? points.slice(0, -1) : points, closed, pieces: [...back.taken, i, ...forth.taken] }];
   });
-  return found;
+}
+
+/** The numbers of the places at which each piece begins and ends. Ends within `tolerance` of the extent share a place. */
+function nodesOf(pieces: Vec3[][], tolerance: number): [number, number][] {
+  const [low, high]: [Vec3, Vec3] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  for (const point of pieces.flat()) {
+    point.forEach((value, axis) => {
+      low[axis] = Math.min(low[axis]!, value);
+      high[axis] = Math.max(high[axis]!, value);
+    });
+  }
+  // Far from zero the coordinates themselves are rounded.
+  const reach = Math.max(1e-300, ...low.flatMap((value, axis) => [tolerance * (high[axis]! - value), 1e-15 * Math.abs(value), 1e-15 * Math.abs(high[axis]!)]));
+  const cells = new Map<string, { point: Vec3; node: number }[]>();
+  const steps = [0, -1, 1];
+  let count = 0;
+  const nodeOf = (point: Vec3): number => {
+    const [x, y, z] = point.map((value, axis) => Math.floor((value - low[axis]!) / reach)) as Vec3;
+    // An end within reach lies in the same cell or in one beside it.
+    for (const dx of steps) {
+      for (const dy of steps) {
+        for (const dz of steps) {
+          const near = cells.get(`${x + dx},${y + dy},${z + dz}`)?.find((each) => Math.hypot(...point.map((value, axis) => value - each.point[axis]!)) <= reach);
+          if (near) return near.node;
+        }
+      }
+    }
+    const cell = `${x},${y},${z}`;
+    cells.set(cell, [...cells.get(cell) ?? [], { point, node: count }]);
+    count += 1;
+    return count - 1;
+  };
+  return pieces.map((piece) => [nodeOf(piece[0]!), nodeOf(piece.at(-1)!)]);
 }

@@ -70,14 +70,25 @@ function arc(a: Vec3, b: Vec3, c: Vec3, u: number, v: number): Vec3[] {
   });
 }
 
-/** A Catmull-Rom curve through points. */
-function curve(given: Vec3[], closed: boolean): Vec3[] {
+/**
+ * Points of a curve through the given ones, `steps` from each to the next: the centripetal Catmull-Rom curve, because
+ * it has no loops and no cusps between points at uneven distances. Ends are continued by reflection.
+ */
+export function curve(given: Vec3[], closed: boolean, steps = PER_SPAN): Vec3[] {
   const n = given.length;
   const at = (i: number): Vec3 => (closed ? given[(i + n) % n]! : given[i] ?? mix(given[i < 0 ? 1 : n - 2]!, given[i < 0 ? 0 : n - 1]!, 2));
-  const spans = Array.from({ length: closed ? n : n - 1 }, (_, i) => Array.from({ length: PER_SPAN }, (__, k): Vec3 => {
-    const t = k / PER_SPAN;
+  const spans = Array.from({ length: closed ? n : n - 1 }, (_, i) => {
     const [p, q, r, s] = [at(i - 1), at(i), at(i + 1), at(i + 2)];
-    return q.map((value, axis) => value + 0.5 * t * (r[axis]! - p[axis]! + t * (2 * p[axis]! - 5 * value + 4 * r[axis]! - s[axis]! + t * (3 * (value - r[axis]!) + s[axis]! - p[axis]!)))) as Vec3;
-  }));
+    const parameter = (from: Vec3, to: Vec3): number => Math.sqrt(Math.hypot(...from.map((value, axis) => to[axis]! - value)));
+    // Points that coincide take the parameter of the span between them.
+    const b = parameter(q, r) || 1;
+    const [a, c] = [parameter(p, q) || b, parameter(r, s) || b];
+    return Array.from({ length: steps }, (__, k): Vec3 => q.map((value, axis) => {
+      const [t, before, next, after] = [k / steps, p[axis]!, r[axis]!, s[axis]!];
+      const rise = next - value;
+      const [m, o] = [rise + b * ((value - before) / a - (next - before) / (a + b)), rise + b * ((after - next) / c - (after - value) / (b + c))];
+      return value + t * (m + t * (3 * rise - 2 * m - o + t * (m + o - 2 * rise)));
+    }) as Vec3);
+  });
   return [...spans.flat(), ...(closed ? [] : [given.at(-1)!])];
 }
