@@ -150,6 +150,10 @@ test('tension, pressure, weight and the masts stand beside, and a mast holds a f
   const found = (await statistics(page)).masts[0];
   for (const path of ['film.tension', 'pressure', 'film.weight']) assert.equal(await page.isVisible(`#options [data-path="${path}"]`), true, path);
   const row = page.locator('#cables tr', { has: page.locator('button[title="mast 1"]') });
+  for (const control of ['select', 'input']) {
+    const [cable, mast] = await Promise.all([page.locator(`#cables tbody ${control}`).first(), row.locator(control)].map((each) => each.boundingBox()));
+    assert.deepEqual([mast.x, mast.width], [cable.x, cable.width], `the ${control} is in line with those of the cables`);
+  }
   await row.locator('select').selectOption('force');
   const { masts: [mast] } = await request(page);
   assert.equal(mast.mode, 'force');

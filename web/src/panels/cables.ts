@@ -26,8 +26,11 @@ export interface TableHost {
 /** A value as its field shows it; the request keeps its digits. */
 const short = (value: number): string => String(Number(value.toPrecision(5)));
 
-const table = (head: string, rows: HTMLElement[]): HTMLElement =>
-  el('table', {}, el('thead', {}, el('tr', {}, ...[head, 'holds', 'at'].map((each) => el('th', { scope: 'col', colSpan: each === 'at' ? 2 : 1 }, each)))), el('tbody', {}, ...rows));
+const heads = (first: string): HTMLElement => el('tr', {}, ...[first, 'holds', 'at'].map((each) => el('th', { scope: 'col', colSpan: each === 'at' ? 2 : 1 }, each)));
+
+/** Cables above masts, in one table, so that their columns are in line. */
+const table = (cables: HTMLElement[], masts: HTMLElement[]): HTMLElement =>
+  el('table', {}, el('thead', {}, heads(cables.length > 0 ? 'Cable' : 'Mast')), el('tbody', {}, ...cables), el('tbody', {}, cables.length > 0 && masts.length > 0 && heads('Mast'), ...masts));
 
 /** A mast: whether it holds its length or the force with which it pushes, and how much. */
 function mastRow(request: Request, { name: own, mode = 'length', value }: Mast, i: number, host: TableHost): HTMLElement {
@@ -85,8 +88,7 @@ export function cableTable(request: Request, cables: Cable[], host: TableHost): 
   const masts = mastsOf(request).slice(0, MOST_ROWS).map((mast, i) => mastRow(request, mast, i, host));
   return el('div', { id: 'cables' },
     el('h2', {}, cables.length === 0 ? 'No cables' : 'Cables'),
-    rows.length > 0 && table('Cable', rows),
-    more > 0 && el('p', { className: 'help' }, `and ${more} more: press one on the stage to change it.`),
-    masts.length > 0 && table('Mast', masts),
+    rows.length + masts.length > 0 && table(rows, masts),
+    more > 0 && el('p', { className: 'help' }, `and ${more} more cables: press one on the stage to change it.`),
     host.hangAll && el('button', { type: 'button', id: 'hang-all', onclick: host.hangAll }, 'Hang every edge on a cable'));
 }

@@ -46,13 +46,13 @@ export function showImport<C extends Choice>(found: Import, { change, undo, clos
     el('h2', {}, found.title),
     el('p', { className: 'size' }, found.size),
     el('p', { className: 'quiet small' }, found.found),
+    ...found.notes.map((note) => el('p', { className: 'quiet small' }, note)),
     found.asks ? el('p', { className: 'asks', role: 'alert' }, 'The file does not say its unit. Which size is right?') : '',
     el('label', { className: 'stacked' }, found.asks ? 'Unit' : 'Unit, as the file says', units),
     found.layers.length > 1 ? el('fieldset', { className: 'layers' }, el('legend', {}, 'Layers'), ...found.layers.map(({ layer, lines, taken }) =>
       check(`layer ${layer}`, `${layer === '' ? 'without a name' : layer} (${lines})`, taken, ({ layers }, on) => { if (on) layers.add(layer); else layers.delete(layer); }))) : '',
     el('label', { className: 'field' }, el('span', {}, 'Up axis'), up),
     found.local === null ? '' : check('local', 'Move to a local origin', found.local, (choice, on) => { choice.local = on; }),
-    ...found.notes.map((note) => el('p', { className: 'quiet small' }, note)),
     el('div', { className: 'row' }, el('button', { type: 'button', className: 'primary', onclick: close }, 'Done'), el('button', { type: 'button', onclick: undo }, 'Undo')),
   );
   if (focused !== undefined) box.querySelector<HTMLElement>(`[data-field="${CSS.escape(focused)}"]`)?.focus();
