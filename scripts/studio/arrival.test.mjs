@@ -24,6 +24,8 @@ test('the gallery shows every example once, by purpose, with a picture', async (
   const cards = page.locator('#gallery [data-example]');
   assert.deepEqual((await cards.evaluateAll((all) => all.map((card) => card.dataset.example))).sort(), [...examples.map(({ name }) => name), ...OWN].sort());
   assert.equal(await page.locator('#gallery .thumbnail.missing').count(), 0, 'no example lacks its picture: run scripts/studio/pictures.mjs');
+  const cut = await cards.locator('> span:last-child').evaluateAll((titles) => titles.filter((title) => title.scrollHeight > title.clientHeight + 1).map((title) => title.textContent));
+  assert.deepEqual(cut, [], 'every title is there as a whole');
   await page.click('#gallery [data-example="vault"]');
   await solved(page);
   assert.equal(await page.isChecked('#kinds input[value="uniform_mesh"]'), true);

@@ -18,10 +18,10 @@ test.quick('the committed bundle is what the sources make, byte for byte', () =>
 });
 
 /**
- * Most bytes of the first view before they are compressed: those of 2026-11-28. What the first film does not need comes
+ * Most bytes of the first view before they are compressed: those of 2026-11-27. What the first film does not need comes
  * after it (`later.ts`).
  */
-const MOST_FIRST_VIEW = 818_356;
+const MOST_FIRST_VIEW = 810_751;
 
 test.quick('the first view has no more bytes than it had', async () => {
   const files = await Promise.all(['index.html', 'studio.css', 'studio.js', 'chunk.js'].map((name) => readFile(`${web}dist/${name}`)));

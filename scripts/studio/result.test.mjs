@@ -61,6 +61,8 @@ test('every figure with a dimension has its unit, in each kind of result', async
     await studio.open(example);
     const bare = await page.locator('#statistics > table.plain tr, #numbers > table.plain tr').evaluateAll((rows) => rows.filter((row) => row.cells.length === 2 && /^[−\d]/.test(row.cells[1].textContent) && !/[a-z°²³]$/i.test(row.cells[1].textContent))
       .map((row) => row.cells[0].textContent));
+    await showPanel(page, 'results');
+    assert.doesNotMatch(await page.locator('#result').innerText(), /×10⁻/, `the rounding of ${example} is folded up`);
     assert.ok(bare.length > 2, example);
     assert.deepEqual(bare.filter((name) => !BARE.test(name)), [], example);
   }

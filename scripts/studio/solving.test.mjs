@@ -180,6 +180,11 @@ test('each objective of a strip is a tile with its own picture, and one is taken
     assert.ok(rows.some(([value, name]) => name === 'best' && value === least), `${label}: the least is bold`);
   }
   assert.ok(await covered(page) > 0.05, 'the tiles have pictures');
+  const { y, height } = await page.locator('#tiles').boundingBox();
+  for (const tile of await page.locator('.tile').all()) {
+    const box = await tile.boundingBox();
+    assert.ok(box.y >= y && box.y + box.height <= y + height + 1, 'each tile is in view as a whole');
+  }
   await page.click('.tile[data-objective="minimal_twist"] button');
   assert.equal((await request(page)).objective, 'minimal_twist');
   await solved(page);

@@ -116,6 +116,7 @@ export const NUMERICS = [
   'objective_value', 'secondary_value', 'solver', 'initial_mesh', 'euler_characteristic', 'genus', 'initial_area', 'extrapolated_area', 'mean_curvature', 'residual', 'residual_full', 'converged', 'stop_reason',
   'iterations', 'stability', 'edges_swapped', 'flipped_triangles', 'degenerate_triangles', 'self_intersections_skipped', 'balance', 'gradient', 'stages', 'shared_lengths', 'node_lower_bound', 'direction_decided_by',
   'length_tolerance', 'origin', 'normal_variation', 'mean_curvature_variation', 'total_normal_twist', 'contact_angle_deg', 'pinches', 'junctions', 'spanning',
+  'flat_pattern.edge_length_error_max', 'surface.area_error',
 ];
 /** Figures of a triangle mesh; of a lattice they are those of its members. */
 export const OF_MESH = ['edge_lengths', 'angles_deg', 'vertices', 'components'];

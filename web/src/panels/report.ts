@@ -117,10 +117,16 @@ const fromOne = (column: string, value: unknown): unknown => {
 /** The figures of the result, and those of the solver. */
 export function statistics(job: JobInfo, unit: string): { result: HTMLElement[]; numerics: HTMLElement[] } {
   const values = job.statistics as Values;
-  const isNumeric = (name: string): boolean => NUMERICS.includes(name) || (job.kind !== 'uniform_mesh' && OF_MESH.includes(name));
-  const part = (numeric: boolean): Values => Object.fromEntries(Object.entries(values).filter(([name]) => isNumeric(name) === numeric));
+  const isNumeric = (path: string): boolean => NUMERICS.includes(path) || (job.kind !== 'uniform_mesh' && OF_MESH.includes(path));
+  const part = (numeric: boolean, from: Values, prefix = ''): Values => Object.fromEntries(Object.entries(from).flatMap(([name, value]) => {
+    const path = prefix + name;
+    if (isNumeric(path)) return numeric ? [[name, value]] : [];
+    // The figures of an object are told apart one by one.
+    const own = prefix === '' && isObject(value) ? part(numeric, value, `${name}.`) : null;
+    return own ? (Object.keys(own).length > 0 ? [[name, own]] : []) : numeric ? [] : [[name, value]];
+  }));
   const unitOf = (path: string): string => unitOfFigure(path, values.objective, unit, String(values.force_unit ?? ''));
-  return { result: figures(part(false), unitOf), numerics: figures(part(true), unitOf) };
+  return { result: figures(part(false, values), unitOf), numerics: figures(part(true, values), unitOf) };
 }
 
 /** Plain figures as one table; lists, and objects of many figures, as a table each, folded up. */

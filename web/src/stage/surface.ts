@@ -35,18 +35,22 @@ type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
 
 /**
- * Lights the back of a smooth surface by its normals and not by the sides of its triangles. At a silhouette there are
- * slivers of triangles that are seen from behind, and they would be dark dots on a bright surface.
+ * Lights the side of a smooth surface that is seen. At a silhouette there are slivers of triangles that are seen from
+ * behind, and they would be dark dots on a bright surface. The last two pixels before a silhouette of the back are left
+ * out for that reason.
  */
 const towardsEye = (shader: { fragmentShader: string }): void => {
   shader.fragmentShader = shader.fragmentShader.replace('#include <normal_fragment_begin>', `
-    vec3 toEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition);
     vec3 normal = normalize(vNormal);
-    if (dot(normal, toEye) < -0.25) normal = -normal;
+    float facing = dot(normal, isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition));
+    float rim = -2.0 * fwidth(facing);
+    if (!gl_FrontFacing && facing < 0.0) {
+      if (facing > rim) discard;
+      normal = -normal;
+    }
     vec3 nonPerturbedNormal = normal;`);
 };
 
-/** Wide lines in one colour, or in a colour for each end. */
 /**
  * Moves a line towards the eye, so that the film that it bounds covers neither half of it. At 0 the film covers one
  * half, and at 1500 the line covers the drawing's points.
@@ -62,6 +66,7 @@ export function dashedLines(segments: Float32Array, width: number, color: string
   return lines;
 }
 
+/** Wide lines in one colour, or in a colour for each end. */
 export function wideLines(segments: Float32Array, width: number, color: string, colours?: Float32Array, opacity = 1): Lines {
   if (segments.length / 6 > MOST_WIDE) {
     const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
