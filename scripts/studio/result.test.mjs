@@ -63,6 +63,7 @@ test('every figure with a dimension has its unit, in each kind of result', async
       .map((row) => row.cells[0].textContent));
     await showPanel(page, 'results');
     assert.doesNotMatch(await page.locator('#result').innerText(), /×10⁻/, `the rounding of ${example} is folded up`);
+    assert.equal(await page.locator('#statistics > table.plain td:text-is("—")').count(), 0, `no figure of ${example} is empty`);
     assert.ok(bare.length > 2, example);
     assert.deepEqual(bare.filter((name) => !BARE.test(name)), [], example);
   }

@@ -143,7 +143,7 @@ function figures(values: Values, unitOf: (path: string) => string): HTMLElement[
       // The figures of an object stand below its name.
       if (!name.includes('.')) rows.push(el('tr', { className: 'group-name' }, el('th', { scope: 'colgroup', colSpan: 2 }, humanise(name.replace(/_deg$/, '')))));
       Object.entries(value).forEach(([inner, each]) => visit(`${name}.${inner}`, each));
-    } else if (value !== undefined) rows.push(row(name, text(value), typeof value === 'number' ? unitOf(name) : ''));
+    } else if (value !== undefined && value !== null) rows.push(row(name, text(value), typeof value === 'number' ? unitOf(name) : ''));
   };
   Object.entries(values).filter(([name]) => name !== 'comparison' && name !== 'history').sort((a, b) => rank(a) - rank(b)).forEach(([name, value]) => visit(name, value));
   return [...(rows.length > 0 ? [el('table', { className: 'plain' }, el('tbody', {}, ...rows))] : []), ...lists];
