@@ -99,7 +99,8 @@ test('arcs, splines and weights of DXF are the curves that they stand for', asyn
   for (const [x, y] of await ring('ezdxf-rational-spline.dxf')) assert.ok(Math.abs(Math.hypot(x, y) - 10) < 1e-9, 'a quarter of a circle');
   // The uniform cubic spline of a rectangle passes a sixth of the way from each corner to its neighbours.
   assert.ok((await ring('ezdxf-spline.dxf')).some(([x, y]) => Math.hypot(x - 10 / 6, y - 1) < 1e-9));
-  // A spline without control points passes the points that it was fitted to. Where the last one is the first, it is closed.
+  // A spline without control points passes the points that it was fitted to. Where the last one is the first, it is
+  // closed.
   const through = [[0, 0], [5, -1], [10, 0], [10, 6], [0, 6]];
   const fitted = await ring('ezdxf-spline-through.dxf');
   for (const [x, y] of through) assert.ok(fitted.some((point) => Math.hypot(point[0] - x, point[1] - y) < 1e-9), `through ${x}, ${y}`);

@@ -1,5 +1,5 @@
-"""Writes the drawings of this folder with other programs: ezdxf, GDAL, geopandas, pandas, trimesh, OpenSCAD, pstoedit, potrace, assimp,
-Gnumeric and FreeCAD. The files are committed, and files.json says what the studio must find in each.
+"""Writes the drawings of this folder with other programs: ezdxf, GDAL, geopandas, pandas, trimesh, OpenSCAD, pstoedit,
+potrace, assimp, Gnumeric and FreeCAD. The files are committed, and files.json says what the studio must find in each.
 
     pip install ezdxf geopandas trimesh networkx
     apt-get install openscad pstoedit potrace assimp-utils gnumeric libfreecad-python3-0.20

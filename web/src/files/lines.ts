@@ -108,7 +108,10 @@ function chainsOf(pieces: Vec3[][], tolerance: number): { points: Vec3[]; closed
   });
 }
 
-/** The numbers of the places at which each piece begins and ends. Ends within `tolerance` of the extent share a place. */
+/**
+ * The numbers of the places at which each piece begins and ends. Ends that are nearer than `tolerance` of the extent
+ * share a place.
+ */
 function nodesOf(pieces: Vec3[][], tolerance: number): [number, number][] {
   const [low, high]: [Vec3, Vec3] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
   for (const point of pieces.flat()) {
