@@ -126,6 +126,27 @@ test.quick('the two rails of an own strip come back from its OBJ, whatever is dr
   await solved(page);
 });
 
+test('short edges in survey coordinates stay apart, and lines with arcs and splines form one loop', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await page.uncheck('#live');
+  const corners = [[0, 0], [8, 0], [8, 5.8], [7.8, 6], [0, 6]].map(([x, y]) => [465000 + x, 5247300 + y]);
+  const edges = corners.map(([x, y], i) => {
+    const [u, v] = corners[(i + 1) % corners.length];
+    return `0\nLINE\n8\n0\n10\n${x}\n20\n${y}\n30\n0\n11\n${u}\n21\n${v}\n31\n0\n`;
+  });
+  await give(page, 'plot.dxf', `0\nSECTION\n2\nENTITIES\n${edges.join('')}0\nENDSEC\n0\nEOF\n`);
+  assert.deepEqual((await request(page)).boundaries.map((boundary) => boundary.length), [5]);
+  const area = (points) => Math.abs(points.reduce((sum, [x, y], i) => sum + (x * points[(i + 1) % points.length][1] - y * points[(i + 1) % points.length][0]) / 2, 0));
+  for (const [file, square] of [['freecad-stadium.dxf', 48 + 9 * Math.PI], ['librecad-arch.dxf', 48 + 25 * Math.asin(0.8) - 12]]) {
+    await open(page, file);
+    const largest = Math.max(...(await request(page)).boundaries.map((boundary) => area(boundary)));
+    assert.ok(Math.abs(largest / square - 1) < 5e-3, `${file}: ${largest} m² of ${square}`);
+  }
+  await open(page, 'freecad-leaf.dxf');
+  assert.deepEqual((await request(page)).boundaries.map((boundary) => boundary.length), [9]);
+});
+
 test('what was done to a file stays in view beside the error of its film', async () => {
   const { page } = studio;
   await studio.open('tent');
