@@ -8,7 +8,7 @@ use crate::http::mcp;
 use crate::http::open_requests::OpenRequests;
 use crate::http::state::App;
 use crate::http::{openapi, router, serve};
-use crate::jobs::{self, Jobs, callbacks, worker};
+use crate::jobs::{self, Jobs, callbacks, counters, worker};
 use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
 use crate::threads::STACK_BYTES;
@@ -63,6 +63,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     // Jobs and results belong to their clients, so no other user of this machine may read the files of this process.
     rustix::process::umask(rustix::fs::Mode::RWXG | rustix::fs::Mode::RWXO);
     let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
+    counters::start_at_zero();
     let store = open_store(&config).await?;
     let listener = match role {
         Role::Worker => None,
@@ -157,7 +158,7 @@ fn log_doors(http: &HttpConfig, address: SocketAddr, workers: usize, role: Role)
 }
 
 async fn follow_keys(keys: Arc<Keys>) {
-    keys.follow_file().await;
+    tokio::join!(keys.follow_file(), keys.forget());
 }
 
 /// Fails if the limit of the address space leaves no room for the threads of this process. A thread that cannot be
@@ -278,6 +279,7 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
         connections: config.store.connections,
         result_version: jobs::result_version(),
         ballast_bytes: if embedded { BALLAST_BYTES } else { 0 },
+        note_failed: counters::note_failed,
         ..StoreOptions::default()
     };
     let given_up = Instant::now() + START_PATIENCE;

@@ -1,17 +1,25 @@
-//! Creates and checks API keys, and limits the requests of each key.
+//! Creates and checks API keys, and limits the requests of each key and the failures of each address.
 //!
 //! A key is 32 random bytes and is shown once; the configuration holds only its SHA-256. A presented key is hashed and
 //! compared with every known digest in full, so that the time taken reveals nothing. Without keys, every client may do
 //! everything.
+//!
+//! A known key is admitted from every address, however often that address has presented unknown keys: behind a proxy
+//! all clients have one address, and one client's failures must not lock the others out.
 
 use crate::config::AuthConfig;
+use crate::telemetry::metric;
 use futures_util::FutureExt;
 use futures_util::future::{BoxFuture, Shared};
+use governor::clock::Clock;
+use governor::middleware::StateInformationMiddleware;
+use governor::{DefaultKeyedRateLimiter, Quota, RateLimiter};
 use sha2::{Digest as _, Sha256};
 use std::collections::BTreeMap;
+use std::num::NonZeroU32;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError, RwLock};
-use std::time::{Duration, Instant, SystemTime};
+use std::sync::{Arc, PoisonError, RwLock};
+use std::time::{Duration, SystemTime};
 use subtle::ConstantTimeEq;
 use tokio::sync::watch;
 
@@ -19,6 +27,9 @@ const PREFIX: &str = "plateau_";
 const KEY_BYTES: usize = 32;
 /// Interval at which the keys file is checked for changes.
 const RELOAD_INTERVAL: Duration = Duration::from_secs(1);
+/// Interval at which addresses without recent failures are forgotten. In between, each address that presents an unknown
+/// key takes about a hundred bytes.
+const FORGET_INTERVAL: Duration = Duration::from_secs(5);
 
 /// Returns a new key and the digest that the configuration keeps of it.
 ///
@@ -60,6 +71,16 @@ pub struct Keys {
     known: RwLock<Known>,
     /// Changes whenever the known keys have been replaced.
     replaced: watch::Sender<()>,
+    /// Requests of each name, if they are limited.
+    requests: Option<DefaultKeyedRateLimiter<Arc<str>, StateInformationMiddleware>>,
+    /// Unknown keys that each address has presented, if they are limited.
+    failures: Option<DefaultKeyedRateLimiter<String>>,
+}
+
+/// Returns the quota of a number of requests in a minute, all of which may come at once after a minute's pause, or
+/// `None` for 0, which means no limit.
+fn quota(per_minute: u32) -> Option<Quota> {
+    NonZeroU32::new(per_minute).map(Quota::per_minute)
 }
 
 /// Future that completes when a key is no longer known.
@@ -68,7 +89,7 @@ pub type Removal = Shared<BoxFuture<'static, ()>>;
 /// Content of the configuration and of the keys file when they were last read.
 #[derive(Debug, Default)]
 struct Known {
-    keys: Vec<Arc<Key>>,
+    keys: Vec<Key>,
     /// Whether requests need a key. The flag never goes back to false: emptying the keys file locks every client out.
     required: bool,
 }
@@ -78,15 +99,69 @@ struct Known {
 struct Key {
     name: Arc<str>,
     digests: Vec<Digest>,
-    /// Shared by both keys, and kept when they change.
-    allowance: Arc<Mutex<Allowance>>,
 }
 
-/// The digest of a key, and the time until which the key is valid.
+/// The digest of a key, the time until which the key is valid, and what it may do.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Digest {
     sha256: [u8; 32],
     until: Option<SystemTime>,
+    scopes: Scopes,
+}
+
+/// One thing that a key may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Submit requests, and cancel and delete jobs.
+    Submit,
+    /// Read jobs, results and the catalogue.
+    Read,
+    /// Read `/metrics`.
+    Metrics,
+}
+
+impl Scope {
+    const ALL: [Self; 3] = [Self::Submit, Self::Read, Self::Metrics];
+
+    /// Returns the word for this scope in a keys file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Submit => "submit",
+            Self::Read => "read",
+            Self::Metrics => "metrics",
+        }
+    }
+}
+
+/// Everything that a key may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Scopes([bool; Scope::ALL.len()]);
+
+impl Scopes {
+    /// The scopes of a key without named ones.
+    const EVERYTHING: Self = Self([true; Scope::ALL.len()]);
+
+    /// Reads the names of scopes. No name means every scope.
+    fn read(names: &[&str]) -> Result<Self, String> {
+        if names.is_empty() {
+            return Ok(Self::EVERYTHING);
+        }
+        let mut scopes = Self([false; Scope::ALL.len()]);
+        for name in names {
+            let known = Scope::ALL.into_iter().find(|scope| scope.name() == *name);
+            let scope = known.ok_or_else(|| {
+                let all = Scope::ALL.map(Scope::name).join(", ");
+                format!("{name:?} is neither a time in UTC like 2026-12-31T00:00:00Z nor a scope ({all})")
+            })?;
+            scopes.0[scope as usize] = true;
+        }
+        Ok(scopes)
+    }
+
+    fn has(self, scope: Scope) -> bool {
+        self.0[scope as usize]
+    }
 }
 
 // Logs must not contain digests.
@@ -97,46 +172,23 @@ impl std::fmt::Debug for Digest {
 }
 
 impl Digest {
-    /// Reads `SHA256` or `SHA256 UNTIL`, given as words.
-    fn read(words: &[&str]) -> Result<Self, &'static str> {
-        let (digest, until) = match *words {
-            [digest] => (digest, None),
-            [digest, until] => (digest, Some(until)),
-            _ => return Err("expected a SHA-256 and, at most, a time"),
-        };
-        let sha256 = from_hex(digest).ok_or("expected a SHA-256 of 64 hex digits")?;
-        let until = until.map(humantime::parse_rfc3339).transpose();
-        let until = until.map_err(|_| "expected a time in UTC like 2026-12-31T00:00:00Z after the SHA-256")?;
-        Ok(Self { sha256, until })
+    /// Reads `SHA256 [UNTIL] [SCOPE…]`, given as words.
+    fn read(words: &[&str]) -> Result<Self, String> {
+        let [sha256, rest @ ..] = words else { return Err("expected a SHA-256".into()) };
+        let sha256 = from_hex(sha256).ok_or("expected a SHA-256 of 64 hex digits")?;
+        let until = rest.first().and_then(|word| humantime::parse_rfc3339(word).ok());
+        let scopes = Scopes::read(&rest[usize::from(until.is_some())..])?;
+        Ok(Self { sha256, until, scopes })
     }
 
     fn is_valid_at(&self, now: SystemTime) -> bool {
         self.until.is_none_or(|until| now < until)
     }
-}
 
-/// A token bucket, which holds at most the requests of one minute and is full at the start.
-#[derive(Debug)]
-struct Allowance {
-    requests: f64,
-    at: Instant,
-}
-
-impl Allowance {
-    /// Takes one request from the bucket and returns what is left. If the bucket is empty, returns the seconds until
-    /// the next request is available.
-    fn take(&mut self, per_minute: f64, now: Instant) -> Result<Left, f64> {
-        let per_second = per_minute / 60.0;
-        let elapsed_s = now.saturating_duration_since(self.at).as_secs_f64();
-        self.requests = (self.requests + elapsed_s * per_second).min(per_minute);
-        self.at = now;
-        if self.requests >= 1.0 {
-            self.requests -= 1.0;
-            let full_in_s = (per_minute - self.requests) / per_second;
-            Ok(Left { requests: self.requests as u32, full_in_s: full_in_s.ceil() as u64 })
-        } else {
-            Err((1.0 - self.requests) / per_second)
-        }
+    /// Returns the first of these scopes that the key does not have.
+    #[must_use]
+    pub fn lacks(&self, scopes: &[Scope]) -> Option<Scope> {
+        scopes.iter().copied().find(|scope| !self.scopes.has(*scope))
     }
 }
 
@@ -163,19 +215,26 @@ pub struct Admitted {
 pub enum AuthError {
     /// The server requires a key, and the request carries no known key.
     Unknown,
-    /// The key has used up its requests. One more will be available after this number of seconds.
-    TooMany { wait_s: f64 },
+    /// The key is unknown, and its address has presented too many of them. One more counts as unknown after this time.
+    TooManyUnknown { wait: Duration },
+    /// The key has used up its requests. One more will be available after this time.
+    TooMany { wait: Duration },
 }
 
 impl Keys {
-    /// Reads the keys of the configuration and of its keys file, which has one `NAME SHA256` or `NAME SHA256 UNTIL` per
-    /// line.
+    /// Reads the keys of the configuration and of its keys file, which has one `NAME SHA256 [UNTIL] [SCOPE…]` per line.
     ///
     /// # Errors
     /// Returns a message that names the setting and, for the keys file, the line.
     pub fn load(config: &AuthConfig) -> Result<Self, String> {
         let text = read_file(&config.keys_file)?;
-        let keys = Self { config: config.clone(), known: RwLock::default(), replaced: watch::Sender::new(()) };
+        let keys = Self {
+            config: config.clone(),
+            known: RwLock::default(),
+            replaced: watch::Sender::new(()),
+            requests: quota(config.requests_per_minute).map(|quota| RateLimiter::keyed(quota).with_middleware()),
+            failures: quota(config.failures_per_minute).map(RateLimiter::keyed),
+        };
         keys.replace(&text)?;
         Ok(keys)
     }
@@ -184,15 +243,8 @@ impl Keys {
     /// is invalid, the known keys stay as they were.
     fn replace(&self, text: &str) -> Result<(), String> {
         let digests = digests(&self.config, text)?;
-        let now = Instant::now();
         let mut known = self.known.write().unwrap_or_else(PoisonError::into_inner);
-        let keys = digests.into_iter().map(|(name, digests)| {
-            // A name that was known before keeps the rest of its allowance.
-            let same = known.keys.iter().find(|key| *key.name == name);
-            let full = || Allowance { requests: f64::from(self.config.requests_per_minute), at: now };
-            let allowance = same.map_or_else(|| Arc::new(Mutex::new(full())), |key| key.allowance.clone());
-            Arc::new(Key { name: name.into(), digests, allowance })
-        });
+        let keys = digests.into_iter().map(|(name, digests)| Key { name: name.into(), digests });
         let keys: Vec<_> = keys.collect();
         known.required |= !keys.is_empty();
         known.keys = keys;
@@ -233,7 +285,22 @@ impl Keys {
         }
     }
 
-    /// Returns a future that completes when this key of this name is removed or is not valid any more.
+    /// Forgets the addresses and names whose failures and requests are long past, and never returns.
+    pub async fn forget(&self) {
+        loop {
+            tokio::time::sleep(FORGET_INTERVAL).await;
+            if let Some(requests) = &self.requests {
+                requests.retain_recent();
+            }
+            if let Some(failures) = &self.failures {
+                failures.retain_recent();
+                failures.shrink_to_fit();
+            }
+        }
+    }
+
+    /// Returns a future that completes when this key of this name is removed, is not valid any more, or may do other
+    /// things.
     pub fn removal(self: &Arc<Self>, name: Arc<str>, digest: Digest) -> Removal {
         let keys = self.clone();
         let mut replaced = self.replaced.subscribe();
@@ -263,11 +330,11 @@ impl Keys {
         removed.boxed().shared()
     }
 
-    /// Returns this key of this name with its present end, or `None` if it is not known any more.
+    /// Returns this key of this name with its present end, or `None` if it is not known any more with its scopes.
     fn known_as(&self, name: &str, digest: &Digest) -> Option<Digest> {
         let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
         let key = known.keys.iter().find(|key| *key.name == *name)?;
-        key.digests.iter().find(|known| known.sha256 == digest.sha256).copied()
+        key.digests.iter().find(|known| known.sha256 == digest.sha256 && known.scopes == digest.scopes).copied()
     }
 
     /// Returns true if a keys file is configured, and neither it nor the configuration has a key.
@@ -286,33 +353,48 @@ impl Keys {
         self.known.read().unwrap_or_else(PoisonError::into_inner).required
     }
 
-    /// Takes one request from the allowance of the presented key.
+    /// Takes one request from the allowance of the presented key. `address` is where the request came from.
     ///
     /// # Errors
     /// Returns a [`AuthError`].
-    pub fn admit(&self, presented: Option<&str>) -> Result<Admitted, AuthError> {
-        let key = {
+    pub fn admit(&self, presented: Option<&str>, address: &str) -> Result<Admitted, AuthError> {
+        let found = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
             if !known.required {
                 return Ok(Admitted { key: None, left: None });
             }
-            presented.and_then(|presented| known.find(presented, SystemTime::now())).ok_or(AuthError::Unknown)?
+            presented.and_then(|presented| known.find(presented, SystemTime::now()))
         };
-        let (key, digest) = key;
-        let per_minute = self.config.requests_per_minute;
+        let Some((name, digest)) = found else { return Err(self.failure(presented, address)) };
         let mut left = None;
-        if per_minute > 0 {
-            let mut allowance = key.allowance.lock().unwrap_or_else(PoisonError::into_inner);
-            let taken = allowance.take(f64::from(per_minute), Instant::now());
-            left = Some(taken.map_err(|wait_s| AuthError::TooMany { wait_s })?);
+        if let Some(requests) = &self.requests {
+            let taken = requests.check_key(&name);
+            let taken =
+                taken.map_err(|early| AuthError::TooMany { wait: early.wait_time_from(requests.clock().now()) })?;
+            let (remaining, per_minute) = (taken.remaining_burst_capacity(), self.config.requests_per_minute);
+            let full_in_s = (u64::from(per_minute - remaining) * 60).div_ceil(per_minute.into());
+            left = Some(Left { requests: remaining, full_in_s });
         }
-        Ok(Admitted { key: Some((key.name.clone(), digest)), left })
+        Ok(Admitted { key: Some((name, digest)), left })
+    }
+
+    /// Counts a failure of an address. A request without a key is no guess, so it does not count.
+    fn failure(&self, presented: Option<&str>, address: &str) -> AuthError {
+        if presented.is_some() {
+            metrics::counter!(metric::AUTH_FAILURES).increment(1);
+            if let Some(failures) = &self.failures
+                && let Err(early) = failures.check_key(&address.to_owned())
+            {
+                return AuthError::TooManyUnknown { wait: early.wait_time_from(failures.clock().now()) };
+            }
+        }
+        AuthError::Unknown
     }
 }
 
 impl Known {
     /// Finds the key with this text. The time taken does not depend on which key matches, or whether one does.
-    fn find(&self, presented: &str, now: SystemTime) -> Option<(Arc<Key>, Digest)> {
+    fn find(&self, presented: &str, now: SystemTime) -> Option<(Arc<str>, Digest)> {
         let sha256: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
         let mut found = None;
         for key in &self.keys {
@@ -322,7 +404,7 @@ impl Known {
                 }
             }
         }
-        found.filter(|(_, digest)| digest.is_valid_at(now)).map(|(key, digest)| (key.clone(), *digest))
+        found.filter(|(_, digest)| digest.is_valid_at(now)).map(|(key, digest)| (key.name.clone(), *digest))
     }
 }
 
@@ -359,8 +441,8 @@ fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, Vec<Diges
         }
         let origin = format!("auth.keys_file {} line {}", config.keys_file.display(), number + 1);
         match line.split_whitespace().collect::<Vec<_>>()[..] {
-            [name, ref words @ ..] if (1..=2).contains(&words.len()) => add(origin, name, words)?,
-            _ => return Err(format!("{origin}: expected NAME SHA256 or NAME SHA256 UNTIL")),
+            [name, ref words @ ..] if !words.is_empty() => add(origin, name, words)?,
+            _ => return Err(format!("{origin}: expected NAME SHA256, and perhaps UNTIL and scopes")),
         }
     }
     Ok(digests)
@@ -404,13 +486,13 @@ mod tests {
         let (other, other_digest) = new_key().unwrap();
         assert_ne!(key, other);
         let known = Keys::load(&keys_of(&[("me", &digest), ("you", &other_digest)])).unwrap();
-        let admitted = |text: &str| name_of(known.admit(Some(text)));
+        let admitted = |text: &str| name_of(known.admit(Some(text), ""));
         assert_eq!(admitted(&key).as_deref(), Some("me"));
         assert_eq!(admitted(&other).as_deref(), Some("you"));
         for wrong in [digest.clone(), format!("{key}0"), String::new()] {
-            assert_eq!(known.admit(Some(&wrong)), Err(AuthError::Unknown), "{wrong}");
+            assert_eq!(known.admit(Some(&wrong), ""), Err(AuthError::Unknown), "{wrong}");
         }
-        assert_eq!(known.admit(None), Err(AuthError::Unknown));
+        assert_eq!(known.admit(None, ""), Err(AuthError::Unknown));
         assert!(!format!("{known:?}").contains(&digest[..8]));
     }
 
@@ -418,7 +500,7 @@ mod tests {
     fn a_server_without_keys_admits_requests_without_an_owner() {
         let none = Keys::load(&AuthConfig::default()).unwrap();
         assert!(!none.required());
-        assert_eq!(none.admit(None), Ok(Admitted { key: None, left: None }));
+        assert_eq!(none.admit(None, ""), Ok(Admitted { key: None, left: None }));
     }
 
     #[test]
@@ -440,18 +522,38 @@ mod tests {
     }
 
     #[test]
-    fn an_allowance_refills_with_time() {
-        let start = Instant::now();
-        let mut allowance = Allowance { requests: 2.0, at: start };
-        assert_eq!(allowance.take(2.0, start), Ok(Left { requests: 1, full_in_s: 30 }));
-        assert_eq!(allowance.take(2.0, start), Ok(Left { requests: 0, full_in_s: 60 }));
-        assert_eq!(allowance.take(2.0, start), Err(30.0));
-        let left = allowance.take(2.0, start + Duration::from_secs(30));
-        assert_eq!(left, Ok(Left { requests: 0, full_in_s: 60 }));
-        assert!(allowance.take(2.0, start + Duration::from_secs(30)).is_err());
-        // A long pause saves up the requests of one minute at most.
-        let later = start + Duration::from_secs(3600);
-        assert_eq!([(); 3].map(|()| allowance.take(2.0, later).is_ok()), [true, true, false]);
+    fn an_address_with_many_unknown_keys_is_told_to_wait_and_its_known_keys_are_admitted() {
+        let (key, digest) = new_key().unwrap();
+        let config = AuthConfig { failures_per_minute: 3, ..keys_of(&[("me", &digest)]) };
+        let keys = Keys::load(&config).unwrap();
+        let from = |address: &str| keys.admit(Some("plateau_guess"), address).unwrap_err();
+        for _ in 0..3 {
+            assert_eq!(from("10.0.0.1"), AuthError::Unknown);
+        }
+        let AuthError::TooManyUnknown { wait } = from("10.0.0.1") else { panic!("the fourth is one too many") };
+        assert!(wait <= Duration::from_secs(20), "{wait:?}");
+        assert_eq!(from("10.0.0.2"), AuthError::Unknown);
+        assert_eq!(keys.admit(None, "10.0.0.1"), Err(AuthError::Unknown), "no key is no guess");
+        assert_eq!(name_of(keys.admit(Some(&key), "10.0.0.1")).as_deref(), Some("me"));
+    }
+
+    #[test]
+    fn a_key_may_do_what_its_line_says_or_everything() {
+        let [(all, all_digest), (reader, reader_digest)] = [(); 2].map(|()| new_key().unwrap());
+        let keys = Keys::load(&AuthConfig::default()).unwrap();
+        let lines = format!("me {all_digest}\nme {reader_digest} 2999-12-31T00:00:00Z read metrics");
+        keys.replace(&lines).unwrap();
+        let lacks = |key: &str, scope: Scope| keys.admit(Some(key), "").unwrap().key.unwrap().1.lacks(&[scope]);
+        for scope in Scope::ALL {
+            assert_eq!(lacks(&all, scope), None);
+            assert_eq!(lacks(&reader, scope), (scope == Scope::Submit).then_some(scope));
+        }
+        keys.replace(&format!("me {reader_digest} submit")).unwrap();
+        assert_eq!((lacks(&reader, Scope::Submit), lacks(&reader, Scope::Read)), (None, Some(Scope::Read)));
+        let both = [Scope::Submit, Scope::Read];
+        assert_eq!(keys.admit(Some(&reader), "").unwrap().key.unwrap().1.lacks(&both), Some(Scope::Read));
+        let error = keys.replace(&format!("me {reader_digest} write")).unwrap_err();
+        assert!(error.contains("line 1") && error.contains("\"write\"") && error.contains("submit, read"), "{error}");
     }
 
     #[test]
@@ -462,9 +564,12 @@ mod tests {
         std::fs::write(&file, format!("me {digest}\n")).unwrap();
         let keys = Keys::load(&AuthConfig { keys_file: file, ..AuthConfig::default() }).unwrap();
         assert!(keys.replace("me 12").is_err());
-        assert!(keys.admit(Some(&key)).unwrap().key.is_some());
+        assert!(keys.admit(Some(&key), "").unwrap().key.is_some());
         keys.replace("").unwrap();
-        assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(AuthError::Unknown), Err(AuthError::Unknown)));
+        assert_eq!(
+            (keys.admit(Some(&key), ""), keys.admit(None, "")),
+            (Err(AuthError::Unknown), Err(AuthError::Unknown))
+        );
     }
 
     #[tokio::test]
@@ -472,7 +577,7 @@ mod tests {
         let [(first_key, first), (second_key, second)] = [new_key().unwrap(), new_key().unwrap()];
         let keys = Arc::new(Keys::load(&AuthConfig::default()).unwrap());
         let removal = |key: &str| {
-            let (name, digest) = keys.admit(Some(key)).unwrap().key.unwrap();
+            let (name, digest) = keys.admit(Some(key), "").unwrap().key.unwrap();
             keys.removal(name, digest)
         };
         keys.replace(&format!("me {first}\nme {second}")).unwrap();
@@ -483,9 +588,9 @@ mod tests {
         let soon = SystemTime::now() + Duration::from_millis(1500);
         let soon = humantime::format_rfc3339_millis(soon);
         keys.replace(&format!("me {second} {soon}")).unwrap();
-        assert!(keys.admit(Some(&second_key)).is_ok());
+        assert!(keys.admit(Some(&second_key), "").is_ok());
         other.await;
-        assert_eq!(keys.admit(Some(&second_key)), Err(AuthError::Unknown));
+        assert_eq!(keys.admit(Some(&second_key), ""), Err(AuthError::Unknown));
         assert!(keys.required());
     }
 
@@ -496,24 +601,24 @@ mod tests {
         let keys = Keys::load(&config).unwrap();
         let lines = format!("me {old_digest} 2999-12-31T00:00:00Z\nme {new_digest}\n");
         keys.replace(&lines).unwrap();
-        assert_eq!(name_of(keys.admit(Some(&old))).as_deref(), Some("me"));
-        assert_eq!(name_of(keys.admit(Some(&new))).as_deref(), Some("me"));
+        assert_eq!(name_of(keys.admit(Some(&old), "")).as_deref(), Some("me"));
+        assert_eq!(name_of(keys.admit(Some(&new), "")).as_deref(), Some("me"));
         keys.replace(&format!("me {old_digest} 2020-01-01T00:00:00Z\nme {new_digest}\n")).unwrap();
-        assert_eq!(keys.admit(Some(&old)), Err(AuthError::Unknown));
-        assert_eq!(name_of(keys.admit(Some(&new))).as_deref(), Some("me"));
-        assert!(matches!(keys.admit(Some(&new)), Err(AuthError::TooMany { .. })), "one allowance of a name");
+        assert_eq!(keys.admit(Some(&old), ""), Err(AuthError::Unknown));
+        assert_eq!(name_of(keys.admit(Some(&new), "")).as_deref(), Some("me"));
+        assert!(matches!(keys.admit(Some(&new), ""), Err(AuthError::TooMany { .. })), "one allowance of a name");
         for (wrong, reason) in [
             (format!("{lines}me {third}"), "more than 2 keys"),
             (format!("{lines}me {new_digest}"), "twice"),
             (format!("me {old_digest} tomorrow"), "a time in UTC"),
-            (format!("me {old_digest} 2999-12-31T00:00:00Z more"), "expected NAME SHA256"),
+            (format!("me {old_digest} 2999-12-31T00:00:00Z more"), "\"more\" is neither"),
         ] {
             assert!(keys.replace(&wrong).unwrap_err().contains(reason), "{wrong}");
         }
         let both = [("me", &*format!("{old_digest} 2020-01-01T00:00:00Z, {new_digest}"))];
         let configured = Keys::load(&keys_of(&both)).unwrap();
-        assert_eq!(configured.admit(Some(&old)), Err(AuthError::Unknown));
-        assert_eq!(name_of(configured.admit(Some(&new))).as_deref(), Some("me"));
+        assert_eq!(configured.admit(Some(&old), ""), Err(AuthError::Unknown));
+        assert_eq!(name_of(configured.admit(Some(&new), "")).as_deref(), Some("me"));
     }
 
     #[test]
@@ -547,8 +652,8 @@ mod tests {
         let (key, digest) = new_key().unwrap();
         let keys = Keys::load(&AuthConfig { requests_per_minute: 1, ..AuthConfig::default() }).unwrap();
         keys.replace(&format!("me {digest}")).unwrap();
-        assert!(keys.admit(Some(&key)).is_ok());
+        assert!(keys.admit(Some(&key), "").is_ok());
         keys.replace(&format!("me {digest}\n# a comment\n")).unwrap();
-        assert!(matches!(keys.admit(Some(&key)), Err(AuthError::TooMany { .. })));
+        assert!(matches!(keys.admit(Some(&key), ""), Err(AuthError::TooMany { .. })));
     }
 }

@@ -292,14 +292,19 @@ impl LimitsConfig {
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
     /// SHA-256 of each key as 64 hex digits, by the key's name. A time in UTC may follow, until which the key is valid:
-    /// `"SHA256 2026-12-31T00:00:00Z"`. A second key of the name follows after a comma. Without a key here or in the keys
-    /// file every client may do everything.
+    /// `"SHA256 2026-12-31T00:00:00Z"`, and scopes as in the keys file. A second key of the name follows after a comma.
+    /// Without a key here or in the keys file every client may do everything.
     pub keys: BTreeMap<String, String>,
-    /// Path of a file with a line `NAME SHA256` or `NAME SHA256 UNTIL` for each key, as `plateau key new NAME` prints it. A
-    /// name may have two keys. The file is read again within seconds when it changes.
+    /// Path of a file with a line `NAME SHA256` for each key, as `plateau key new NAME` prints it. An end and scopes may
+    /// follow: `NAME SHA256 2026-12-31T00:00:00Z submit read`. With `submit` a key may submit, cancel and delete jobs,
+    /// with `read` read jobs and the catalogue, with `metrics` read `/metrics`; MCP and Hops need the first two. Without
+    /// scopes a key may do everything. A name may have two keys. The file is read again within seconds when it changes.
     pub keys_file: PathBuf,
     /// Number of requests of each key in a minute. 0 means no limit.
     pub requests_per_minute: u32,
+    /// Number of unknown keys that one address, or a proxy's, may present in a minute. Further ones are answered with
+    /// 429. Known keys are admitted all the same. 0 means no limit.
+    pub failures_per_minute: u32,
     /// Share of the queue that the jobs of one key may fill.
     pub queue_share_percent: u32,
     /// Whether a server without keys may listen on an address that is not a loopback address.
@@ -312,6 +317,7 @@ impl Default for AuthConfig {
             keys: BTreeMap::new(),
             keys_file: PathBuf::new(),
             requests_per_minute: 0,
+            failures_per_minute: 60,
             queue_share_percent: 50,
             open_without_keys: false,
         }

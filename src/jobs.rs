@@ -11,6 +11,7 @@ pub(crate) mod callbacks;
 pub(crate) mod child;
 mod children;
 pub(crate) mod converters;
+pub(crate) mod counters;
 pub(crate) mod events;
 mod fair_permits;
 pub(crate) mod files;

@@ -7,6 +7,8 @@
 
 mod app;
 mod auth;
+#[cfg(test)]
+mod bombs;
 pub mod cli;
 pub mod config;
 #[cfg(feature = "hops")]

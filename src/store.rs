@@ -60,7 +60,7 @@ use std::time::Duration;
 
 pub use batches::{BatchAddition, BatchJob, BatchLookup, BatchRow, NewBatch};
 pub use callbacks::{Attempted, Busy, Callback, CallbackRow, Delivery, Subject};
-pub use claims::{Claimed, Renewed, Room};
+pub use claims::{Claimed, FailedJob, Renewed, Room};
 pub use handle::Store;
 pub use history::{EventId, StatusEvent};
 pub use jobs::{Addition, EarlyEnd, Filter, JobRow, Lookup, NewJob, Outcome};
@@ -111,6 +111,9 @@ pub struct StoreOptions {
     /// Size of the ballast file beside an SQLite database, whose space is given up when the disk is full. 0 means no
     /// ballast. Three quarters of it must be larger than the write-ahead log.
     pub ballast_bytes: u64,
+    /// Called for each job that has failed because its workers died or could not read it, so that the process can log
+    /// and count it.
+    pub note_failed: fn(&FailedJob),
 }
 
 impl Default for StoreOptions {
@@ -132,6 +135,7 @@ impl Default for StoreOptions {
             connections: 10,
             poll_interval: Duration::from_secs(1),
             ballast_bytes: 0,
+            note_failed: |_| {},
         }
     }
 }

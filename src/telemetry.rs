@@ -2,7 +2,6 @@
 
 use crate::config::{LogConfig, LogFormat};
 use metrics_exporter_prometheus::{Matcher, PrometheusBuilder, PrometheusHandle};
-use plateau_engine::kind::Kind;
 use std::io::IsTerminal;
 use std::time::Duration;
 use tracing::level_filters::LevelFilter;
@@ -65,6 +64,8 @@ pub mod metric {
     pub const AUDIT_FAILURES: &str = "plateau_audit_failures_total";
     /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full, failed).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
+    /// Counter of requests with an unknown key.
+    pub const AUTH_FAILURES: &str = "plateau_auth_failures_total";
     /// Counter of attempts to send a message to a callback URL, by outcome (delivered, failed, given_up, unwanted).
     pub const CALLBACKS: &str = "plateau_callbacks_total";
     /// Counter of files made from results.
@@ -114,6 +115,7 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_counter!(metric::FAILURES, "Failed jobs by kind and type of the error");
     metrics::describe_counter!(metric::AUDIT_FAILURES, "Results that the audit withheld, by kind");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
+    metrics::describe_counter!(metric::AUTH_FAILURES, "Requests with an unknown key");
     metrics::describe_counter!(metric::CALLBACKS, "Attempts to send a message to a callback URL, by outcome");
     metrics::describe_counter!(metric::CONVERSIONS, "Files made from results");
     metrics::describe_histogram!(metric::SOLVE_SECONDS, "Seconds from claim to finish");
@@ -122,11 +124,6 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_gauge!(metric::RUNNING, "Jobs that run in this process");
     metrics::describe_gauge!(metric::UNRESPONSIVE, "Solvers that were given up because they did not answer");
     metrics::describe_gauge!(metric::BUILD_INFO, "Version of the program as a label; the value is always 1");
-    metrics::gauge!(metric::UNRESPONSIVE).set(0.0);
-    // An alert on a counter's increase needs its value before the first increase.
-    for kind in Kind::ALL {
-        metrics::counter!(metric::AUDIT_FAILURES, "kind" => kind.name()).increment(0);
-    }
     metrics::gauge!(metric::BUILD_INFO, "version" => env!("CARGO_PKG_VERSION")).set(1.0);
     metrics_process::Collector::default().describe();
     metrics::describe_counter!(metric::HTTP_REQUESTS, "HTTP requests by method, route and status");

@@ -1,6 +1,6 @@
 //! Access checks: the host, the origin of the page and the API key.
 
-use crate::auth::{AuthError, Left};
+use crate::auth::{AuthError, Left, Scope};
 use crate::config::HttpConfig;
 use crate::http::open_requests::{self, NoConnection};
 use crate::http::paths::is_message_of_hops;
@@ -14,6 +14,7 @@ use axum::response::{IntoResponse, Response};
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Name of the key that came with a request. `None` if this server has no keys.
 #[derive(Clone, Debug, Default)]
@@ -55,6 +56,19 @@ pub fn is_health(path: &str) -> bool {
     path.strip_prefix("/health/").is_some_and(|check| ["live", "ready"].contains(&check))
 }
 
+/// Returns what a key must be allowed to do for a request. The messages of MCP and Hops submit requests and read jobs.
+fn needed_scopes(method: &Method, path: &str) -> &'static [Scope] {
+    if path == "/metrics" {
+        &[Scope::Metrics]
+    } else if path == "/mcp" || is_message_of_hops(path) {
+        &[Scope::Submit, Scope::Read]
+    } else if [Method::GET, Method::HEAD, Method::OPTIONS].contains(method) {
+        &[Scope::Read]
+    } else {
+        &[Scope::Submit]
+    }
+}
+
 /// Header with the number of requests that a key has left and the seconds until it has all of a minute's requests
 /// again, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
 pub const RATE_LIMIT: HeaderName = HeaderName::from_static("ratelimit");
@@ -86,17 +100,18 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
     }
     let presented = presented_key(request.headers(), request.uri().path());
     let per_minute = app.config.auth.requests_per_minute;
-    match app.keys.admit(presented) {
+    let client = open_requests::address(request.extensions());
+    match app.keys.admit(presented, &client) {
         Ok(admitted) => {
             if let Some((name, _)) = &admitted.key {
                 tracing::Span::current().record("key", &**name);
             }
             let response = match admitted.key {
-                None => {
-                    let client = open_requests::address(request.extensions());
-                    seated(&app, &client, request, next).await
-                }
+                None => seated(&app, &client, request, next).await,
                 Some((name, digest)) => {
+                    if let Some(scope) = digest.lacks(needed_scopes(request.method(), request.uri().path())) {
+                        return Failure::out_of_scope(scope).into_response();
+                    }
                     let removal = app.keys.removal(name.clone(), digest);
                     request.extensions_mut().insert(Caller(Some(name.clone())));
                     let mut response = tokio::select! {
@@ -115,14 +130,26 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
         Err(AuthError::Unknown) => {
             Failure::unauthorized("send Authorization: Bearer with a key of this server").into_response()
         }
-        Err(AuthError::TooMany { wait_s }) => {
-            let wait_s = wait_s.ceil() as u64;
+        Err(AuthError::TooManyUnknown { wait }) => {
+            let detail = "this address has presented too many unknown keys; send Authorization: Bearer with a key of \
+                          this server";
+            Failure::too_many_failures(detail)
+                .with_header(header::RETRY_AFTER, HeaderValue::from(whole_seconds(wait)))
+                .into_response()
+        }
+        Err(AuthError::TooMany { wait }) => {
+            let wait_s = whole_seconds(wait);
             let refused = Failure::rate_limited(format!("a key may make {per_minute} requests a minute"))
                 .with_header(header::RETRY_AFTER, HeaderValue::from(wait_s))
                 .into_response();
             with_rate_limit(refused, per_minute, Left { requests: 0, full_in_s: wait_s })
         }
     }
+}
+
+/// Returns a time in seconds for `Retry-After`, rounded up.
+fn whole_seconds(time: Duration) -> u64 {
+    time.as_secs_f64().ceil() as u64
 }
 
 /// Passes a request on if its client may have one more request open. The seat stays with the response until its body

@@ -70,7 +70,7 @@ fn document() -> Value {
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.",
                     "schema": { "type": "string" } },
-                "WwwAuthenticate": { "description": "Bearer", "schema": { "type": "string" } },
+                "WwwAuthenticate": { "description": "Bearer, and the scope that the key does not have.", "schema": { "type": "string" } },
                 "RateLimit": { "description": "Requests that the key has left (`r`), and seconds until it has all of a \
                  minute's again (`t`): `\"requests\";r=57;t=3`.", "schema": { "type": "string" } },
                 "RateLimitPolicy": { "description": "Requests that the key may make (`q`) in a number of seconds \
@@ -103,13 +103,14 @@ fn paths() -> Value {
             }
             responses["421"] = response("Misdirected");
             if method != "get" {
-                responses["403"] = response("ForeignPage");
+                responses["403"] = response("Forbidden");
             }
             if is_public(path) {
                 operation["security"] = json!([]);
                 continue;
             }
             responses["401"] = response("Unauthorized");
+            responses["403"] = response("Forbidden");
             if responses.get("429").is_none() {
                 responses["429"] = response("RateLimited");
             }
@@ -146,7 +147,6 @@ fn problems() -> Value {
     let mut responses = Map::new();
     for (name, description) in [
         ("BadRequest", "Malformed JSON, a repeated key, or an invalid query parameter"),
-        ("ForeignPage", "A page of another origin sent the request, and `http.cors_origins` does not name that origin"),
         ("NotFound", "The resource does not exist"),
         ("NotAcceptable", "None of the accepted media types is offered"),
         ("RequestTimeout", "The body did not arrive in time"),
@@ -165,7 +165,18 @@ fn problems() -> Value {
     let limited = [retry, ("RateLimit", "RateLimit"), ("RateLimit-Policy", "RateLimitPolicy")];
     responses
         .insert("QueueFull".into(), problem("The queue is full, or this key has made too many requests", &limited));
-    responses.insert("RateLimited".into(), problem("This key has made too many requests", &limited));
+    responses.insert(
+        "RateLimited".into(),
+        problem("This key has made too many requests, or this address has presented too many unknown keys", &limited),
+    );
+    responses.insert(
+        "Forbidden".into(),
+        problem(
+            "The key does not have the scope for this, or a page of another origin wants to change something and \
+             `http.cors_origins` does not name that origin",
+            &[("WWW-Authenticate", "WwwAuthenticate")],
+        ),
+    );
     responses.insert(
         "Unauthorized".into(),
         problem("The request has no valid key of this server", &[("WWW-Authenticate", "WwwAuthenticate")]),

@@ -1,5 +1,6 @@
 //! The only place that knows the status codes of failures. Every error is sent as a problem document (RFC 9457).
 
+use crate::auth::Scope;
 #[cfg(feature = "hops")]
 use crate::hops::{self, answer::Answer};
 #[cfg(feature = "hops")]
@@ -45,6 +46,7 @@ failures! {
     bad_header: BAD_REQUEST, "bad-header", "A header is invalid";
     unauthorized: UNAUTHORIZED, "unauthorized", "A valid API key is required";
     foreign_page: FORBIDDEN, "foreign-page", "The request comes from a page of another origin";
+    insufficient_scope: FORBIDDEN, "insufficient-scope", "The key may not do this";
     not_found: NOT_FOUND, "not-found", "The resource does not exist";
     method_not_allowed: METHOD_NOT_ALLOWED, "method-not-allowed", "This path does not support this method";
     not_acceptable: NOT_ACCEPTABLE, "not-acceptable", "None of the accepted media types is offered";
@@ -62,6 +64,7 @@ failures! {
     invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request is invalid";
     key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
     rate_limited: TOO_MANY_REQUESTS, "rate-limited", "Too many requests with this key";
+    too_many_failures: TOO_MANY_REQUESTS, "too-many-failures", "Too many requests with an unknown key";
     too_many_open: TOO_MANY_REQUESTS, "too-many-open-requests", "Too many requests of this client are open";
     misdirected: MISDIRECTED_REQUEST, "misdirected", "The request is for another host";
     queue_full: TOO_MANY_REQUESTS, "queue-full", "The queue is full";
@@ -90,6 +93,18 @@ impl Failure {
             errors: Vec::new(),
             parameters: Box::default(),
             headers,
+        }
+    }
+
+    /// Returns the failure for a key that lacks a scope.
+    pub fn out_of_scope(scope: Scope) -> Self {
+        let name = scope.name();
+        // The form is that of RFC 6750, section 3.1.
+        let challenge = HeaderValue::from_str(&format!("Bearer error=\"insufficient_scope\", scope=\"{name}\""));
+        let failure = Self::insufficient_scope(format!("this key does not have the scope {name}"));
+        match challenge {
+            Ok(challenge) => failure.with_header(header::WWW_AUTHENTICATE, challenge),
+            Err(_) => failure,
         }
     }
 

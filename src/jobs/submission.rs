@@ -8,6 +8,7 @@
 use super::attempt::{Attempt, AttemptEnd, Start};
 use super::sources::Sources;
 use super::{Jobs, JobsError, view};
+use crate::config::LimitsConfig;
 use crate::store::{Addition, BatchAddition, EarlyEnd, NewBatch, NewJob, StoreError};
 use crate::telemetry::metric;
 use crate::wire::batch::{Batch, BatchRequest};
@@ -16,11 +17,13 @@ use crate::wire::incoming::{CheckedJob, Incoming};
 use crate::wire::job::Job;
 use bytes::Bytes;
 use plateau_engine::kind::Kind;
+use plateau_engine::limits::{refuse_too_many_values, refuse_too_much_as_values};
 use plateau_engine::request::Request;
 use plateau_strict_json::json;
 use plateau_strict_json::rejection::{FieldError, Rejection};
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
+use std::io::{self, Write};
 use std::time::Instant;
 
 /// Size in bytes up to which bodies are parsed on the async threads. Larger bodies go to the converters.
@@ -99,8 +102,8 @@ async fn read_and_store(
     if kind.has_source()
         && let Some(key) = &from.idempotency_key
     {
-        let body = body.clone();
-        body_hash = jobs.off_runtime(move || json::parse(&body).ok().map(|value| hash_of(&value))).await?;
+        let (body, limits) = (body.clone(), limits.clone());
+        body_hash = jobs.off_runtime(move || hash_of_body(&body, &limits)).await?;
         if let Some(hash) = body_hash
             && let Some(earlier) = jobs.store().earlier_job(from.owner.as_deref(), kind.name(), key, hash).await?
         {
@@ -252,8 +255,29 @@ fn milliseconds(duration: std::time::Duration) -> i64 {
 }
 
 /// Returns the hash of a body. The keys of a map are sorted, and integral numbers are integers (see `json::parse`).
-fn hash_of(body: &Value) -> [u8; 32] {
-    hash(body.to_string().as_bytes(), &Map::new())
+/// Returns `None` for a body that is not JSON or would take too much memory as JSON values.
+pub(crate) fn hash_of_body(body: &[u8], limits: &LimitsConfig) -> Option<[u8; 32]> {
+    refuse_too_many_values(body, &limits.requests()).ok()?;
+    refuse_too_much_as_values(body).ok()?;
+    let value = json::parse(body).ok()?;
+    let mut hasher = HashWriter(Sha256::new());
+    // A JSON value is always written as the same text, and writing it here cannot fail.
+    serde_json::to_writer(&mut hasher, &value).ok()?;
+    Some(hasher.0.finalize().into())
+}
+
+/// Hashes the bytes that are written to it, so that a long text is in memory only once.
+struct HashWriter(Sha256);
+
+impl Write for HashWriter {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.update(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// Returns the hash of a request's text and of the members that were taken out of it. Equal requests have equal hashes,
@@ -297,7 +321,7 @@ mod tests {
     use plateau_engine::source::no_jobs;
 
     fn job(body: &str, key: Option<&str>) -> NewJob {
-        let limits = crate::config::LimitsConfig::default();
+        let limits = LimitsConfig::default();
         let Incoming { request, envelope, text } =
             Incoming::read(ruled_surface::KIND, body.as_bytes(), &no_jobs, &limits)
                 .unwrap_or_else(|error| panic!("{body}: {error:?}"));

@@ -79,7 +79,7 @@ pub struct Busy {
 }
 
 impl Delivery {
-    const NAMES: [(Self, &str); 4] = [
+    pub const NAMES: [(Self, &str); 4] = [
         (Self::Delivered, "delivered"),
         (Self::Failed, "failed"),
         (Self::GivenUp, "given_up"),

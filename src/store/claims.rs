@@ -344,20 +344,39 @@ pub(super) fn hand_back_unread(tx: &mut Tx<'_>, id: &str, attempt: i64, error: &
     hand_back(tx, id, attempt)
 }
 
-/// Fails jobs that no worker could read for too long. Returns their number.
-fn fail_unread(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
+/// Jobs that have lost their workers, or that no worker could read.
+#[derive(Debug, Default)]
+pub(super) struct Recovered {
+    /// Number of these jobs.
+    pub jobs: usize,
+    /// Those of them that have failed.
+    pub failed: Vec<FailedJob>,
+}
+
+/// A job that has failed without a worker.
+#[derive(Debug)]
+pub struct FailedJob {
+    pub id: String,
+    pub kind: String,
+    /// The error as JSON text.
+    pub error: String,
+}
+
+/// Fails jobs that no worker could read for too long.
+fn fail_unread(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<Vec<FailedJob>> {
     let text = format!(
-        "UPDATE jobs SET {}, error = unread_error WHERE {UNREAD_FOR_TOO_LONG} RETURNING id",
+        "UPDATE jobs SET {}, error = unread_error WHERE {UNREAD_FOR_TOO_LONG} RETURNING id, kind, error",
         ending(Status::Failed)
     );
     let values = [milliseconds(options.unread_patience).into(), milliseconds(options.retention).into()];
-    let failed = tx.rows(&text, &values)?;
-    for row in &failed {
-        let id: String = row.get("id")?;
-        release_source(tx, &id)?;
-        tx.changed(&id);
+    let mut failed = Vec::new();
+    for row in &tx.rows(&text, &values)? {
+        let job = FailedJob { id: row.get("id")?, kind: row.get("kind")?, error: row.get("error")? };
+        release_source(tx, &job.id)?;
+        tx.changed(&job.id);
+        failed.push(job);
     }
-    Ok(failed.len())
+    Ok(failed)
 }
 
 /// Beginning of the line that describes the loss of an attempt.
@@ -381,7 +400,7 @@ fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
 }
 
 /// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue. A job whose lease has run out too
-/// often fails instead, and so does a job that no worker could read for too long. Returns the number of these jobs.
+/// often fails instead, and so does a job that no worker could read for too long.
 ///
 /// `outage_ms` is the time since the last outage of the database ended, if this process has seen one. A worker that has
 /// not renewed its lease since then may have been stopped because of the outage, so its loss is not counted.
@@ -390,10 +409,11 @@ pub(super) fn recover(
     lease_max_ms: i64,
     outage_ms: Option<i64>,
     options: &StoreOptions,
-) -> Result<usize> {
+) -> Result<Recovered> {
+    let mut failed = Vec::new();
     let lost = tx.rows(
         &format!(
-            "SELECT id, attempt, lost_leases, worker, progress, losses, now_ms() - started_at AS ran, \
+            "SELECT id, kind, attempt, lost_leases, worker, progress, losses, now_ms() - started_at AS ran, \
              now_ms() - lease_until + lease_ms AS silent \
              FROM jobs WHERE {LEASE_EXPIRED} ORDER BY lease_until LIMIT $2 /* skip locked */"
         ),
@@ -430,10 +450,14 @@ pub(super) fn recover(
                 [(&id).into(), retention.into(), attempt.into(), count.into(), (&losses).into(), (&error).into()];
             tx.execute(&text, &values)?;
             release_source(tx, &id)?;
+            failed.push(FailedJob { id: id.clone(), kind: row.get("kind")?, error });
         }
         tx.changed(&id);
     }
-    Ok(lost.len() + fail_unread(tx, options)?)
+    let unread = fail_unread(tx, options)?;
+    let jobs = lost.len() + unread.len();
+    failed.extend(unread);
+    Ok(Recovered { jobs, failed })
 }
 
 /// Returns the error, as JSON text, of a job whose workers keep dying.

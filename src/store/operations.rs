@@ -381,6 +381,7 @@ impl Store {
         let outage_ms = self.inner.contact.since_outage().map(milliseconds);
         let recovered =
             self.write_with(move |tx, options| claims::recover(tx, lease_max_ms, outage_ms, options)).await?;
-        Ok((recovered, waiting))
+        recovered.failed.iter().for_each(self.inner.options.note_failed);
+        Ok((recovered.jobs, waiting))
     }
 }

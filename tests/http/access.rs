@@ -273,7 +273,8 @@ async fn a_server_without_keys_listens_only_on_loopback_addresses() {
 
 #[tokio::test]
 async fn changes_of_the_keys_file_take_effect() {
-    let guarded = Guarded::start(&[]).await;
+    // The test asks with unknown keys more often than clients may.
+    let guarded = Guarded::start(&[("PLATEAU_AUTH__FAILURES_PER_MINUTE", "0")]).await;
     let (carol, line) = new_key("carol").await;
     assert_eq!(guarded.status(&carol, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
     std::fs::write(guarded.secrets.path().join("keys"), format!("{line}\n")).unwrap();
@@ -378,4 +379,79 @@ async fn a_key_is_replaced_without_a_gap() {
     std::fs::write(&file, format!("{old_line} 2020-01-01T00:00:00Z\n{new_line}\n")).unwrap();
     until("the old key has ended", async || ask(&old, this).await.status() == StatusCode::UNAUTHORIZED).await;
     assert_eq!(ask(&new, this).await.status(), StatusCode::OK);
+}
+
+#[tokio::test]
+async fn a_key_may_do_only_what_its_scopes_name() {
+    let secrets = tempfile::tempdir().unwrap();
+    let file = secrets.path().join("keys");
+    let [(submitter, first), (reader, second), (scraper, third)] =
+        [new_key("office").await, new_key("office").await, new_key("monitor").await];
+    std::fs::write(&file, format!("{first} submit\n{second} 2999-12-31T00:00:00Z read\n{third} metrics\n")).unwrap();
+    let app = TestApp::start_with(&[
+        ("PLATEAU_AUTH__KEYS_FILE", file.to_str().unwrap()),
+        ("PLATEAU_WORKERS", "0"),
+        ("PLATEAU_HTTP__MCP", "true"),
+    ])
+    .await;
+    let posted =
+        app.request(Method::POST, MINIMAL).bearer_auth(&submitter).json(&small_film(0.1)).send().await.unwrap();
+    assert_eq!(posted.status(), StatusCode::ACCEPTED);
+    let job: Value = posted.json().await.unwrap();
+    let link = |name: &str| job["links"][name].as_str().unwrap().to_owned();
+    let (this, cancel) = (link("self"), link("cancel"));
+    let requests = [
+        (Method::GET, this.as_str(), "read"),
+        (Method::GET, "/v1/jobs", "read"),
+        (Method::GET, "/v1/limits", "read"),
+        (Method::POST, cancel.as_str(), "submit"),
+        (Method::DELETE, this.as_str(), "submit"),
+        (Method::GET, "/metrics", "metrics"),
+    ];
+    for (method, path, needed) in requests {
+        // The key with the scope comes last, because it changes the job.
+        let mut keys = [("submit", &submitter), ("read", &reader), ("metrics", &scraper)];
+        keys.sort_by_key(|(scope, _)| *scope == needed);
+        for (scope, key) in keys {
+            let answer = app.request(method.clone(), path).bearer_auth(key).send().await.unwrap();
+            if scope == needed {
+                assert!(answer.status().is_success(), "{method} {path} with {scope}: {}", answer.status());
+                continue;
+            }
+            let challenge = format!("Bearer error=\"insufficient_scope\", scope=\"{needed}\"");
+            assert_eq!(answer.headers()["www-authenticate"], challenge.as_str(), "{method} {path} with {scope}");
+            let refused = app::problem(answer, 403).await;
+            assert_eq!(refused["type"], "/problems/insufficient-scope", "{method} {path} with {scope}");
+        }
+    }
+    // A message of another protocol may do both, so it needs both scopes.
+    for path in ["/mcp", "/solve", "/hops/solve"].into_iter().filter(|path| is_built(path)) {
+        for key in [&submitter, &reader] {
+            let answer = app.request(Method::POST, path).bearer_auth(key).json(&serde_json::json!({})).send().await;
+            assert!(answer.unwrap().text().await.unwrap().contains("does not have the scope"), "{path}");
+        }
+    }
+    // A scope that is taken away counts within seconds.
+    std::fs::write(&file, format!("{first} submit\n{second} metrics\n")).unwrap();
+    let status = async |path: &str| app.request(Method::GET, path).bearer_auth(&reader).send().await.unwrap().status();
+    until("the reader may not read", async || status("/v1/jobs").await == StatusCode::FORBIDDEN).await;
+    assert_eq!(status("/metrics").await, StatusCode::OK);
+}
+
+#[tokio::test]
+async fn unknown_keys_of_an_address_are_throttled_and_known_keys_are_not() {
+    let guarded = Guarded::start(&[("PLATEAU_AUTH__FAILURES_PER_MINUTE", "5")]).await;
+    let guess =
+        async || guarded.app.request(Method::GET, "/v1/jobs").bearer_auth("plateau_guess").send().await.unwrap();
+    for _ in 0..5 {
+        assert_eq!(guess().await.status(), StatusCode::UNAUTHORIZED);
+    }
+    let refused = guess().await;
+    let retry_after_s: u64 = refused.headers()["retry-after"].to_str().unwrap().parse().unwrap();
+    assert!((1..=12).contains(&retry_after_s), "{retry_after_s}");
+    assert_eq!(app::problem(refused, 429).await["type"], "/problems/too-many-failures");
+    assert_eq!(guarded.status(&guarded.alice, Method::GET, "/v1/jobs").await, StatusCode::OK);
+    assert_eq!(guarded.app.get("/v1/jobs").await.status(), StatusCode::UNAUTHORIZED, "no key is no guess");
+    let metrics = guarded.request(&guarded.alice, Method::GET, "/metrics").send().await.unwrap().text().await.unwrap();
+    assert!(metrics.contains("plateau_auth_failures_total 6\n"), "{metrics}");
 }

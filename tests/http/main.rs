@@ -42,6 +42,7 @@ mod load;
 mod mcp;
 mod memory;
 mod meshes;
+mod monitoring;
 mod openapi;
 mod operations;
 mod pairs;

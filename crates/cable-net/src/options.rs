@@ -76,7 +76,7 @@ impl Net {
 
 fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: impl Into<String>) {
     if !holds {
-        errors.push(InputError::new(place, detail));
+        InputError::new(place, detail).add_to(errors);
     }
 }
 

@@ -61,7 +61,17 @@ pub struct InputError {
     pub detail: String,
 }
 
+/// Largest number of errors that a check collects. Callers show at most 50, and a request may have a fault in each of a
+/// million values, whose errors would take many times the memory of the request.
+pub const MOST_ERRORS: usize = 51;
+
 impl InputError {
+    /// Adds this error to others, unless there are [`MOST_ERRORS`] already.
+    pub fn add_to(self, errors: &mut Vec<Self>) {
+        if errors.len() < MOST_ERRORS {
+            errors.push(self);
+        }
+    }
     /// An error about the value at a place.
     pub fn new(place: Place, detail: impl Into<String>) -> Self {
         Self { place, detail: detail.into() }

@@ -21,6 +21,14 @@ impl FieldError {
         Self { pointer: pointer.into(), detail: detail.into() }
     }
 
+    /// Adds this error to others, unless there are more than [`MAX_ERRORS`] already. A request may have a fault in each
+    /// of a million values, whose errors would take many times the memory of the request.
+    pub fn add_to(self, errors: &mut Vec<Self>) {
+        if errors.len() <= MAX_ERRORS {
+            errors.push(self);
+        }
+    }
+
     /// Refuses an object at `pointer` unless exactly one of its members is given.
     ///
     /// # Errors

@@ -25,15 +25,16 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     let mut errors = Vec::new();
     for (k, vertex) in mesh.vertices.iter().enumerate() {
         if !vertex.is_finite() {
-            errors.push(InputError::new(place().then("vertices").at(k), "every coordinate must be a finite number"));
+            InputError::new(place().then("vertices").at(k), "every coordinate must be a finite number")
+                .add_to(&mut errors);
         }
     }
     for (k, triangle) in mesh.triangles.iter().enumerate() {
         let place = place().then("triangles").at(k);
         if triangle.iter().any(|&v| v as usize >= mesh.vertices.len()) {
-            errors.push(InputError::new(place, "names a vertex that does not exist"));
+            InputError::new(place, "names a vertex that does not exist").add_to(&mut errors);
         } else if is_degenerate(mesh.corners(*triangle)) {
-            errors.push(InputError::new(place, "has no area"));
+            InputError::new(place, "has no area").add_to(&mut errors);
         }
     }
     if !errors.is_empty() {

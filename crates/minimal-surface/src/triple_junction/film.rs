@@ -28,7 +28,8 @@ impl JunctionFilm {
         let mut errors = Vec::new();
         let mut seen = BTreeMap::new();
         for (t, triangle) in triangles.iter().enumerate() {
-            let mut refuse = |detail: String| errors.push(InputError::new(place().then("triangles").at(t), detail));
+            let mut refuse =
+                |detail: String| InputError::new(place().then("triangles").at(t), detail).add_to(&mut errors);
             let mut corners = *triangle;
             corners.sort_unstable();
             let first = *seen.entry(corners).or_insert(t);
@@ -43,7 +44,7 @@ impl JunctionFilm {
         }
         for (v, _) in vertices.iter().enumerate().filter(|(_, vertex)| !vertex.is_finite()) {
             let detail = "every coordinate must be a finite number";
-            errors.push(InputError::new(place().then("vertices").at(v), detail));
+            InputError::new(place().then("vertices").at(v), detail).add_to(&mut errors);
         }
         if !errors.is_empty() {
             return Err(Error::Input(errors));

@@ -289,7 +289,7 @@ impl CableNetRequest {
         let mut rest = None;
         for (k, cable) in self.cables.iter().enumerate() {
             let mut refuse = |field: String, detail: String| {
-                errors.push(FieldError::new(format!("/cables/{k}{field}"), detail));
+                FieldError::new(format!("/cables/{k}{field}"), detail).add_to(errors);
             };
             if cable.force_density.is_some() && (cable.force.is_some() || cable.length.is_some()) {
                 let detail = "is not allowed with a force or a length: it is held, and they follow from it";
@@ -358,7 +358,9 @@ impl CableNetRequest {
             for (i, &v) in vertices.iter().enumerate() {
                 match loads.get_mut(v as usize) {
                     Some(load) => *load += force,
-                    None => errors.push(FieldError::new(format!("/loads/{k}/vertices/{i}"), numbered(count))),
+                    None => {
+                        FieldError::new(format!("/loads/{k}/vertices/{i}"), numbered(count)).add_to(errors);
+                    }
                 }
             }
         }
@@ -369,9 +371,11 @@ impl CableNetRequest {
         let mut seen = vec![None; self.vertices.len()];
         for (k, &support) in self.supports.iter().enumerate() {
             match seen.get_mut(support as usize) {
-                None => errors.push(FieldError::new(format!("/supports/{k}"), numbered(self.vertices.len()))),
+                None => {
+                    FieldError::new(format!("/supports/{k}"), numbered(self.vertices.len())).add_to(errors);
+                }
                 Some(Some(first)) => {
-                    errors.push(FieldError::new(format!("/supports/{k}"), format!("repeats support {first}")));
+                    FieldError::new(format!("/supports/{k}"), format!("repeats support {first}")).add_to(errors);
                 }
                 Some(place) => *place = Some(k),
             }
