@@ -106,15 +106,66 @@ async fn a_mesh_is_coloured_by_what_is_asked_for() {
     assert!(gltf["meshes"][1]["primitives"][0]["attributes"]["COLOR_0"].is_u64());
 }
 
+/// Solves a strip of which some bridges are not locally convex.
+async fn saddle_strip(app: &TestApp, points: usize) -> Value {
+    let rail = |turn: f64, y: f64| -> Vec<[f64; 3]> {
+        let height = |k: usize| turn * k as f64 / (points - 1) as f64;
+        (0..points).map(|k| [4.0 * k as f64 / (points - 1) as f64, y * height(k).cos(), y * height(k).sin()]).collect()
+    };
+    app.solve(RULED, &json!({ "directrices": [rail(1.5, -1.0), rail(1.5, 1.0)], "objective": "minimal_twist" })).await
+}
+
+#[tokio::test]
+async fn a_strip_is_coloured_by_convexity_and_lists_the_bridges_that_are_not_convex() {
+    let app = TestApp::start().await;
+    for (points, capped) in [(9, false), (150, true)] {
+        let strip = saddle_strip(&app, points).await;
+        let (statistics, mesh) = (&strip["statistics"], strip["links"]["mesh"].as_str().unwrap());
+        let count = |name: &str| statistics[name].as_u64().unwrap() as usize;
+        let concave = count("bridges") - count("convex_bridges");
+        let listed = statistics["concave_bridges"].as_array().unwrap();
+        assert!(concave > 0 && (concave > 200) == capped, "{concave} of {}", count("bridges"));
+        assert_eq!(listed.len(), concave.min(200));
+        // The list is the beginning of what the lines of the JSON mesh mark.
+        let json = app.get_json(&format!("{mesh}?format=json")).await;
+        let bridges = json["lines"].as_array().unwrap().iter().find(|lines| lines["name"] == "bridges").unwrap();
+        let marks = bridges["values"]["values"].as_array().unwrap();
+        assert_eq!((&bridges["values"]["name"], marks.len()), (&json!("concave"), count("bridges")));
+        let marked: Vec<usize> = (0..marks.len()).filter(|&k| marks[k] == 1.0).collect();
+        assert_eq!(marked.len(), concave);
+        let mut deviation = 0f64;
+        for (entry, &k) in listed.iter().zip(&marked) {
+            assert_eq!((&entry["bridge"], &entry["vertices"]), (&json!(k), &bridges["paths"][k]));
+            deviation = deviation.max(entry["fold_deg"].as_f64().unwrap());
+        }
+        if !capped {
+            assert_eq!(Some(deviation), statistics["developability_deviation_deg"].as_f64());
+        }
+        let gltf = app.get_json(&format!("{mesh}?format=gltf&colors=convexity")).await;
+        for mesh in ["surface", "bridges"] {
+            let named = gltf["meshes"].as_array().unwrap().iter().find(|of| of["name"] == mesh).unwrap();
+            assert!(named["primitives"][0]["attributes"]["COLOR_0"].is_u64(), "{mesh}");
+        }
+        let plain = app.get_json(&format!("{mesh}?format=gltf")).await;
+        assert!(plain["meshes"][0]["primitives"][0]["attributes"].get("COLOR_0").is_none());
+        assert_eq!(app.get(&format!("{mesh}?format=ply&colors=convexity")).await.status(), 200);
+    }
+    let flat = json!({ "directrices": [[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [2, 1, 0]]] });
+    assert_eq!(app.solve(RULED, &flat).await["statistics"]["concave_bridges"], json!([]));
+}
+
 #[tokio::test]
 async fn colours_that_a_mesh_cannot_have_are_refused() {
     let app = TestApp::start().await;
     let film = app.solve(MINIMAL, &small_film(0.27)).await;
     let strip = app.solve(RULED, &example("wavy-strip")).await;
-    let (film, strip) = (&film["links"]["mesh"], &strip["links"]["mesh"]);
+    let net = app.solve("/v1/cable-nets", &example("four-cables")).await;
+    let lattice = app.solve(UNIFORM, &example("floor-equal-members")).await;
+    let sail = app.solve("/v1/tensile-structures", &example("four-point-sail")).await;
+    let [film, strip, net, lattice, sail] = [&film, &strip, &net, &lattice, &sail].map(|job| &job["links"]["mesh"]);
     for (mesh, query, status, detail) in [
-        (film, "colors=heat", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force"),
-        (film, "colors=", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force"),
+        (film, "colors=heat", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force, convexity"),
+        (film, "colors=", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force, convexity"),
         (film, "colors=mean_curvature&colors=force", 400, "colors is given twice"),
         (film, "colors=mean_curvature&range=0", 400, "range must be a number above 0"),
         (film, "colors=mean_curvature&range=-1", 400, "range must be a number above 0"),
@@ -132,12 +183,11 @@ async fn colours_that_a_mesh_cannot_have_are_refused() {
             422,
             "this file has no lower_bound_slack to be coloured by; it has mean_curvature",
         ),
-        (
-            strip,
-            "colors=mean_curvature",
-            422,
-            "this file has no mean_curvature to be coloured by; it has none of the quantities",
-        ),
+        (strip, "colors=mean_curvature", 422, "this file has no mean_curvature to be coloured by; it has convexity"),
+        (film, "colors=convexity", 422, "this file has no convexity to be coloured by; it has mean_curvature"),
+        (net, "colors=convexity", 422, "this file has no convexity to be coloured by; it has force"),
+        (lattice, "colors=convexity", 422, "this file has no convexity to be coloured by; it has length"),
+        (sail, "colors=convexity", 422, "this file has no convexity to be coloured by; it has force"),
     ] {
         let problem = problem(app.get(&format!("{}?{query}", mesh.as_str().unwrap())).await, status).await;
         assert_eq!(problem["detail"], json!(detail), "{query}");

@@ -1316,6 +1316,22 @@ export interface components {
              */
             triangles: number;
         };
+        /** @description A bridge that is not locally convex: the sheet has to stretch there. */
+        ConcaveBridge: {
+            /**
+             * Format: int64
+             * @description Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
+             *     bridges of the JSON mesh.
+             */
+            bridge: number;
+            /**
+             * Format: double
+             * @description Angle between the normals of its two triangles. 0 if one of them has no area.
+             */
+            fold_deg: number;
+            /** @description Vertices of the mesh at its two ends, on the first and on the second directrix of its strip. */
+            vertices: number[];
+        };
         /**
          * @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
          *     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
@@ -2914,6 +2930,12 @@ export interface components {
             bridges: number;
             /** @description Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`. */
             comparison: components["schemas"]["Comparison"][] | null;
+            /**
+             * @description The first 200 bridges that are not locally convex, from the first strip to the last. Empty if the surface can be
+             *     developed. `bridges` less `convex_bridges` counts them all. The JSON mesh marks all of them, and
+             *     `?colors=convexity` colours them.
+             */
+            concave_bridges: components["schemas"]["ConcaveBridge"][];
             /**
              * Format: double
              * @description Number of locally convex bridges over the number of bridges.
@@ -6206,9 +6228,9 @@ export interface operations {
                 lines?: boolean;
                 /** @description Whether a PLY file is binary or text. The default is `binary`. Other formats have no choice. */
                 encoding?: "binary" | "ascii";
-                /** @description Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. Minimal surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, the members of uniform meshes have `length`, and cables have `force`. */
-                colors?: "mean_curvature" | "lower_bound_slack" | "length" | "force";
-                /** @description Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the largest length or force. GLB and glTF state the scale in `extras.color_range`. */
+                /** @description Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. Minimal surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, the members of uniform meshes have `length`, and cables have `force`. Strips have `convexity`: a triangle is red between two bridges that are not locally convex, green beside one, and blue otherwise; in GLB and glTF, such a bridge is red and the others are blue. */
+                colors?: "mean_curvature" | "lower_bound_slack" | "length" | "force" | "convexity";
+                /** @description Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack and the convexity; and the largest length or force. GLB and glTF state the scale in `extras.color_range`. */
                 range?: number;
             };
             header?: never;
@@ -6996,6 +7018,16 @@ export interface operations {
                      *         "bending_energy": 0.10213068530252087,
                      *         "bridges": 4,
                      *         "comparison": null,
+                     *         "concave_bridges": [
+                     *           {
+                     *             "bridge": 1,
+                     *             "fold_deg": 3.890900272175983,
+                     *             "vertices": [
+                     *               1,
+                     *               3
+                     *             ]
+                     *           }
+                     *         ],
                      *         "convex_bridge_ratio": 0.75,
                      *         "convex_bridges": 3,
                      *         "developability_deviation_deg": 3.890900272175983,

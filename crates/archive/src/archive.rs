@@ -26,6 +26,9 @@ pub const MEAN_CURVATURE: &str = "mean_curvature";
 /// 1.
 pub const LOWER_BOUND_SLACK: &str = "lower_bound_slack";
 
+/// Name of the attribute of bridges that is 1 at a bridge that is not locally convex, and 0 at the others.
+pub const CONCAVE: &str = "concave";
+
 /// A quantity with a number for each vertex, for each triangle, or for each line of a set, such as a force.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attribute {

@@ -1,7 +1,6 @@
 //! Wang and Tang's experiments on our own stand-ins for their examples I to VI (they print no coordinates).
 //!
 //! - `cargo run --release -p plateau-ruled-surface --example wang_tang -- table` prints Table 1, every objective a row;
-//! - `... -- map` prints the validity map of Fig. 10 for example I as SVG (docs/validation/validity_map.svg);
 //! - `... -- request I` (to `VI`) prints the example as a request of the service (api/examples/).
 
 #![allow(
@@ -13,7 +12,7 @@
 )]
 
 use plateau_mesh::{DVec3, Execution};
-use plateau_ruled_surface::{Comparison, Given, Objective, Options, Secondary, Strip, solve};
+use plateau_ruled_surface::{Comparison, Objective, Options, Secondary, solve};
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
@@ -162,49 +161,6 @@ fn table() -> String {
     text
 }
 
-/// Fig. 10: black where a bridge is locally convex; the paths of minimal twist and of maximal convexity on top.
-fn map() -> String {
-    let example = &examples()[0];
-    let given = |k: usize| Given::from(example.directrices[k].as_slice());
-    let strip = Strip::new(given(0), given(1), false).expect("a valid strip");
-    let (m, n) = (example.directrices[0].len(), example.directrices[1].len());
-    let cell = 6;
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n\
-         <title>Validity map of example I: dark where the bridge from p_i (across) to q_j (up) is locally convex; \
-         path of minimal twist in red, of maximal convexity in blue</title>\n\
-         <rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n<path fill=\"#555\" d=\"",
-        m * cell,
-        n * cell
-    );
-    let tolerance = plateau_ruled_surface::DEFAULT_CONVEXITY_TOLERANCE;
-    for j in 0..n {
-        let mut i = 0;
-        while i < m {
-            let run = (i..m).take_while(|&i| strip.is_locally_convex([i, j], tolerance)).count();
-            if run > 0 {
-                let (x, y) = (i * cell, (n - 1 - j) * cell);
-                write!(svg, "M{x} {y}h{}v{cell}h-{0}z", run * cell).expect("writing to a string");
-            }
-            i += run.max(1);
-        }
-    }
-    svg.push_str("\"/>\n");
-    for (objective, colour) in [(Objective::MinimalTwist, "#d33"), (Objective::MaximalConvexity, "#27f")] {
-        let path =
-            strip.optimal_path(objective, None, tolerance, &Execution::default()).expect("nothing interrupts it");
-        let points: Vec<String> = path
-            .iter()
-            .map(|&[i, j]| format!("{},{}", i as usize * cell + cell / 2, (n - 1 - j as usize) * cell + cell / 2))
-            .collect();
-        let points = points.join(" ");
-        writeln!(svg, "<polyline fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" points=\"{points}\"/>")
-            .expect("writing to a string");
-    }
-    svg.push_str("</svg>\n");
-    svg
-}
-
 fn request(name: &str) -> Option<String> {
     let example = examples().into_iter().find(|example| example.name == name)?;
     let lists = |lists: &[Vec<DVec3>]| {
@@ -229,14 +185,13 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let text = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["table"] => Some(table()),
-        ["map"] => Some(map()),
         ["request", name] => request(name),
         _ => None,
     };
     match text {
         Some(text) => print!("{text}"),
         None => {
-            eprintln!("usage: wang_tang table | map | request I..VI");
+            eprintln!("usage: wang_tang table | request I..VI");
             std::process::exit(2);
         }
     }

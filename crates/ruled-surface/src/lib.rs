@@ -59,7 +59,7 @@ pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};
 pub use strip::Strip;
 pub use strip::objective::{Objective, Secondary, Weights};
-pub use strip::statistics::{CoupledValues, Statistics};
+pub use strip::statistics::{ConcaveBridge, CoupledValues, Statistics};
 
 use graph::cell_counter::CellCounter;
 use graph::convexity::ConvexityTest;
@@ -76,6 +76,7 @@ use stack::prepare::prepare;
 use stack::{caps, meetings, sampling, warnings};
 use strip::objective::Goal;
 use strip::search::{SolvedStrips, solve_all};
+use strip::statistics::Angle;
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
@@ -116,7 +117,7 @@ fn solve_with(
         choose_directions(&mut prepared, goal, test, lanes, &mut counter)?;
     }
     let strips: Vec<Rails> = prepared.strips();
-    let SolvedStrips { paths, statistics: strip_statistics, flipped } =
+    let SolvedStrips { paths, statistics: strip_statistics, concave, flipped } =
         solve_all(&strips, goal, test, lanes, &mut counter, &mut prepared.warnings)?;
     counter.phase("statistics");
     let mut comparison = None;
@@ -155,6 +156,7 @@ fn solve_with(
     surface.statistics.triangles += cap.len();
     surface.statistics.area +=
         cap.iter().map(|&triangle| 0.5 * double_area_vector(surface.mesh.corners(triangle)).length()).sum::<f64>();
+    surface.concave_bridges = concave_bridges(&strip_statistics, &concave);
     surface.strips = strip_statistics;
     surface.comparison = comparison;
     surface.warnings = prepared.warnings;
@@ -166,6 +168,17 @@ fn solve_with(
         residual: None,
     });
     Ok(surface)
+}
+
+/// Numbers the bridges that are not convex over all strips.
+fn concave_bridges(strips: &[Statistics], concave: &[Vec<(u32, Angle)>]) -> Vec<ConcaveBridge> {
+    let mut all = Vec::with_capacity(concave.iter().map(Vec::len).sum());
+    let mut first = 0;
+    for (strip, concave) in strips.iter().zip(concave) {
+        all.extend(concave.iter().map(|&(k, fold)| ConcaveBridge { bridge: first + k, fold: fold.radians() }));
+        first += strip.bridges as u32;
+    }
+    all
 }
 
 /// Checks the arguments of [`solve`] without resampling or solving. The time is linear in the number of points.

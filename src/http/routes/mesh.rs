@@ -144,14 +144,16 @@ pub fn mesh_entry() -> Value {
         "colors",
         "Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. \
          Minimal surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, \
-         the members of uniform meshes have `length`, and cables have `force`.",
+         the members of uniform meshes have `length`, and cables have `force`. Strips have `convexity`: a triangle is \
+         red between two bridges that are not locally convex, green beside one, and blue otherwise; in GLB and glTF, \
+         such a bridge is red and the others are blue.",
         json!({ "type": "string", "enum": Quantity::ALL.map(Quantity::name) }),
     );
     let range = query_parameter(
         "range",
         "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of \
-         the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the \
-         largest length or force. GLB and glTF state the scale in `extras.color_range`.",
+         the mean curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack and the \
+         convexity; and the largest length or force. GLB and glTF state the scale in `extras.color_range`.",
         json!({ "type": "number", "format": "double", "exclusiveMinimum": 0 }),
     );
     json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",

@@ -606,6 +606,17 @@ class Comparison(TypedDict):
     """Number of triangles."""
 
 
+class ConcaveBridge(TypedDict):
+    """A bridge that is not locally convex: the sheet has to stretch there."""
+    bridge: int
+    """Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
+    bridges of the JSON mesh."""
+    fold_deg: float
+    """Angle between the normals of its two triangles. 0 if one of them has no area."""
+    vertices: List[int]
+    """Vertices of the mesh at its two ends, on the first and on the second directrix of its strip."""
+
+
 class Constraints(TypedDict):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh. Their points are joined to
     points of the boundaries and to each other within `join_tolerance`, and the end of a curve may lie on a segment of a
@@ -1687,6 +1698,10 @@ class RuledStatistics(TypedDict):
     """Number of bridges, which are the edges between the rails."""
     comparison: Optional[List[Comparison]]
     """Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`."""
+    concave_bridges: List[ConcaveBridge]
+    """The first 200 bridges that are not locally convex, from the first strip to the last. Empty if the surface can be
+    developed. `bridges` less `convex_bridges` counts them all. The JSON mesh marks all of them, and
+    `?colors=convexity` colours them."""
     convex_bridge_ratio: float
     """Number of locally convex bridges over the number of bridges."""
     convex_bridges: int

@@ -2,7 +2,7 @@
 //! end.
 
 use super::Error;
-use crate::archive::{Attribute, Contents, LOWER_BOUND_SLACK, LineSet, Lines, MEAN_CURVATURE};
+use crate::archive::{Attribute, BRIDGES, CONCAVE, Contents, LOWER_BOUND_SLACK, LineSet, Lines, MEAN_CURVATURE};
 
 /// Quantity that a mesh can be coloured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,9 @@ pub enum Quantity {
     Length,
     /// Force of the cables and masts of tensile structures and cable nets.
     Force,
+    /// Local convexity of the bridges of strips: 0 at convex bridges and 1 at the others. A triangle has the mean of
+    /// its two bridges, so a region between bridges that are not convex is red, as in Wang and Tang's Fig. 11.
+    Convexity,
 }
 
 /// The quantity by which a file is coloured, and its scale.
@@ -27,7 +30,7 @@ pub struct Colors {
 }
 
 impl Quantity {
-    pub const ALL: [Self; 4] = [Self::MeanCurvature, Self::LowerBoundSlack, Self::Length, Self::Force];
+    pub const ALL: [Self; 5] = [Self::MeanCurvature, Self::LowerBoundSlack, Self::Length, Self::Force, Self::Convexity];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -36,7 +39,13 @@ impl Quantity {
             Self::LowerBoundSlack => LOWER_BOUND_SLACK,
             Self::Length => "length",
             Self::Force => "force",
+            Self::Convexity => "convexity",
         }
+    }
+
+    /// Returns the name of the attribute that has the values.
+    fn attribute(self) -> &'static str {
+        if self == Self::Convexity { CONCAVE } else { self.name() }
     }
 
     #[must_use]
@@ -46,19 +55,43 @@ impl Quantity {
 
     /// Returns the values of the quantity at the vertices, if the mesh has them.
     pub(super) fn at_vertices(self, contents: &Contents) -> Option<&Attribute> {
-        contents.at_vertices(self.name())
+        contents.at_vertices(self.attribute())
     }
 
     /// Returns the values of the quantity for a set of segments, if it has them. Arrows keep their own colour, because
     /// the forces of reactions are of another magnitude than those of cables.
     pub(super) fn along(self, set: &LineSet) -> Option<&Attribute> {
-        let is_this = |attribute: &&Attribute| attribute.name == self.name();
+        let is_this = |attribute: &&Attribute| attribute.name == self.attribute();
         set.attributes.iter().find(is_this).filter(|_| matches!(set.lines, Lines::Segments(_)))
     }
 
-    /// Returns the values of the quantity at the vertices and for each line set that has them.
+    /// Returns the pairs of vertices of the bridges and their values, if the triangles take their colours from bridges.
+    fn at_bridges(self, contents: &Contents) -> Option<(&[[u32; 2]], &Attribute)> {
+        let bridges = contents.line_sets.iter().find(|set| self == Self::Convexity && set.name == BRIDGES)?;
+        let Lines::Segments(pairs) = &bridges.lines else { return None };
+        Some((pairs, self.along(bridges)?))
+    }
+
+    /// Returns a value for each triangle, if triangles are coloured and not vertices: the mean over the two bridges of
+    /// the triangle, and 0 for the triangles of caps, which have no bridges. O(n log n).
+    pub(super) fn at_triangles(self, contents: &Contents) -> Option<Vec<f64>> {
+        let (pairs, attribute) = self.at_bridges(contents)?;
+        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+        let mut bridges: Vec<([u32; 2], f64)> =
+            pairs.iter().map(|&pair| sorted(pair)).zip(attribute.values.iter().copied()).collect();
+        bridges.sort_unstable_by_key(|&(pair, _)| pair);
+        let value = |pair: [u32; 2]| {
+            let found = bridges.binary_search_by_key(&sorted(pair), |&(pair, _)| pair);
+            found.map_or(0.0, |k| bridges[k].1)
+        };
+        let of_triangle = |&[a, b, c]: &[u32; 3]| 0.5 * (value([a, b]) + value([b, c]) + value([c, a]));
+        Some(contents.mesh.triangles.iter().map(of_triangle).collect())
+    }
+
+    /// Returns the values of the quantity at the vertices, for the triangles, and for each line set that has them.
     fn all_in<'a>(self, contents: &'a Contents, line_sets: &'a [LineSet]) -> impl Iterator<Item = &'a Attribute> {
-        self.at_vertices(contents).into_iter().chain(line_sets.iter().filter_map(move |set| self.along(set)))
+        let on_surface = self.at_vertices(contents).or_else(|| Some(self.at_bridges(contents)?.1));
+        on_surface.into_iter().chain(line_sets.iter().filter_map(move |set| self.along(set)))
     }
 }
 

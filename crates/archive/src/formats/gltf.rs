@@ -11,6 +11,7 @@
 //!   on and off. Segments with values have separate positions and carry the value at both ends.
 //! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
+//!   Where triangles have colours, a vertex between two colours is there once for each, with one normal.
 //! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
 //!   bound is tight.
 //! - `_MEAN_CURVATURE` is in 1/m. Attributes are clamped to f32.
@@ -175,19 +176,31 @@ impl Scene {
         line_sets: &[LineSet],
         scale: Option<&Scale>,
     ) -> Vec<Index<Node>> {
-        let split = sheets::split_by_sheet(&contents.mesh);
-        let mesh = split.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
+        let by_sheet = sheets::split_by_sheet(&contents.mesh);
+        let sheets = by_sheet.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
+        let at_triangles = scale.and_then(|scale| scale.quantity.at_triangles(contents));
+        let by_color = at_triangles.map(|values| sheets::split_by_value(sheets, &values));
+        let mesh = by_color.as_ref().map_or(sheets, |(mesh, ..)| mesh);
         let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| coordinates.position(vertex)).collect();
         let shared = Shared { accessor: self.positions(&positions), positions: &positions };
 
-        // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh.
+        // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh. Those of further
+        // colours follow these.
         let with_split_vertices = |values: &[f64]| -> Vec<f64> {
-            let further = split.iter().flat_map(|(_, source)| &source[values.len()..]);
-            values.iter().copied().chain(further.map(|&vertex| values[vertex as usize])).collect()
+            let mut values = values.to_vec();
+            let sources = by_sheet.iter().map(|(_, source)| source).chain(by_color.iter().map(|(_, source, _)| source));
+            for source in sources {
+                extend_by_sources(&mut values, source);
+            }
+            values
         };
         let mut attributes = BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
         if !mesh.triangles.is_empty() {
-            attributes.insert(Valid(Semantic::Normals), self.vectors(&normals(mesh, coordinates)));
+            let mut normals = normals(sheets, coordinates);
+            if let Some((_, source, _)) = &by_color {
+                extend_by_sources(&mut normals, source);
+            }
+            attributes.insert(Valid(Semantic::Normals), self.vectors(&normals));
         }
         for attribute in &contents.vertex_attributes {
             // The unit of length is the metre in glTF, so values per unit of length are per metre.
@@ -196,9 +209,13 @@ impl Scene {
             let values = with_split_vertices(&attribute.values).into_iter().map(|value| clamped(value / unit));
             attributes.insert(custom(&attribute.name), self.scalars(values));
         }
-        let base_color = match scale.and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?))) {
-            Some((scale, attribute)) => {
-                let values = with_split_vertices(&attribute.values);
+        let colored = scale.and_then(|scale| {
+            let of_vertices = || Some(with_split_vertices(&scale.quantity.at_vertices(contents)?.values));
+            let values = by_color.as_ref().map(|(_, _, values)| values.clone()).or_else(of_vertices)?;
+            Some((scale, values))
+        });
+        let base_color = match colored {
+            Some((scale, values)) => {
                 let colors = self.colors(values.into_iter().map(|value| scale.color(value)));
                 attributes.insert(Valid(Semantic::Colors(0)), colors);
                 WHITE
@@ -477,6 +494,13 @@ fn asset_extras(contents: &Contents, coordinates: &GltfCoordinates, scale: Optio
 struct Shared<'a> {
     accessor: Index<Accessor>,
     positions: &'a [[f32; 3]],
+}
+
+/// Appends the items of the added vertices of a mesh whose vertices were split. `source` has the original of each
+/// vertex.
+fn extend_by_sources<T: Copy>(items: &mut Vec<T>, source: &[u32]) {
+    let added: Vec<T> = source[items.len()..].iter().map(|&vertex| items[vertex as usize]).collect();
+    items.extend(added);
 }
 
 fn along(line: &Polyline) -> impl Iterator<Item = u32> {

@@ -1,32 +1,45 @@
 //! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. The mean
 //! curvature, if known, is the vertex property `mean_curvature` in 1/unit. It is also the property `quality`, which
-//! MeshLab shows. Colours, if asked for, are the same as in glTF. If a lower bound of the area is known,
-//! `lower_bound_slack` shows where the bound is not tight. A mesh without triangles, such as a cable net, has `edge`
-//! elements with their values, such as `force`.
+//! MeshLab shows. Colours, if asked for, are the same as in glTF; where triangles have colours, a vertex between two
+//! colours is there once for each, and the added vertices follow those of the mesh. If a lower bound of the area is
+//! known, `lower_bound_slack` shows where the bound is not tight. A mesh without triangles, such as a cable net, has
+//! `edge` elements with their values, such as `force`.
 
+use std::borrow::Cow;
 use std::io::Write as _;
 
 use super::colors::Scale;
 use super::obj::one_line;
-use super::{Choices, Error, Origin};
+use super::{Choices, Error, Origin, sheets};
 use crate::archive::{Archive, Attribute, Contents, LOWER_BOUND_SLACK, Lines, MEAN_CURVATURE};
+use plateau_mesh::Mesh;
 
 /// Writes the vertices and triangles in archive order.
 ///
 /// # Errors
-/// Returns [`Error::NoQuantity`] if the vertices lack the quantity by which they are to be coloured.
+/// Returns [`Error::NoQuantity`] if neither vertices nor triangles have the quantity by which they are to be coloured.
 pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
-    let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-    let named = |name: &str| contents.at_vertices(name).map(|attribute| attribute.values.as_slice());
-    let (curvature, slack) = (named(MEAN_CURVATURE), named(LOWER_BOUND_SLACK));
     // The scale ignores line sets, because only vertices have colours in PLY.
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, &[])).transpose()?;
-    let colored = scale.as_ref().and_then(|scale| Some((scale, &scale.quantity.at_vertices(contents)?.values)));
+    let at_triangles = scale.as_ref().and_then(|scale| scale.quantity.at_triangles(contents));
+    let split = at_triangles.map(|values| sheets::split_by_value(&contents.mesh, &values));
+    let mesh = split.as_ref().map_or(&contents.mesh, |(mesh, ..)| mesh);
+    let (vertices, triangles) = (&mesh.vertices, &mesh.triangles);
+    let named = |name: &str| {
+        let values = &contents.at_vertices(name)?.values;
+        let of_split = |(_, source, _): &(_, Vec<u32>, _)| source.iter().map(|&v| values[v as usize]).collect();
+        Some(split.as_ref().map_or(Cow::Borrowed(values.as_slice()), |split| Cow::Owned(of_split(split))))
+    };
+    let (curvature, slack) = (named(MEAN_CURVATURE), named(LOWER_BOUND_SLACK));
+    let colored = scale.as_ref().and_then(|scale| {
+        let of_vertices = || Some(&scale.quantity.at_vertices(contents)?.values);
+        Some((scale, split.as_ref().map(|(_, _, values)| values).or_else(of_vertices)?))
+    });
     let shift = choices.shift(contents);
     let edges = if triangles.is_empty() { edges(archive, choices) } else { Edges::default() };
     let present = Present { curvature: curvature.is_some(), colors: colored.is_some(), slack: slack.is_some() };
-    let mut out = header(contents, choices, present, &edges).into_bytes();
+    let mut out = header(contents, mesh, choices, present, &edges).into_bytes();
     let with = |bytes: usize, present: bool| if present { bytes } else { 0 };
     let a_vertex = 24 + with(12, curvature.is_some()) + with(3, colored.is_some()) + with(8, slack.is_some());
     out.reserve(a_vertex * vertices.len() + 13 * triangles.len());
@@ -36,9 +49,9 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     }
     for (index, vertex) in vertices.iter().enumerate() {
         let vertex = *vertex - shift;
-        let known = curvature.map(|values| (values[index], values[index].min(f64::from(f32::MAX)) as f32));
+        let known = curvature.as_ref().map(|values| (values[index], values[index].min(f64::from(f32::MAX)) as f32));
         let color = colored.map(|(scale, values)| scale.color(values[index]));
-        let slack = slack.map(|values| values[index]);
+        let slack = slack.as_ref().map(|values| values[index]);
         if choices.ascii {
             // `{:?}` gives the shortest text that reads back as the same number.
             put!("{:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
@@ -88,8 +101,8 @@ struct Present {
 }
 
 /// Returns the lines before the data.
-fn header(contents: &Contents, choices: Choices, present: Present, edges: &Edges<'_>) -> String {
-    let triangles = &contents.mesh.triangles;
+fn header(contents: &Contents, mesh: &Mesh, choices: Choices, present: Present, edges: &Edges<'_>) -> String {
+    let triangles = &mesh.triangles;
     let shift = choices.shift(contents);
     let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
     let mut header = format!(
@@ -103,7 +116,7 @@ fn header(contents: &Contents, choices: Choices, present: Present, edges: &Edges
     }
     header.push_str(&format!(
         "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
-        contents.mesh.vertices.len()
+        mesh.vertices.len()
     ));
     if present.curvature {
         header.push_str("property double mean_curvature\nproperty float quality\n");

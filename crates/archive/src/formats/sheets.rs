@@ -1,5 +1,7 @@
-//! Splits the vertices of a film with junctions, for formats that shade by vertex normals. At an edge with three
-//! triangles the surface has three sides, so no single normal fits all of them.
+//! Splits vertices, for formats whose normals and colours belong to vertices.
+//!
+//! At an edge with three triangles a film has three sides, so no single normal fits all of them. Colours of triangles
+//! end at their edges, so a vertex between two colours needs both.
 
 use plateau_mesh::Mesh;
 use plateau_mesh::disjoint_sets::DisjointSets;
@@ -53,6 +55,36 @@ pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
         split.triangles[corner / 3][corner % 3] = vertex_of[first];
     }
     Some((split, source))
+}
+
+/// Returns a mesh in which all triangles at a vertex have the same value, for each of its vertices the original in
+/// `mesh`, and for each of its vertices the value. `values` has a number for each triangle. The vertices of `mesh` come
+/// first and the added ones after them. A vertex without triangles has the value 0. Takes O(n log n) time.
+pub fn split_by_value(mesh: &Mesh, values: &[f64]) -> (Mesh, Vec<u32>, Vec<f64>) {
+    let mut split = mesh.clone();
+    let mut source: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
+    let mut at_vertices = vec![0.0; mesh.vertices.len()];
+    let mut corners: Vec<(u32, f64, usize)> =
+        mesh.triangles.iter().flatten().enumerate().map(|(corner, &v)| (v, values[corner / 3], corner)).collect();
+    corners.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    for at_vertex in corners.chunk_by(|a, b| a.0 == b.0) {
+        for (k, of_value) in at_vertex.chunk_by(|a, b| a.1 == b.1).enumerate() {
+            let (v, value, _) = of_value[0];
+            let vertex = if k == 0 {
+                at_vertices[v as usize] = value;
+                v
+            } else {
+                source.push(v);
+                at_vertices.push(value);
+                split.vertices.push(mesh.vertices[v as usize]);
+                split.vertices.len() as u32 - 1
+            };
+            for &(_, _, corner) in of_value {
+                split.triangles[corner / 3][corner % 3] = vertex;
+            }
+        }
+    }
+    (split, source, at_vertices)
 }
 
 #[cfg(test)]

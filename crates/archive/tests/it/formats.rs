@@ -302,6 +302,78 @@ fn lines_and_slack_have_colours_too() {
     assert_eq!(force.document["asset"]["extras"]["color_range"]["unit"], "kN");
 }
 
+/// Returns the sample strip, whose bridges have these marks.
+fn marked_strip(concave: [f64; 4]) -> Archive {
+    let mut contents = sample::strip();
+    contents.line_sets[0].attributes =
+        vec![Attribute { range: [0.0, 1.0], ..Attribute::new("concave", "", concave.to_vec()) }];
+    archive(contents)
+}
+
+/// Returns the colour of each triangle of the surface, whose three vertices must agree.
+fn colors_of_triangles(glb: &Glb) -> Vec<[u8; 4]> {
+    let at_vertices = colors_of(glb, 0);
+    let indices = glb.indices(&glb.primitive(0)["indices"]);
+    let one = |triangle: &[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|k| at_vertices[triangle[k] as usize]);
+        assert!(a == b && b == c, "{a:?} {b:?} {c:?}");
+        a
+    };
+    indices.chunks(3).map(one).collect()
+}
+
+#[test]
+fn triangles_between_concave_bridges_are_red() {
+    let strip = marked_strip([0.0, 1.0, 1.0, 0.0]);
+    let contents = strip.contents();
+    let asked = colors(Quantity::Convexity, None);
+    let glb = Glb::with(&strip, asked);
+    assert_eq!(colors_of_triangles(&glb), [GREEN, RED, GREEN]);
+    assert_eq!(colors_of(&glb, 1), [BLUE, BLUE, RED, RED, RED, RED, BLUE, BLUE]);
+    assert_eq!(glb.floats(&glb.primitive(1)["attributes"]["_CONCAVE"]), [0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0]);
+    let scale = &glb.document["asset"]["extras"]["color_range"];
+    assert_eq!((&scale["quantity"], &scale["min"], &scale["max"]), (&json!("convexity"), &json!(0.0), &json!(1.0)));
+
+    // The vertices of the mesh come first. The copies have their places and normals, so the shading is the same.
+    let plain = Glb::of(&strip);
+    assert!(plain.primitive(0)["attributes"].get("COLOR_0").is_none());
+    let at = |glb: &Glb, name: &str| glb.vectors(&glb.primitive(0)["attributes"][name]);
+    let (places, normals) = (at(&plain, "POSITION"), at(&plain, "NORMAL"));
+    assert_eq!(
+        (at(&glb, "POSITION")[..5].to_vec(), at(&glb, "NORMAL")[..5].to_vec()),
+        (places.clone(), normals.clone())
+    );
+    let [corners, original] = [&glb, &plain].map(|glb| glb.indices(&glb.primitive(0)["indices"]));
+    for (corner, original) in corners.into_iter().zip(original) {
+        let (corner, original) = (corner as usize, original as usize);
+        assert_eq!(at(&glb, "POSITION")[corner], places[original]);
+        assert_eq!(at(&glb, "NORMAL")[corner], normals[original]);
+    }
+    assert_eq!(at(&glb, "POSITION").len(), 8, "three vertices lie between two colours");
+
+    // The range makes a triangle with one concave bridge red too. Convex strips are blue. Without lines the triangles
+    // keep their colours.
+    assert_eq!(colors_of_triangles(&Glb::with(&strip, colors(Quantity::Convexity, Some(0.5)))), [RED; 3]);
+    assert_eq!(colors_of_triangles(&Glb::with(&marked_strip([0.0; 4]), asked)), [BLUE; 3]);
+    let without_lines = Glb::with(&strip, Choices { lines: false, ..asked });
+    assert_eq!(colors_of_triangles(&without_lines), [GREEN, RED, GREEN]);
+
+    // PLY has the same vertices, triangles and colours.
+    let ply = String::from_utf8(with(MeshFormat::Ply, contents, Choices { ascii: true, ..asked })).unwrap();
+    let (header, body) = ply.split_once("end_header\n").unwrap();
+    assert!(header.contains("element vertex 8\n") && header.contains("element face 3\n"), "{header}");
+    let rows: Vec<Vec<f64>> =
+        body.lines().map(|row| row.split(' ').map(|number| number.parse().unwrap()).collect()).collect();
+    for (row, color) in rows.iter().zip(colors_of(&glb, 0)) {
+        assert_eq!(row[3..], color.map(f64::from)[..3]);
+    }
+    for (row, vertex) in rows.iter().zip(&contents.mesh.vertices) {
+        assert_eq!(row[..3], vertex.to_array());
+    }
+    let faces: Vec<f64> = rows[8..].iter().flat_map(|row| row[1..].to_vec()).collect();
+    assert_eq!(faces, glb.indices(&glb.primitive(0)["indices"]).into_iter().map(f64::from).collect::<Vec<_>>());
+}
+
 #[test]
 fn a_quantity_that_the_file_does_not_have_is_an_error_that_names_those_it_has() {
     let refused = |format: MeshFormat, archive: &Archive, choices| match format.encode_with(archive, choices) {
@@ -317,6 +389,15 @@ fn a_quantity_that_the_file_does_not_have_is_an_error_that_names_those_it_has() 
     assert_eq!(
         refused(MeshFormat::Gltf, &bare, force),
         "this file has no force to be coloured by; it has none of the quantities"
+    );
+    let convexity = colors(Quantity::Convexity, None);
+    assert_eq!(
+        refused(MeshFormat::Glb, &full, convexity),
+        "this file has no convexity to be coloured by; it has mean_curvature, length"
+    );
+    assert_eq!(
+        refused(MeshFormat::Ply, &marked_strip([0.0; 4]), force),
+        "this file has no force to be coloured by; it has convexity"
     );
     // The quantities of lines are missing in a file without lines. They are missing in PLY too,
     // whose colours are at vertices.
@@ -718,6 +799,9 @@ fn the_khronos_validator_finds_neither_errors_nor_warnings() {
         let bytes = MeshFormat::Glb.encode_with(&sample::full(), colors(quantity, None)).unwrap();
         std::fs::write(folder.join(format!("{}.glb", quantity.name())), bytes).unwrap();
     }
+    let strip = marked_strip([0.0, 1.0, 1.0, 0.0]);
+    let bytes = MeshFormat::Glb.encode_with(&strip, colors(Quantity::Convexity, None)).unwrap();
+    std::fs::write(folder.join("convexity.glb"), bytes).unwrap();
     let scripts = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts");
     if !scripts.join("node_modules/gltf-validator").exists() {
         skipped("Khronos validator of the formats", "npm has not installed gltf-validator in scripts");

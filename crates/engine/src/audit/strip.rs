@@ -51,6 +51,10 @@ pub(crate) struct Figures {
     pub normal_variation: Option<[Sum; 2]>,
     pub fold: Largest,
     pub concave_fold: [Largest; 2],
+    /// For each bridge whether it certainly is locally convex, and whether it is if rounding favours it.
+    pub convexity: Vec<[bool; 2]>,
+    /// The folds in order of the bridges. The two ends of an open strip have none.
+    folds: Vec<Fold>,
     pub shortest: Least,
     pub longest: Largest,
     /// Bending energy of the bridges that certainly are not convex, and of those that may not be convex. The next field
@@ -93,6 +97,7 @@ fn fitted_tangent(before: Option<DVec3>, after: Option<DVec3>, [a, b]: [f64; 2])
 const MARGIN: f64 = 1e-6;
 
 /// The fold at a bridge.
+#[derive(Clone, Debug)]
 struct Fold {
     cosine: f64,
     sine_squared: f64,
@@ -294,6 +299,8 @@ impl Strip<'_> {
             normal_variation: has_normals.then(|| [Sum::default(); 2]),
             fold: Largest::NONE,
             concave_fold: [Largest::NONE; 2],
+            convexity: Vec::with_capacity(count),
+            folds: Vec::new(),
             shortest: Least::NONE,
             longest: Largest::NONE,
             concave_bending: [Sum::default(); 2],
@@ -322,6 +329,7 @@ impl Strip<'_> {
             figures.longest.add(length, RELATIVE * length + 2.0 * self.step);
             let ends = [&chords[0][bridge[0]], &chords[1][bridge[1]]];
             let convex = self.convexity(axis, length, ends, tolerance_sine);
+            figures.convexity.push(convex);
             figures.convex[0] += usize::from(convex[0]);
             figures.convex[1] += usize::from(convex[1]);
             self.add_twist(&mut figures, bridge, (axis, length), ends);
@@ -342,6 +350,7 @@ impl Strip<'_> {
         }
         figures.fold = largest_fold(&folds, 0);
         figures.concave_fold = [1, 2].map(|which| largest_fold(&folds, which));
+        figures.folds = folds;
         figures
     }
 
@@ -463,6 +472,17 @@ impl Strip<'_> {
 }
 
 impl Figures {
+    /// Returns the angle between the normals of the triangles on both sides of bridge k. At the end of an open strip it
+    /// is 0.
+    #[must_use]
+    pub fn fold_at(&self, k: usize) -> Measured {
+        let ends = self.convexity.len() - self.folds.len();
+        let fold = k.checked_sub(ends / 2).and_then(|k| self.folds.get(k));
+        let mut angle = Largest::NONE;
+        fold.iter().for_each(|fold| angle.add(fold.angle(), fold.tolerance));
+        angle.measured()
+    }
+
     fn add_curvature(&mut self, (before, a): Rounded, (now, b): Rounded, [certain, possible]: [bool; 2]) {
         let (term, error) = ((now - before).length(), a + b);
         self.curvature_variation.add(term, error);

@@ -258,7 +258,7 @@ fn a_guide_that_leaves_the_mesh_is_found() {
 #[test]
 #[cfg(feature = "ruled-surface")]
 fn every_fault_in_strips_is_found() {
-    let faults: [Fault; 11] = [
+    let faults: [Fault; 17] = [
         ("a triangle beside its bridges", |contents, _| contents.mesh.triangles.swap(1, 4)),
         ("a moved point", |contents, _| contents.mesh.vertices[3].x += 1e-12),
         ("a fold of another strip", |_, statistics| add(statistics, "/strips/0/largest_fold_deg", 1e-4)),
@@ -267,6 +267,20 @@ fn every_fault_in_strips_is_found() {
         ("one convex bridge more", |_, statistics| {
             add(statistics, "/strips/1/convex_bridges", 1.0);
             add(statistics, "/convex_bridges", 1.0);
+        }),
+        ("a concave bridge without its mark", |contents, _| {
+            let marks = &mut set(contents, BRIDGES).attributes[0].values;
+            let k = marks.iter().position(|&mark| mark == 1.0).expect("a concave bridge");
+            marks[k] = 0.0;
+        }),
+        ("a mark at another bridge", |contents, _| set(contents, BRIDGES).attributes[0].values[0] = 1.0),
+        ("no marks", |contents, _| set(contents, BRIDGES).attributes.clear()),
+        ("a listed bridge of other vertices", |_, statistics| {
+            add(statistics, "/concave_bridges/0/vertices/1", 1.0);
+        }),
+        ("a fold of another bridge", |_, statistics| add(statistics, "/concave_bridges/0/fold_deg", 1e-4)),
+        ("a list without its last bridge", |_, statistics| {
+            remove_last(statistics["concave_bridges"].as_array_mut().expect("a list"));
         }),
         ("a twist without a bridge", |_, statistics| add(statistics, "/strips/0/total_normal_twist", 1e-6)),
         ("a bending without a bridge", |_, statistics| add(statistics, "/strips/0/bending_energy", 1e-6)),

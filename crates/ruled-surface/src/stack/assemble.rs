@@ -10,7 +10,8 @@ use plateau_mesh::Mesh;
 use plateau_mesh::error::Error;
 use plateau_mesh::execution::Execution;
 
-/// Welds all strips into one mesh. The caller fills in the statistics, the comparison and the warnings.
+/// Welds all strips into one mesh. The caller fills in the statistics, the bridges that are not convex, the
+/// comparison and the warnings.
 pub(crate) fn assemble(
     prepared: &Prepared,
     strips: &[Rails],
@@ -45,6 +46,7 @@ pub(crate) fn assemble(
         direction_decided_by: prepared.directrices.iter().map(|d| d.direction_decided_by).collect(),
         statistics: Statistics::default(),
         strips: Vec::new(),
+        concave_bridges: Vec::new(),
         comparison: None,
         flat_pattern,
         warnings: Vec::new(),

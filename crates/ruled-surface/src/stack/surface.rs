@@ -3,7 +3,7 @@
 use super::options::DirectionCriterion;
 use crate::pattern::FlatPattern;
 use crate::strip::objective::{Objective, Secondary};
-use crate::strip::statistics::Statistics;
+use crate::strip::statistics::{ConcaveBridge, Statistics};
 use plateau_mesh::Mesh;
 use plateau_mesh::error::Warning;
 
@@ -30,6 +30,8 @@ pub struct RuledSurface {
     pub statistics: Statistics,
     /// Figures of each strip.
     pub strips: Vec<Statistics>,
+    /// The bridges that are not locally convex, in the order of [`bridges`](Self::bridges).
+    pub concave_bridges: Vec<ConcaveBridge>,
     /// Table 1: the figures of the optimum of each objective, if
     /// [`Options::all_objectives`](crate::Options::all_objectives) is set.
     pub comparison: Option<Vec<Comparison>>,

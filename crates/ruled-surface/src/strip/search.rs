@@ -1,7 +1,7 @@
 //! Chooses the graph, the kernel and its width for an objective, and finds the optimal path of a strip.
 
 use super::objective::{Goal, Objective, Secondary, Weights};
-use super::statistics::{Evaluation, Statistics, evaluate};
+use super::statistics::{Angle, Evaluation, Statistics, evaluate};
 use crate::graph::cell_counter::CellCounter;
 use crate::graph::closed::{self, FoundPath, KernelSearch, PathSearch};
 use crate::graph::convexity::{self, ConvexityTest};
@@ -42,6 +42,8 @@ impl SearchGoal<'_> {
 pub(crate) struct SolvedStrips {
     pub(crate) paths: Vec<Vec<[u32; 2]>>,
     pub(crate) statistics: Vec<Statistics>,
+    /// The bridges of each strip that are not locally convex, by their number along its path, with their folds.
+    pub(crate) concave: Vec<Vec<(u32, Angle)>>,
     /// Whether the faces agree with the given normals only if every triangle is reversed.
     pub(crate) flipped: bool,
 }
@@ -81,7 +83,8 @@ pub(crate) fn solve_all(
             .collect();
         let total: f64 = statistics.iter().map(|strip| strip.objective_value).sum();
         if best.as_ref().is_none_or(|(least, _)| total < *least) {
-            best = Some((total, SolvedStrips { paths, statistics, flipped }));
+            let concave = evaluations.into_iter().map(|evaluation| evaluation.concave).collect();
+            best = Some((total, SolvedStrips { paths, statistics, concave, flipped }));
         }
     }
     let (_, solved) = best.expect("there is at least one winding");

@@ -80,6 +80,16 @@ impl Statistics {
     }
 }
 
+/// A bridge that is not locally convex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ConcaveBridge {
+    /// Number of the bridge. Bridges count from 0 over all strips.
+    pub bridge: u32,
+    /// The angle between the normals of its two triangles, in radians; 0 if one of them has no area.
+    pub fold: f64,
+}
+
 /// The secondary objectives of the couplings, summed over the bridges that are not locally convex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -91,7 +101,7 @@ pub struct CoupledValues {
 }
 
 /// The figures of a path, and the figures that only the couplings need.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Evaluation {
     pub(crate) statistics: Statistics,
     /// Normal variation with the strip's own winding of the triangles, and with the opposite winding.
@@ -99,12 +109,14 @@ pub(crate) struct Evaluation {
     /// Bending energy and curvature variation over the bridges that are not convex.
     pub(crate) concave_bending: f64,
     pub(crate) concave_curvature: f64,
+    /// The bridges that are not convex, by their number along the path, with their folds.
+    pub(crate) concave: Vec<(u32, Angle)>,
 }
 
 /// An angle from 0 to 180°, as its sine and cosine times any positive number. Two angles are compared without computing
 /// either of them.
-#[derive(Clone, Copy)]
-struct Angle {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Angle {
     sine: f64,
     cosine: f64,
 }
@@ -118,7 +130,7 @@ impl Angle {
         let opposite = difference == 0.0 && self.cosine > 0.0 && other.cosine < 0.0;
         if difference > 0.0 || opposite { other } else { self }
     }
-    fn radians(self) -> f64 {
+    pub(crate) fn radians(self) -> f64 {
         libm::atan2(self.sine, self.cosine)
     }
 }
@@ -153,6 +165,8 @@ pub(crate) fn evaluate(
 struct Sums {
     evaluation: Evaluation,
     variation: [f64; 2],
+    /// Number of bridges added so far.
+    added: u32,
     largest_fold: Angle,
     largest_concave_fold: Angle,
     first: Option<(Vector<f64>, bool)>,
@@ -179,6 +193,7 @@ impl Sums {
         Self {
             evaluation: Evaluation { statistics, ..Evaluation::default() },
             variation: [0.0; 2],
+            added: 0,
             largest_fold: Angle::ZERO,
             largest_concave_fold: Angle::ZERO,
             first: None,
@@ -205,6 +220,10 @@ impl Sums {
                 self.largest_concave_fold = self.largest_concave_fold.max(fold);
             }
         }
+        if !bridge.convex {
+            self.evaluation.concave.push((self.added, bridge.fold.unwrap_or(Angle::ZERO)));
+        }
+        self.added += 1;
         if self.first.is_none() {
             self.first = Some((bridge.curvature, bridge.convex));
         } else {

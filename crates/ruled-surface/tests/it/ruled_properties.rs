@@ -4,8 +4,8 @@
 use crate::ruled::{self, GOALS, Random, STYLES, Style, random_case};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Signal};
 use plateau_ruled_surface::{
-    Caps, Direction, FlatPattern, Objective, Options, RuledSurface, Sampling, Secondary, Strip, Weights, estimate,
-    solve,
+    Caps, DEFAULT_CONVEXITY_TOLERANCE as TOLERANCE, Direction, FlatPattern, Objective, Options, RuledSurface, Sampling,
+    Secondary, Strip, Weights, estimate, solve,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -153,6 +153,40 @@ fn a_faceted_half_cylinder_folds_but_is_developable() {
     assert_eq!(figures.convex_bridges, figures.bridges);
     assert!((figures.largest_fold.to_degrees() - 9.0).abs() < 1e-6);
     assert_eq!(figures.developability_deviation, 0.0);
+}
+
+#[test]
+fn the_bridges_that_are_not_convex_are_listed_over_all_strips() {
+    let (mut random, mut listed) = (Random::new(11), 0);
+    for round in 0..40 {
+        let closed = round % 2 == 1;
+        let goal = GOALS[round % GOALS.len()];
+        let case = random_case(&mut random, Style::Sensible, closed, 30);
+        let above = case.p.iter().map(|&p| p + DVec3::new(0.3, 4.0, 0.7)).collect();
+        let rails = [case.p, case.q, above];
+        let surface = solved(&rails, &options(goal, closed));
+        let mut expected = Vec::new();
+        let mut first = 0;
+        for (k, own) in surface.strips.iter().enumerate() {
+            let strip = Strip::new(rails[k][..].into(), rails[k + 1][..].into(), closed).unwrap();
+            let local = |v: u32, rail: usize| surface.directrices[rail].iter().position(|&own| own == v).unwrap();
+            let is_convex = |&[a, b]: &[u32; 2]| strip.is_locally_convex([local(a, k), local(b, k + 1)], TOLERANCE);
+            let bridges = &surface.bridges[first..first + own.bridges];
+            let concave = bridges.iter().enumerate().filter(|(_, bridge)| !is_convex(bridge));
+            expected.extend(concave.map(|(number, _)| (first + number) as u32));
+            let own_folds = surface
+                .concave_bridges
+                .iter()
+                .filter(|concave| (first..first + own.bridges).contains(&(concave.bridge as usize)));
+            let largest = own_folds.map(|concave| concave.fold).fold(0.0, f64::max);
+            assert_eq!(largest, own.developability_deviation);
+            first += own.bridges;
+        }
+        let found: Vec<u32> = surface.concave_bridges.iter().map(|concave| concave.bridge).collect();
+        assert_eq!(found, expected, "{goal:?}");
+        listed += found.len();
+    }
+    assert!(listed > 500, "{listed}");
 }
 
 #[test]

@@ -1,13 +1,14 @@
 //! Measures the stated figures of strips again, and compares.
 
 use super::solve::SolverInput;
+use super::statistics::LISTED_BRIDGES;
 use crate::audit::comparison::Audit;
 use crate::audit::figure::{Largest, Least, Measured, Sum};
 use crate::audit::points;
 use crate::audit::strip::{Figures, Rail, Strip, between};
 use crate::audit::surface::{Sides, corners};
 use plateau_archive::Lines;
-use plateau_archive::archive::BRIDGES;
+use plateau_archive::archive::{BRIDGES, CONCAVE};
 use plateau_mesh::DVec3;
 use plateau_ruled_surface::{Caps, Objective, Secondary};
 
@@ -22,6 +23,51 @@ struct Total {
     longest: Option<Measured>,
     fold: Option<Measured>,
     concave_fold: Option<Measured>,
+}
+
+/// The bridges that a result marks as not locally convex, while the strips are compared one after another.
+struct Marks<'c> {
+    /// For each bridge of the strips that are left, 1 if it is marked. Empty if the result marks none.
+    left: &'c [f64],
+    /// Number of the first bridge that is left.
+    first: usize,
+    /// Number of entries of the stated list that were compared.
+    listed: usize,
+}
+
+impl<'c> Marks<'c> {
+    fn new(audit: &Audit<'c>) -> Self {
+        let bridges = audit.contents.line_sets.iter().find(|set| set.name == BRIDGES);
+        let marks = bridges.and_then(|set| set.attributes.iter().find(|attribute| attribute.name == CONCAVE));
+        Self { left: marks.map_or(&[], |attribute| &attribute.values), first: 0, listed: 0 }
+    }
+
+    /// Compares the marks of the next strip and the entries of the stated list for them.
+    fn compare(&mut self, audit: &mut Audit, pointer: &str, figures: &Figures, bridges: &[[u32; 2]]) {
+        let (own, left) = self.left.split_at(bridges.len().min(self.left.len()));
+        let is_wrong = |k: usize, [certain, possible]: [bool; 2]| match own.get(k) {
+            Some(1.0) => certain,
+            Some(0.0) => !possible,
+            _ => true,
+        };
+        let wrong = figures.convexity.iter().enumerate().find(|&(k, &convex)| is_wrong(k, convex));
+        audit.require(
+            wrong.is_none(),
+            || format!("{pointer}: the bridges that are not locally convex are marked, and no others"),
+            || wrong.map_or_else(String::new, |(k, _)| format!("bridge {k} differs")),
+        );
+        let marked = || own.iter().enumerate().filter(|&(_, &mark)| mark == 1.0).map(|(k, _)| k);
+        audit.equal(&format!("{pointer}/convex_bridges"), bridges.len() - marked().count());
+        for k in marked().take(LISTED_BRIDGES - self.listed) {
+            let entry = format!("/concave_bridges/{}", self.listed);
+            audit.equal(&format!("{entry}/bridge"), self.first + k);
+            audit.equal(&format!("{entry}/vertices/0"), bridges[k][0] as usize);
+            audit.equal(&format!("{entry}/vertices/1"), bridges[k][1] as usize);
+            audit.figure(&format!("{entry}/fold_deg"), figures.fold_at(k).times(1f64.to_degrees()));
+            self.listed += 1;
+        }
+        (self.left, self.first) = (left, self.first + bridges.len());
+    }
 }
 
 impl SolverInput {
@@ -67,6 +113,7 @@ impl SolverInput {
         let triangles = &contents.mesh.triangles;
         let (mut first_bridge, mut first_triangle) = (0usize, 0usize);
         let mut total: Option<Total> = None;
+        let mut marks = Marks::new(audit);
         for k in 0..strips {
             let pointer = format!("/strips/{k}");
             let count = audit.stated_count(&format!("{pointer}/bridges"));
@@ -104,12 +151,19 @@ impl SolverInput {
                 return None;
             }
             self.compare_strip(audit, &pointer, &figures, own.len());
+            marks.compare(audit, &pointer, &figures, own);
             add(&mut total, &figures);
         }
         audit.require(
             first_bridge == bridges.len(),
             || "the strips have all bridges".into(),
             || format!("{first_bridge} of {}", bridges.len()),
+        );
+        let (listed, stated) = (marks.listed, audit.entries("/concave_bridges"));
+        audit.require(
+            stated == listed,
+            || format!("{listed} bridges are listed as not locally convex"),
+            || stated.to_string(),
         );
         audit.equal("/triangles", triangles.len());
         let without_caps = self.options.caps == Caps::None;

@@ -4,7 +4,7 @@ mod audit;
 mod solve;
 mod statistics;
 
-pub use statistics::{Comparison, FlatPatternStatistics, RuledStatistics, StripStatistics};
+pub use statistics::{Comparison, ConcaveBridge, FlatPatternStatistics, RuledStatistics, StripStatistics};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
 use crate::checked::{Checked, KindRequest, Types};

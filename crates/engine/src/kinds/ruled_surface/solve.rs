@@ -6,8 +6,8 @@ use crate::audit::crossings::Crossings;
 use crate::solved::{
     self, CoordinateSystem, UnauditedResult, archive, generator, line_set, origin, polylines, to_json, warnings,
 };
-use plateau_archive::Lines;
-use plateau_archive::archive::{BRIDGES, Contents, DIRECTRICES};
+use plateau_archive::archive::{BRIDGES, CONCAVE, Contents, DIRECTRICES};
+use plateau_archive::{Attribute, LineSet, Lines};
 use plateau_mesh::self_intersections::Order;
 use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
@@ -30,6 +30,11 @@ impl solved::SolverInput for SolverInput {
         let (mesh, warned) = (&surface.mesh, &mut surface.warnings);
         let crossings = Crossings::count(mesh, Order::AsGiven, MOST_SEARCHED_TRIANGLES, warned, exec)?;
         let statistics = to_json(&RuledStatistics::of(&surface, options, crossings, origin(&surface.mesh)))?;
+        let mut concave = vec![0.0; surface.bridges.len()];
+        for of_bridge in &surface.concave_bridges {
+            concave[of_bridge.bridge as usize] = 1.0;
+        }
+        let concave = Attribute { range: [0.0, 1.0], ..Attribute::new(CONCAVE, "", concave) };
         let archive = archive(Contents {
             generator: generator(),
             title: "ruled surface".into(),
@@ -38,7 +43,7 @@ impl solved::SolverInput for SolverInput {
             mesh: surface.mesh,
             line_sets: vec![
                 line_set(DIRECTRICES, polylines(&surface.directrices, options.closed)),
-                line_set(BRIDGES, Lines::Segments(surface.bridges)),
+                LineSet { attributes: vec![concave], ..line_set(BRIDGES, Lines::Segments(surface.bridges)) },
             ],
             input_vertices: surface.input_vertices,
             statistics: statistics.clone(),

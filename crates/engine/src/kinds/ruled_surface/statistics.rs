@@ -35,6 +35,21 @@ pub struct StripStatistics {
     pub longest_bridge: f64,
 }
 
+/// Maximum number of bridges that are listed individually. `convex_bridges` counts all others.
+pub(super) const LISTED_BRIDGES: usize = 200;
+
+/// A bridge that is not locally convex: the sheet has to stretch there.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ConcaveBridge {
+    /// Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
+    /// bridges of the JSON mesh.
+    pub bridge: u32,
+    /// Vertices of the mesh at its two ends, on the first and on the second directrix of its strip.
+    pub vertices: [u32; 2],
+    /// Angle between the normals of its two triangles. 0 if one of them has no area.
+    pub fold_deg: f64,
+}
+
 /// Quality of the strips' flat pattern.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct FlatPatternStatistics {
@@ -64,6 +79,10 @@ pub struct RuledStatistics {
     pub total: StripStatistics,
     /// Statistics of each strip, in order. Caps belong to none.
     pub strips: Vec<StripStatistics>,
+    /// The first 200 bridges that are not locally convex, from the first strip to the last. Empty if the surface can be
+    /// developed. `bridges` less `convex_bridges` counts them all. The JSON mesh marks all of them, and
+    /// `?colors=convexity` colours them.
+    pub concave_bridges: Vec<ConcaveBridge>,
     pub flat_pattern: FlatPatternStatistics,
     /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
     /// mesh. Null if not all pairs were looked at.
@@ -137,6 +156,16 @@ impl RuledStatistics {
             vertices: surface.mesh.vertices.len(),
             total: (&surface.statistics).into(),
             strips: surface.strips.iter().map(Into::into).collect(),
+            concave_bridges: surface
+                .concave_bridges
+                .iter()
+                .take(LISTED_BRIDGES)
+                .map(|concave| ConcaveBridge {
+                    bridge: concave.bridge,
+                    vertices: surface.bridges[concave.bridge as usize],
+                    fold_deg: concave.fold.to_degrees(),
+                })
+                .collect(),
             flat_pattern: FlatPatternStatistics::of(&surface.flat_pattern, options.closed),
             self_intersections: crossings.pairs,
             self_intersections_skipped: crossings.skipped,
