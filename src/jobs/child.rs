@@ -30,8 +30,8 @@ const OOM_SCORE: &str = "500";
 /// Address space of a child beyond the program, its input, the stack of the solver and the estimate. The allocator
 /// takes 64 MiB at once, and each of the three threads has blocks of its own.
 const MARGIN_BYTES: u64 = 256 << 20;
-/// Address space for a job, relative to its estimate. The estimates of lattices are up to 29% below the peak, and address
-/// space is more than the memory that is touched.
+/// Address space for a job, relative to its estimate, because address space is more than the memory that is touched, and
+/// because a request of an unmeasured shape may take more than its estimate.
 const ESTIMATE_FACTOR: f64 = 2.0;
 
 /// A job as the service sends it. The request follows as bytes, and then the source.

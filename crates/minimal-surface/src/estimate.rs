@@ -1,16 +1,24 @@
 //! Estimates the size of a mesh before it is made.
 
-use super::options::{InitialMesh, Objective, Options, Resolution};
+use super::options::{InitialMesh, Method, Options, Resolution};
 use plateau_mesh::{DVec3, Estimate};
 
 /// Lower bound of the estimated number of triangles, per boundary point. It takes effect where the boundary points are
 /// much closer together than the edge length.
 const TRIANGLES_PER_POINT: f64 = 12.0;
 
-/// Memory per triangle, in bytes, for the objectives area and Dirichlet energy. Measured: at most 650 bytes (100,000
-/// and 400,000 triangles, every solver, writing the mesh included). The rest is for sparse factors, which grow a little
-/// faster than the mesh.
-const BYTES_PER_TRIANGLE: f64 = 1_000.0;
+/// Memory that each of the first [`FIRST_TRIANGLES`] takes in addition, in bytes, because a small film takes more per
+/// triangle. Films of 10,000 triangles take 6 to 14 MB.
+const BYTES_PER_FIRST_TRIANGLE: f64 = 600.0;
+const FIRST_TRIANGLES: f64 = 10_000.0;
+
+/// Memory per triangle, in bytes, for the objectives area and Dirichlet energy. Measured: 490 to 790 bytes at 40,000 and
+/// 120,000 triangles. Most of it is for sparse factors, whose size depends on the shape of the boundary.
+const BYTES_PER_TRIANGLE: f64 = 780.0;
+
+/// Memory per triangle, in bytes, for the relaxation of one vertex at a time, which has no sparse factors. Measured: 200
+/// to 250 bytes at 40,000 and 120,000 triangles.
+const BYTES_PER_TRIANGLE_OF_RELAXATION: f64 = 285.0;
 
 /// Memory per triangle, in bytes, for the least squares of the mean curvatures. Measured: 6,740 bytes. It is more than
 /// for the other objectives because the normal matrix also connects neighbours of neighbours.
@@ -24,11 +32,13 @@ const BYTES_PER_TRIANGLE_OF_LEAST_SQUARES: f64 = 8_000.0;
 #[must_use]
 pub fn estimate(boundaries: &[Vec<DVec3>], options: &Options) -> Estimate {
     let triangles = triangles(boundaries, options);
-    let a_triangle = match options.method.objective() {
-        Objective::MinimalArea | Objective::MinimalDirichletEnergy => BYTES_PER_TRIANGLE,
-        Objective::MinimalMeanCurvature => BYTES_PER_TRIANGLE_OF_LEAST_SQUARES,
+    let a_triangle = match options.method {
+        Method::Newton(_) | Method::PinkallPolthier(_) | Method::Harmonic => BYTES_PER_TRIANGLE,
+        Method::VertexRelaxation(_) => BYTES_PER_TRIANGLE_OF_RELAXATION,
+        Method::LiuWang(_) => BYTES_PER_TRIANGLE_OF_LEAST_SQUARES,
     };
-    Estimate { triangles, cells: 0, bytes: (triangles * a_triangle) as u64 }
+    let first = BYTES_PER_FIRST_TRIANGLE * triangles.min(FIRST_TRIANGLES);
+    Estimate { triangles, cells: 0, bytes: (triangles * a_triangle + first) as u64 }
 }
 
 fn triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {

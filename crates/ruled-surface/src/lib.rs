@@ -201,10 +201,12 @@ pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     stack::estimate::estimate(&sampled, options)
 }
 
-/// Estimates the cost of [`solve`] for these directrices. An open strip of least area counts only the cells of the
-/// corridor within which it is searched for, often a thousandth of its grid. Other strips count as in [`estimate`].
+/// Estimates the cost of [`solve`] for these directrices. An open strip of least area is searched for within a corridor,
+/// which often has a thousandth of the grid's cells. Its memory is that of the corridor, in either direction if the
+/// direction is to be chosen, and with given directions its cells are those of the corridor too. Other strips count as
+/// in [`estimate`].
 ///
-/// Finding the corridors takes about as long as the search itself: at most 0.3 s for 50,000 points on either side.
+/// Finding a corridor takes about as long as the search itself: at most 0.3 s for 50,000 points on either side.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].
@@ -213,19 +215,31 @@ pub fn estimate_for(
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<Estimate, Error> {
-    let prepared = prepare(directrices, options, options.sampling, execution)?;
-    let mut estimate = stack::estimate::estimate(&prepared.lengths(), options);
-    let keeps_to_corridor = options.objective == Objective::MinimalArea
-        && !options.closed
-        && options.direction == Direction::AsGiven
-        && !options.all_objectives;
-    if keeps_to_corridor {
-        let mut counter = CellCounter::new(execution, estimate.cells);
-        for strip in prepared.strips().iter().filter(|strip| !strip.has_apex()) {
-            let left_out = (strip.m() * strip.n()) as u64 - corridor(strip, &mut counter)?.cells();
-            estimate.cells -= left_out;
+    let mut prepared = prepare(directrices, options, options.sampling, execution)?;
+    let lengths = prepared.lengths();
+    let mut estimate = stack::estimate::estimate(&lengths, options);
+    if options.objective != Objective::MinimalArea || options.closed || options.all_objectives {
+        return Ok(estimate);
+    }
+    let is_given = options.direction == Direction::AsGiven;
+    let mut counter = CellCounter::new(execution, estimate.cells);
+    let mut of_searches = 0;
+    for k in 1..prepared.directrices.len() {
+        // Reversing a directrix twice leaves it as it was.
+        for _ in 0..if is_given { 1 } else { 2 } {
+            let strip = prepared.strip(k - 1);
+            let (m, n) = (strip.m(), strip.n());
+            let cells = if strip.has_apex() { 0 } else { corridor(&strip, &mut counter)?.cells() };
+            if is_given && !strip.has_apex() {
+                estimate.cells -= (m * n) as u64 - cells;
+            }
+            of_searches = of_searches.max(stack::estimate::bytes_within_corridor(cells, m, n));
+            if !is_given {
+                prepared.directrices[k].reverse();
+            }
         }
     }
+    estimate.bytes = estimate.bytes.min(of_searches + stack::estimate::bytes_of_points(&lengths));
     Ok(estimate)
 }
 

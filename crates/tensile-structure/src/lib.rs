@@ -287,8 +287,10 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
 }
 
 /// Estimated memory per triangle of the film, in bytes. Most of it is the matrix factor, which has three unknowns at
-/// every vertex. Sails and halls took 3,100 to 3,400 bytes at 20,000 to 200,000 triangles.
-const BYTES_PER_TRIANGLE: f64 = 5_000.0;
+/// every vertex. Sails, woven sails, cushions and inflated films took 2,450 to 3,650 bytes at 20,000 and 60,000 triangles.
+const BYTES_PER_TRIANGLE: f64 = 4_000.0;
+/// Estimated memory besides that of the triangles, in bytes.
+const BYTES_OF_SOLVE: f64 = 2e6;
 /// Estimated memory per triangle of a mesh on which an edge slides, in bytes: the triangle and its share of the search
 /// tree.
 const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
@@ -301,7 +303,7 @@ pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let triangles = start.triangles * structure.layers.len() as f64;
     let size = |sliding: &Sliding| BYTES_PER_SUPPORT_TRIANGLE * sliding.on.extent().map_or(0, |extent| extent.size());
     let supports: usize = structure.sliding.iter().map(size).sum();
-    Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64 + supports as u64, ..start }
+    Estimate { triangles, bytes: (BYTES_OF_SOLVE + triangles * BYTES_PER_TRIANGLE) as u64 + supports as u64, ..start }
 }
 
 /// Compiles and runs the example of the README as a doc test.

@@ -2,10 +2,10 @@
 
 use super::on_polygon::on_polygon;
 use super::on_surface::{on_film, on_patch};
-use super::options::{Domain, Optimise, Options};
+use super::options::{Domain, Objective, Optimise, Options};
 use super::plane::polygon::{self, Polygon};
 use super::report::UniformMesh;
-use super::surface::auxiliary::{self, film_area};
+use super::surface::auxiliary::{self, FILM_EDGE, FILM_TRIANGLES, film_area};
 use super::surface::nurbs::Nurbs;
 use plateau_mesh::error::{Error, InputError, Place};
 use plateau_mesh::execution::Execution;
@@ -15,15 +15,30 @@ use plateau_mesh::{DVec2, Estimate};
 /// Largest number of nodes that a solve may ask for, because more nodes would not fit the indices.
 const MOST_NODES: f64 = 5e7;
 
-/// Memory per triangle of a polygon's mesh, in bytes: for the triangle, its members, their lengths, and a copy for a
-/// file.
-const BYTES_PER_TRIANGLE: f64 = 600.0;
+/// Memory of any solve besides that of its triangles, in bytes.
+const BYTES_OF_SOLVE: f64 = 1e6;
 
-/// Memory per triangle of a curved mesh, in bytes. A curved mesh also needs memory for a sparse factor.
-const BYTES_PER_TRIANGLE_ON_A_SURFACE: f64 = 1500.0;
+/// Memory per point of a polygon, in bytes, for its triangulation and its sides. Measured: 480 bytes.
+const BYTES_PER_POINT: f64 = 480.0;
 
-/// Largest memory of the auxiliary mesh and the film, in bytes, whatever the edge length.
-const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
+/// Memory per rectangle of a patch's auxiliary grid, in bytes.
+const BYTES_PER_RECTANGLE: f64 = 400.0;
+
+/// Memory per triangle of the film that carries a lattice, in bytes, with its flattening. Measured: 1,170 bytes.
+const BYTES_PER_FILM_TRIANGLE: f64 = 1_150.0;
+
+/// Returns the memory per triangle of a mesh, in bytes. On polygons the most equal edges need all lengths at once.
+/// Measured, per estimated triangle: 75 to 150 bytes for fewest nodes on polygons and 180 to 200 for most equal edges;
+/// 2,900 bytes on a high dome, which is meshed on the surface itself, for either. A patch that can be flattened takes 710
+/// to 1,630 bytes, but only the solve shows which patches can.
+fn bytes_per_triangle(domain: &Domain, objective: Objective) -> f64 {
+    match (domain, objective) {
+        (Domain::Polygon { .. }, Objective::FewestNodes) => 118.0,
+        (Domain::Polygon { .. }, Objective::MostEqualEdges) => 210.0,
+        (Domain::Boundaries(_), _) => 2_700.0,
+        (Domain::Bezier { .. } | Domain::Nurbs(_), _) => 3_000.0,
+    }
+}
 
 /// Estimates the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the
 /// number of nodes. This bound is 1.2 to 1.6 times the actual number of nodes.
@@ -32,12 +47,22 @@ const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
 /// The input errors that [`solve`] would report before meshing.
 pub fn estimate(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
     let triangles = 2.0 * most_nodes(domain, options)?;
-    let a_triangle = match domain {
-        Domain::Polygon { .. } => BYTES_PER_TRIANGLE,
-        Domain::Bezier { .. } | Domain::Nurbs(_) | Domain::Boundaries(_) => BYTES_PER_TRIANGLE_ON_A_SURFACE,
+    let a_triangle = bytes_per_triangle(domain, options.objective);
+    let beside = match domain {
+        Domain::Polygon { outer, holes } => {
+            let points = outer.len() + holes.iter().map(Vec::len).sum::<usize>();
+            // The bound on the nodes has a node for each 2/3 ℓ of the sides. Thin polygons with long sides have fewer.
+            let (_, perimeter) = polygon::extent(outer, holes)?;
+            BYTES_PER_POINT * points as f64 - a_triangle * perimeter / options.edge_length
+        }
+        Domain::Bezier { .. } | Domain::Nurbs(_) => {
+            BYTES_PER_RECTANGLE * f64::from(options.auxiliary_grid.iter().product::<u32>())
+        }
+        // The edges of the film are a fraction of the lattice's, until it has its largest number of triangles.
+        Domain::Boundaries(_) => BYTES_PER_FILM_TRIANGLE * (triangles / (FILM_EDGE * FILM_EDGE)).min(FILM_TRIANGLES),
     };
-    let bytes = ((triangles * a_triangle) as u64).saturating_add(BYTES_OF_AUXILIARY_MESH);
-    Ok(Estimate { triangles, cells: 0, bytes })
+    let bytes = BYTES_OF_SOLVE + beside + triangles * a_triangle;
+    Ok(Estimate { triangles, cells: 0, bytes: bytes as u64 })
 }
 
 /// An upper bound on the number of nodes of the result.

@@ -5,8 +5,14 @@ use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use crate::strip::objective::{Goal, Objective};
 use plateau_mesh::Estimate;
 
-/// Memory that each point takes in addition to the search, in bytes: its triangles, and their copy for a file.
-const BYTES_PER_POINT: u64 = 2_000;
+/// Memory that each point takes in addition to the search, in bytes: its bridges, triangles and statistics. Together
+/// with [`BYTES_PER_LINE`] it is 600 to 850 bytes; strips of 3,000 to 30,000 points a side took 100 to 550.
+const BYTES_PER_POINT: u64 = 250;
+/// Memory that the first points take in addition, in bytes, because small strips take more for each point: at most this
+/// number of bytes, and not more than [`BYTES_PER_POINT`] for each point.
+const BYTES_OF_FIRST_POINTS: u64 = 2_000_000;
+/// Memory that each row and each column of a grid takes while it is searched, in bytes.
+const BYTES_PER_LINE: u64 = 400;
 
 /// Estimates the cost of a stack of directrices with these numbers of points. The number of cells assumes that every
 /// search on an open strip visits the whole grid; searches that leave out cells need fewer. A closed strip may need
@@ -40,7 +46,8 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
             let columns = if options.closed { 2 * n } else { n };
             cells += times * (windings * searches * m * n + convexity);
             let grid = (m + 4) * (columns + 64);
-            bytes = bytes.max(grid * layers / 8 + if convexity > 0 { grid / 8 } else { 0 } + 400 * (m + columns));
+            let of_convexity = if convexity > 0 { grid / 8 } else { 0 };
+            bytes = bytes.max(grid * layers / 8 + of_convexity + BYTES_PER_LINE * (m + columns));
         };
         for goal in &goals {
             add(goal, directions);
@@ -59,10 +66,23 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         total.cells += cells;
         total.bytes = total.bytes.max(bytes);
     }
-    total.bytes += BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
+    total.bytes += bytes_of_points(lengths);
     if options.all_objectives {
         // The strips of all objectives are in memory at the same time, in addition to the largest grid.
         total.bytes += total.bytes / 4;
     }
     total
+}
+
+/// Memory of the result of directrices with these numbers of points, in bytes.
+pub(crate) fn bytes_of_points(lengths: &[usize]) -> u64 {
+    let points = BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
+    points + points.min(BYTES_OF_FIRST_POINTS)
+}
+
+/// Memory of the searches on an open strip of `m` and `n` points for the strip of least area, in bytes. The search keeps
+/// to a corridor with `cells` cells. A small strip is also searched for the strip of least bending energy.
+pub(crate) fn bytes_within_corridor(cells: u64, m: usize, n: usize) -> u64 {
+    let bending = if m * n <= BENDING_CHECKED_UP_TO { 2 * (m * n) as u64 } else { 0 };
+    cells.max(bending) / 8 + BYTES_PER_LINE * (m + n) as u64
 }

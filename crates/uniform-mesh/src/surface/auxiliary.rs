@@ -34,9 +34,9 @@ const SAMPLES: usize = 8;
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 /// Edge length of a film's own mesh, in ℓ. It is short enough that the facets hardly change the lengths of members. The
 /// edges are longer if the mesh would otherwise have more than [`FILM_TRIANGLES`] triangles.
-const FILM_EDGE: f64 = 1.0 / 3.0;
+pub(crate) const FILM_EDGE: f64 = 1.0 / 3.0;
 /// Largest number of triangles of a film's own mesh.
-const FILM_TRIANGLES: f64 = 60_000.0;
+pub(crate) const FILM_TRIANGLES: f64 = 60_000.0;
 
 /// Number of pieces of a side that are measured between two looks at the caller's signal.
 const PIECES_PER_LOOK: u64 = 4096;

@@ -251,6 +251,9 @@ impl Optioned for RuledSurfaceRequest {
     }
 }
 
+/// Memory above which a strip's estimate is worth the time that a closer one takes, in bytes.
+const LARGE_BYTES: u64 = 8 << 20;
+
 impl KindRequest for RuledSurfaceRequest {
     type Statistics = RuledStatistics;
 
@@ -263,12 +266,12 @@ impl KindRequest for RuledSurfaceRequest {
         self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
-        let estimate = geometry::estimate(&points, &options);
-        let mut cells = estimate.cells;
-        if cells > limits.grid_cells {
+        let mut estimate = geometry::estimate(&points, &options);
+        if estimate.cells > limits.grid_cells || estimate.bytes > LARGE_BYTES {
             // The search for a strip of least area may visit only a small part of its grid.
-            cells = geometry::estimate_for(&directrices, &options, &Execution::default())?.cells;
+            estimate = geometry::estimate_for(&directrices, &options, &Execution::default())?;
         }
+        let cells = estimate.cells;
         if cells > limits.grid_cells {
             let detail = format!("needs {cells} grid cells, more than are allowed ({})", limits.grid_cells);
             return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
