@@ -42,16 +42,18 @@ def path(request):
 
 
 def opened(width, height, title):
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}">\n'
-            f'<title>{title}</title>\n<rect width="{width}" height="{height}" fill="#fff"/>')
+    size = f'viewBox="0 0 {width} {height}" width="{width}" height="{height}"'
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" {size}>\n<title>{title}</title>\n'
+            f'<rect width="{width}" height="{height}" fill="#fff"/>')
 
 
 def validity_map(request):
     P, Q = (np.array(rail, float) for rail in request["directrices"])
     m, n = len(P), len(Q)
     tolerance = request.get("convexity_tolerance_deg", 1e-6)
-    print(opened(m * CELL, n * CELL, "Validity map: dark where the bridge from p_i (across) to q_j (up) is locally convex; "
-                 "path of minimal twist in red, of maximal convexity in blue"))
+    title = ("Validity map: dark where the bridge from p_i (across) to q_j (up) is locally convex; "
+             "path of minimal twist in red, of maximal convexity in blue")
+    print(opened(m * CELL, n * CELL, title))
     runs = []
     for j in range(n):
         convex = [judge.is_convex(P, Q, i, j, tolerance) for i in range(m)] + [False]
@@ -80,7 +82,8 @@ def strip(request):
         x, y, _ = (places[v] - low) * scale
         return f"{10 + x:.1f},{height - 10 - y:.1f}"
 
-    print(opened(WIDTH, height, "A strip seen along z: red between bridges that are not locally convex, orange beside one"))
+    title = "A strip seen along z: red between bridges that are not locally convex, orange beside one"
+    print(opened(WIDTH, height, title))
     for triangle in sorted(mesh["triangles"], key=lambda triangle: places[triangle][:, 2].mean()):
         sides = [frozenset((triangle[k], triangle[k - 1])) for k in range(3)]
         colour = ("#cfdcf0", "#f6c177", "#d33")[sum(concave.get(side, False) for side in sides)]

@@ -1320,8 +1320,8 @@ export interface components {
         ConcaveBridge: {
             /**
              * Format: int64
-             * @description Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
-             *     bridges of the JSON mesh.
+             * @description Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list
+             *     of bridges of the JSON mesh.
              */
             bridge: number;
             /**

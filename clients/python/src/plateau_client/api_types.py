@@ -609,8 +609,8 @@ class Comparison(TypedDict):
 class ConcaveBridge(TypedDict):
     """A bridge that is not locally convex: the sheet has to stretch there."""
     bridge: int
-    """Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
-    bridges of the JSON mesh."""
+    """Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list
+    of bridges of the JSON mesh."""
     fold_deg: float
     """Angle between the normals of its two triangles. 0 if one of them has no area."""
     vertices: List[int]

@@ -184,8 +184,8 @@ impl Scene {
         let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| coordinates.position(vertex)).collect();
         let shared = Shared { accessor: self.positions(&positions), positions: &positions };
 
-        // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh. Those of further
-        // colours follow these.
+        // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh. Those of
+        // further colours follow these.
         let with_split_vertices = |values: &[f64]| -> Vec<f64> {
             let mut values = values.to_vec();
             let sources = by_sheet.iter().map(|(_, source)| source).chain(by_color.iter().map(|(_, source, _)| source));

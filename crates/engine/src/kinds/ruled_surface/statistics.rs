@@ -41,8 +41,8 @@ pub(super) const LISTED_BRIDGES: usize = 200;
 /// A bridge that is not locally convex: the sheet has to stretch there.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct ConcaveBridge {
-    /// Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list of
-    /// bridges of the JSON mesh.
+    /// Number of the bridge. Bridges count from 0 over all strips, as in `cut_at`, in the flat pattern and in the list
+    /// of bridges of the JSON mesh.
     pub bridge: u32,
     /// Vertices of the mesh at its two ends, on the first and on the second directrix of its strip.
     pub vertices: [u32; 2],
