@@ -252,7 +252,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     (
         "latticed-roof-few-lengths",
-        "A Bézier roof whose members share twelve lengths as nearly as they can",
+        "A Bézier roof whose members are drawn towards twelve lengths",
         include_str!("../../api/examples/latticed-roof-few-lengths.json"),
     ),
     (

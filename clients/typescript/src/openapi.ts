@@ -2719,8 +2719,9 @@ export interface components {
          */
         OnUnstable: "report" | "descend";
         /**
-         * @description `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
-         *     members to at most `max_distinct_lengths` lengths.
+         * @description `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also lowers the
+         *     number of different lengths, until `max_distinct_lengths` are met within `length_tolerance`. Neither that number nor
+         *     the number of members outside the range gets larger, and exact members of the lattice stay exact.
          * @enum {string}
          */
         Optimise: "nodes" | "lengths";

@@ -12,10 +12,10 @@ use plateau_mesh::execution::{Execution, Progress};
 use plateau_mesh::measure::{Spread, angle_range};
 
 /// Distance of a length from [ℓ, 2ℓ] that counts as rounding, in ℓ: twice the slack of the insertion.
-const RANGE_TOLERANCE: f64 = 2.0 * SLACK;
+pub(crate) const RANGE_TOLERANCE: f64 = 2.0 * SLACK;
 
 /// Whether a length, in units of ℓ, lies in [1, 2] up to [`RANGE_TOLERANCE`].
-pub(super) fn is_in_range(length: f64) -> bool {
+pub(crate) fn is_in_range(length: f64) -> bool {
     (1.0 - RANGE_TOLERANCE..=2.0 + RANGE_TOLERANCE).contains(&length)
 }
 

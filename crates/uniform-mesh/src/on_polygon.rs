@@ -41,6 +41,7 @@ pub(super) fn on_polygon(
     let mut table = Table::new(options);
     table.row("plane", &lengths(&members, |v| flat.points[v as usize].extend(0.0)), Some(&lattice_group));
     let mut points: Vec<DVec3> = flat.points.iter().map(|p| p.extend(0.0)).collect();
+    let (mut triangles, mut members) = (flat.triangles, members);
     let (mut shared, mut interrupted) = (Vec::new(), flat.interrupted);
     if let Optimise::Lengths { most } = options.optimise
         && !interrupted
@@ -50,12 +51,12 @@ pub(super) fn on_polygon(
             parameters: flat.points.clone(),
             positions: points,
             fixed,
-            triangles: flat.triangles.clone(),
-            members: members.clone(),
+            triangles,
+            members,
             lattice_group: lattice_group.clone(),
         };
         (shared, interrupted) = share(&mut nodes, most, &mut table, (0.5, 0.99), execution)?;
-        points = nodes.positions;
+        (points, triangles, members) = (nodes.positions, nodes.triangles, nodes.members);
     }
     let mut vertices = polygon.positions.clone();
     vertices.extend(points[fixed..].iter().map(|&p| polygon.point(p.truncate())));
@@ -68,7 +69,7 @@ pub(super) fn on_polygon(
             polygon.sides.why(members[member], length, &polygon.outline.nodes)
         }
     };
-    let mesh = Mesh::new(vertices, flat.triangles.clone());
+    let mesh = Mesh::new(vertices, triangles);
     let mut result = assemble(mesh, members.clone(), lattice_group, options, why);
     result.stages = table.stages;
     result.shared_lengths = shared;

@@ -11,5 +11,6 @@ pub(super) mod nurbs;
 pub(super) mod on_reference;
 pub(super) mod reference;
 pub(super) mod remesh;
+mod rim_flips;
 mod tessellation;
 pub(super) mod transition;

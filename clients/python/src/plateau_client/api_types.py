@@ -95,8 +95,9 @@ OnUnstable = Literal['report', 'descend']
 - `report`: Return it with a warning.
 - `descend`: Leave it along its most unstable mode and continue to a minimum."""
 Optimise = Literal['nodes', 'lengths']
-"""`nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
-members to at most `max_distinct_lengths` lengths."""
+"""`nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also lowers the
+number of different lengths, until `max_distinct_lengths` are met within `length_tolerance`. Neither that number nor
+the number of members outside the range gets larger, and exact members of the lattice stay exact."""
 Point = Sequence[float]
 """A point or vector `[x, y, z]` in the client's axes and unit."""
 Polygon = Sequence["Point"]

@@ -46,8 +46,12 @@ const FEWEST_STEPS: usize = 30;
 pub(crate) enum TargetLength {
     /// A length as near to this one as possible.
     At(f64),
+    /// The same, with a weight on the difference. A difference at [`TargetLength::At`] has weight 1.
+    Weighted { length: f64, weight: f64 },
     /// A length between this one and 2.
     Within(f64),
+    /// A length between these two.
+    Between([f64; 2]),
     /// Any length.
     Free,
 }
@@ -177,6 +181,19 @@ impl<S: Sheet> Clone for OnSurface<'_, S> {
 }
 
 impl<S: Sheet> OnSurface<'_, S> {
+    /// Whether neither end of a member moves.
+    pub fn holds(&self, member: &[u32; 2]) -> bool {
+        member.iter().all(|&v| (v as usize) < self.fixed)
+    }
+
+    /// Takes over the places of the nodes and the triangulation of another state of this mesh.
+    pub fn take(&mut self, other: &OnSurface<'_, S>) {
+        self.parameters.clone_from(&other.parameters);
+        self.positions.clone_from(&other.positions);
+        self.triangles.clone_from(&other.triangles);
+        self.members.clone_from(&other.members);
+    }
+
     pub fn lengths(&self) -> Vec<f64> {
         self.members.iter().map(|&[a, b]| self.positions[a as usize].distance(self.positions[b as usize])).collect()
     }
@@ -228,14 +245,17 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
     /// Sets the bounds of all active members to those of their targets.
     fn reset_bounds(&mut self) {
         for (bounds, &member) in self.bounds.iter_mut().zip(&self.active) {
-            let least = if let TargetLength::Within(least) = self.targets[member] { least } else { 1.0 };
-            *bounds = [least, 2.0];
+            *bounds = match self.targets[member] {
+                TargetLength::Within(least) => [least, 2.0],
+                TargetLength::Between(bounds) => bounds,
+                _ => [1.0, 2.0],
+            };
         }
     }
 
     /// Whether an active member has bounds.
     fn is_bounded(&self, k: usize) -> bool {
-        matches!(self.targets[self.active[k]], TargetLength::Within(_))
+        matches!(self.targets[self.active[k]], TargetLength::Within(_) | TargetLength::Between(_))
     }
 
     fn position(&self, v: u32) -> DVec3 {
@@ -249,7 +269,8 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
     fn residual(&self, k: usize, length: f64) -> (f64, f64) {
         match self.targets[self.active[k]] {
             TargetLength::At(target) => (length - target, 1.0),
-            TargetLength::Within(_) => {
+            TargetLength::Weighted { length: target, weight } => (weight * (length - target), weight),
+            TargetLength::Within(_) | TargetLength::Between(_) => {
                 let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
                 let (under, over) = (low + MARGIN - length + down, length - high + MARGIN + up);
                 if under > 0.0 {
@@ -429,7 +450,8 @@ impl<S: Sheet> Moving<'_, '_, S> {
     /// ½ Σ (L - target)² over the members that have a target length.
     fn deviation(&mut self, x: &[S::Location]) -> f64 {
         self.energy(x);
-        let aimed = |k: &usize| matches!(self.targets[self.active[*k]], TargetLength::At(_));
+        let aimed =
+            |k: &usize| matches!(self.targets[self.active[*k]], TargetLength::At(_) | TargetLength::Weighted { .. });
         let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
         (0..self.active.len()).filter(aimed).map(term).sum()
     }

@@ -327,6 +327,79 @@ fn shared_lengths_stop_at_the_first_number_that_is_close_enough() {
     assert!(result.warnings.iter().all(|w| w.code != "lengths_not_reached"));
 }
 
+/// A planar polygon.
+fn polygon(corners: &[[f64; 2]]) -> Domain {
+    Domain::Polygon { outer: corners.iter().map(|p| DVec3::new(p[0], p[1], 0.0)).collect(), holes: vec![] }
+}
+
+/// An oval of `n` corners.
+fn oval(n: usize) -> Domain {
+    let corner = |k: usize| DVec2::from_angle(std::f64::consts::TAU * k as f64 / n as f64) * DVec2::new(20.0, 17.0);
+    polygon(&(0..n).map(|k| corner(k).to_array()).collect::<Vec<_>>())
+}
+
+/// The nodes of a mesh before and after its lengths are shared.
+fn plain_and_shared(domain: &Domain, edge_length: f64, most: usize, tolerance: f64) -> [UniformMesh; 2] {
+    [Optimise::Nodes, Optimise::Lengths { most }].map(|optimise| {
+        let options = Options { optimise, length_tolerance: Some(tolerance), ..options(edge_length) };
+        let result = run(domain, &options).unwrap();
+        check(&result, edge_length);
+        result
+    })
+}
+
+#[test]
+fn shared_lengths_make_neither_number_worse_and_leave_exact_members_exact() {
+    let floor = polygon(&[[0.0, 0.0], [30.0, 0.0], [36.0, 16.0], [20.0, 30.0], [-4.0, 22.0]]);
+    let cases = [
+        (floor.clone(), 2.0, 12, 0.02),
+        (floor, 2.0, 12, 0.002),
+        (polygon(&[[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]]), 2.0, 4, 0.02),
+        (oval(5), 2.5, 8, 0.025),
+        (oval(7), 2.5, 8, 0.025),
+        (oval(9), 2.5, 8, 0.025),
+        (cylinder(1.2), 5.0, 8, 0.05),
+        (bezier(roof()), 5.0, 12, 0.05),
+        (bezier(roof()), 5.0, 12, 0.2),
+        (Domain::Boundaries(vec![frame(8)]), 6.0, 10, 0.1),
+    ];
+    let mut fewer = 0;
+    for (case, (domain, edge_length, most, tolerance)) in cases.iter().enumerate() {
+        let [plain, shared] = plain_and_shared(domain, *edge_length, *most, *tolerance);
+        let (before, after) = (&plain.statistics, &shared.statistics);
+        assert!(after.distinct_lengths <= before.distinct_lengths, "{case}: {before:?} {after:?}");
+        assert!(after.out_of_range_edges <= before.out_of_range_edges, "{case}: {before:?} {after:?}");
+        let exact = |mesh: &UniformMesh, member: usize| {
+            mesh.lattice_group[member] && (mesh.lengths[member] / edge_length - 1.0).abs() < 1e-9
+        };
+        for member in (0..plain.members.len()).filter(|&member| exact(&plain, member)) {
+            assert!(exact(&shared, member), "{case}: {} {}", plain.lengths[member], shared.lengths[member]);
+        }
+        fewer += usize::from(after.distinct_lengths < before.distinct_lengths);
+    }
+    assert!(2 * fewer >= cases.len(), "{fewer} of {}", cases.len());
+}
+
+/// On these polygons the whole lattice fits, and all members have the length ℓ.
+#[test]
+fn a_lattice_of_one_length_is_met_and_stays() {
+    let height = 0.75f64.sqrt();
+    let at =
+        |corners: &[[f64; 2]]| polygon(&corners.iter().map(|[i, j]| [i + 0.5 * j, height * j]).collect::<Vec<_>>());
+    for domain in [
+        at(&[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0]]),
+        at(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]),
+        at(&[[3.0, 0.0], [6.0, 0.0], [6.0, 3.0], [3.0, 6.0], [0.0, 6.0], [0.0, 3.0]]),
+        at(&[[0.0, 0.0], [8.0, 0.0], [5.0, 3.0], [0.0, 3.0]]),
+        at(&[[2.0, 0.0], [6.0, 0.0], [6.0, 2.0], [3.0, 5.0], [0.0, 5.0], [0.0, 2.0]]),
+    ] {
+        let [plain, shared] = plain_and_shared(&domain, 1.0, 1, 1e-6);
+        assert_eq!((plain.statistics.distinct_lengths, shared.statistics.distinct_lengths), (1, 1));
+        assert_eq!(plain.mesh, shared.mesh);
+        assert!(shared.warnings.iter().all(|w| w.code != "lengths_not_reached"));
+    }
+}
+
 #[test]
 fn motions_and_scale_leave_the_figures_alone() {
     let here = run(&bezier(roof()), &options(4.0)).unwrap();

@@ -180,8 +180,9 @@ pub struct Nurbs {
     pub trim_curves: Option<Vec<Value>>,
 }
 
-/// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
-/// members to at most `max_distinct_lengths` lengths.
+/// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also lowers the
+/// number of different lengths, until `max_distinct_lengths` are met within `length_tolerance`. Neither that number nor
+/// the number of members outside the range gets larger, and exact members of the lattice stay exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Optimise {
