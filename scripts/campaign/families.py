@@ -998,7 +998,7 @@ def fault_tube(random):
 def fault_gap_of_coaxial_rings(random):
     """The largest catenoid between circles of radius 1 and r has the height max c (acosh(1 / c) + acosh(r / c))."""
     r = random.uniform(0.1, 0.9)
-    largest = max(c * (math.acosh(1 / c) + math.acosh(r / c)) for c in [r * k / 4000 for k in range(1, 4001)])
+    largest = max(c * (math.acosh(1 / c) + math.acosh(max(1, r / c))) for c in [r * k / 4000 for k in range(1, 4001)])
     fraction = random.uniform(0.3, 0.95)
     request = film([ring(64), ring(random.choice([32, 48]), r, largest / fraction)], random.choice([300, 600, 2000]))
     def check(outcome):
