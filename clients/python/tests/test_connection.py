@@ -155,7 +155,9 @@ def test_a_server_that_is_not_there_and_a_key_that_is_missing(tmp_path_factory: 
     assert patience.seconds == flows.PATIENCE_S and flows.Patience(7).seconds == 7
     absent = Plateau("http://127.0.0.1:9", patience=0.2)
     for ask in (absent.limits, lambda: absent.minimal_surface([TENT])):
-        with pytest.raises(ConnectionFailed, match=r"^http://127\.0\.0\.1:9 cannot be reached .*start the service") as told:
+        with pytest.raises(
+            ConnectionFailed, match=r"^http://127\.0\.0\.1:9 cannot be reached .*start the service"
+        ) as told:
             ask()
         # No server can have accepted a job, so that a key to ask for it would mislead.
         assert told.value.idempotency_key is None
