@@ -188,7 +188,7 @@ def _call(request: Call, patience: Patience, until: Optional[float]) -> Flow[htt
 
 
 def unanswered(error: httpx.TransportError, patience: Patience) -> errors.ConnectionFailed:
-    """The exception for a request without an answer. It names the address, and the remedy if no server was ever there."""
+    """The exception for a request without an answer: the address, and the remedy if no server was ever there."""
     url = error.request.url
     text = f"{url.scheme}://{url.netloc.decode()} cannot be reached ({type(error).__name__}: {error})"
     if not patience.reached:
