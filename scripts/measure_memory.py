@@ -24,7 +24,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cam
 from families import film, lattice, ring, spiky, square, star, strip, wavy  # noqa: E402
 
 LEAST, MOST, LARGE_BYTES = 0.95, 2.0, 8 << 20
-# As `ENVIRONMENT` of `src/jobs/children.rs`.
+# The environment of a child process, the same as `ENVIRONMENT` in `src/jobs/children.rs`.
 ENVIRONMENT = {"MIMALLOC_ARENA_RESERVE": "64M", "MALLOC_ARENA_MAX": "1"}
 
 

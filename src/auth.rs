@@ -330,7 +330,7 @@ impl Keys {
         removed.boxed().shared()
     }
 
-    /// Returns this key of this name with its present end, or `None` if it is not known any more with its scopes.
+    /// Returns this key of this name with its present end, if the name still has the key with the same scopes.
     fn known_as(&self, name: &str, digest: &Digest) -> Option<Digest> {
         let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
         let key = known.keys.iter().find(|key| *key.name == *name)?;

@@ -62,7 +62,7 @@ impl Reader {
     }
 }
 
-/// A body, which is written when it is needed.
+/// A function that writes a body, because all bodies at once would take 500 MB.
 type Body = Box<dyn Fn() -> String>;
 
 /// A body of at least [`BODY_BYTES`] bytes that repeats a part, with commas between.

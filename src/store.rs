@@ -111,8 +111,7 @@ pub struct StoreOptions {
     /// Size of the ballast file beside an SQLite database, whose space is given up when the disk is full. 0 means no
     /// ballast. Three quarters of it must be larger than the write-ahead log.
     pub ballast_bytes: u64,
-    /// Called for each job that has failed because its workers died or could not read it, so that the process can log
-    /// and count it.
+    /// Logs and counts a job that has failed because its workers died or could not read its request.
     pub note_failed: fn(&FailedJob),
 }
 

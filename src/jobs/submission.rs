@@ -266,7 +266,7 @@ pub(crate) fn hash_of_body(body: &[u8], limits: &LimitsConfig) -> Option<[u8; 32
     Some(hasher.0.finalize().into())
 }
 
-/// Hashes the bytes that are written to it, so that a long text is in memory only once.
+/// A writer that hashes the bytes and keeps none of them, so that a long text is in memory only once.
 struct HashWriter(Sha256);
 
 impl Write for HashWriter {

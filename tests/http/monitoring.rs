@@ -81,7 +81,7 @@ async fn every_metric_of_the_alerts_and_the_dashboard_exists() {
     let asked: BTreeSet<Series> =
         selectors(RULES).into_iter().chain(expressions().iter().flat_map(|text| selectors(text))).collect();
     assert!(asked.len() > 20, "{asked:#?}");
-    // These statuses are those of a server that fails, so that no healthy one has their series.
+    // A healthy server has no series with a status of 500 or above.
     let failing = |one: &Series| one.labels.get("status").is_some_and(|status| status.starts_with('5'));
     for one in &asked {
         let mut wanted = one.clone();

@@ -202,9 +202,9 @@ pub fn estimate(points: &[usize], options: &Options) -> Estimate {
 }
 
 /// Estimates the cost of [`solve`] for these directrices. An open strip of least area is searched for within a corridor,
-/// which often has a thousandth of the grid's cells. Its memory is that of the corridor, in either direction if the
-/// direction is to be chosen, and with given directions its cells are those of the corridor too. Other strips count as
-/// in [`estimate`].
+/// which often has a thousandth of the grid's cells. Such a strip counts the memory of its corridor. If the direction is
+/// to be chosen, the larger of two corridors counts. With given directions the strip also counts only the cells of the
+/// corridor. Other strips count as in [`estimate`].
 ///
 /// Finding a corridor takes about as long as the search itself: at most 0.3 s for 50,000 points on either side.
 ///
@@ -225,7 +225,8 @@ pub fn estimate_for(
     let mut counter = CellCounter::new(execution, estimate.cells);
     let mut of_searches = 0;
     for k in 1..prepared.directrices.len() {
-        // Reversing a directrix twice leaves it as it was.
+        // A strip whose direction is to be chosen is measured in both directions. The second reversal restores the
+        // directrix.
         for _ in 0..if is_given { 1 } else { 2 } {
             let strip = prepared.strip(k - 1);
             let (m, n) = (strip.m(), strip.n());

@@ -8,8 +8,8 @@ use plateau_mesh::Estimate;
 /// Memory that each point takes in addition to the search, in bytes: its bridges, triangles and statistics. Together
 /// with [`BYTES_PER_LINE`] it is 600 to 850 bytes; strips of 3,000 to 30,000 points a side took 100 to 550.
 const BYTES_PER_POINT: u64 = 250;
-/// Memory that the first points take in addition, in bytes, because small strips take more for each point: at most this
-/// number of bytes, and not more than [`BYTES_PER_POINT`] for each point.
+/// Largest memory that points take once more, in bytes. Up to this memory each point takes [`BYTES_PER_POINT`] twice,
+/// because small strips take more for each point.
 const BYTES_OF_FIRST_POINTS: u64 = 2_000_000;
 /// Memory that each row and each column of a grid takes while it is searched, in bytes.
 const BYTES_PER_LINE: u64 = 400;

@@ -215,7 +215,7 @@ pub(crate) fn share_lengths<S: Sheet>(
     (rows, interrupted)
 }
 
-/// The limits that all searches from one start keep.
+/// Limits of all searches from one start.
 struct Search<'a, 'b> {
     /// The counts at the start.
     counts: Counts,
@@ -399,7 +399,7 @@ fn common_points(members: &[(f64, bool)], half: f64, distance: f64, count: usize
     Some(common.into_iter().map(|(low, high)| 0.5 * (low + high)).collect())
 }
 
-/// What [`fewer`] has to reach.
+/// The aim of [`fewer`].
 struct Goal {
     most: usize,
     /// Largest difference of a member from the nearest of `most` lengths.
