@@ -1066,3 +1066,83 @@ def fault_woven_plane_sail(random):
     area = abs(shoelace([[x, y, 0.0] for x, y in scaled]) - outside) / math.sqrt(warp * weft)
     request["film"] = {"warp": warp, "weft": weft, "direction": {"parallel": [cos, sin, 0.0]}}
     return Case(request, (), [converges, states("/area", area, 0.02)])
+
+
+@family
+def fault_edge_of_given_horizontal_component(random):
+    """A sail in a tilted plane, whose edges are arcs under one force. The part across the up axis is given at each first end."""
+    size, bend, tilt, turn = random.uniform(1, 20), random.uniform(0.1, 0.5), random.uniform(0, 1.3), random.uniform(0, TURN)
+    def placed(x, y):
+        y, z = y * math.cos(tilt), y * math.sin(tilt)
+        return [x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z]
+    force = size / (2 * math.sin(bend))
+    points = [placed(*p) for p in [(0, 0), (size, 0), (size, size), (0, size)]]
+    cables = []
+    for k in range(4):
+        direction = k * math.pi / 2 + bend
+        x, y, _ = placed(math.cos(direction), math.sin(direction))
+        cables.append(along(k, 4, "horizontal_component", force * math.hypot(x, y)))
+    request = tensile([points], 1.0, random.choice([400, 800]), cables=cables)
+    return Case(request, (), [converges] + [states(f"/cables/{k}/force", force, 0.02) for k in range(4)])
+
+
+def solved_linear(rows, right):
+    """Solves a small linear system by elimination; `right` has a vector for each row."""
+    rows = [row + list(r) for row, r in zip(rows, right)]
+    for k in range(len(rows)):
+        best = max(range(k, len(rows)), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[best] = rows[best], rows[k]
+        for i in range(len(rows)):
+            if i != k:
+                factor = rows[i][k] / rows[k][k]
+                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k])]
+    return [[x / rows[k][k] for x in rows[k][len(rows):]] for k in range(len(rows))]
+
+
+@family
+def fault_net_of_few_steps(random):
+    """A net whose number of steps is limited. Its lengths and forces are a little beside those of a net in equilibrium."""
+    fixed, free = random.randint(4, 7), random.randint(6, 12)
+    edges = {(a, random.randrange(fixed)) for a in range(fixed, fixed + free)}
+    for a in range(fixed + 1, fixed + free):
+        edges |= {(a, random.randrange(fixed, a)), (a, random.randrange(a))}
+    edges = sorted(map(list, edges))
+    supports = [[random.uniform(-4, 4) for _ in range(3)] for _ in range(fixed)]
+    force = [[random.uniform(-0.5, 0.5) for _ in range(3)] for _ in range(free)]
+    densities = [random.uniform(0.3, 3) for _ in edges]
+    # The force density method (Schek, 1974): the balance of each free vertex is linear in the places.
+    rows, right = [[0.0] * free for _ in range(free)], [list(f) for f in force]
+    for (a, b), q in zip(edges, densities):
+        for here, there in ((a - fixed, b - fixed), (b - fixed, a - fixed)):
+            if here >= 0:
+                rows[here][here] += q
+                if there >= 0:
+                    rows[here][there] -= q
+                else:
+                    right[here] = [r + q * x for r, x in zip(right[here], supports[there + fixed])]
+    vertices = supports + solved_linear(rows, right)
+    cables = []
+    for k, ((a, b), q) in enumerate(zip(edges, densities)):
+        length, beside = math.dist(vertices[a], vertices[b]), random.uniform(0.9, 1.1)
+        goal = random.choice([{}, {"length": length * beside}, {"force": q * length * beside}])
+        cables.append({"name": f"c{k}", "edges": [k], **goal})
+    start = supports + [[x + random.uniform(-0.5, 0.5) for x in vertex] for vertex in vertices[fixed:]]
+    loads = [{"vertices": [fixed + k], "force": f} for k, f in enumerate(force)]
+    request = {"kind": "cable_net", "vertices": start, "edges": edges, "supports": list(range(fixed)), "cables": cables, "loads": loads,
+               "tolerance": 1e-9, "max_iterations": random.choice([400, 2000])}
+    return Case(request, ("as_many_steps_as_needed",), [])
+
+
+@family
+def fault_scan_of_many_points(random):
+    """A rim that was scanned with more points than its noise allows, so that it turns to and fro."""
+    count, radius = random.randint(300, 700), random.uniform(20, 100)
+    noise = random.uniform(0.0, 0.4) * TURN * radius / count
+    waves = [(random.randint(2, 5), random.uniform(0, 0.1) * radius, random.uniform(0, TURN)) for _ in range(2)]
+    rim = []
+    for k in range(count):
+        a = TURN * k / count + random.uniform(-noise, noise) / radius
+        z = sum(h * math.sin(n * a + p) for n, h, p in waves) + random.uniform(-noise, noise)
+        r = radius + random.uniform(-noise, noise)
+        rim.append([r * math.cos(a), r * math.sin(a), z])
+    return Case(film([rim], random.choice([2000, 4000])), (), [converges])

@@ -646,7 +646,7 @@ fn loops_that_share_a_point_are_told_so() {
     let square = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
     let above = vec![at(1.0, 1.0, 0.0), at(2.0, 1.0, 1.0), at(2.0, 2.0, 1.0), at(1.0, 2.0, 1.0)];
     let method = Method::Newton(Newton { topology: TopologyRule::Best, ..Newton::default() });
-    let apart = Options { method, ..options(400) };
+    let apart = Options { method, ..options(100) };
     let surface = solve(&[square.clone(), above.clone()], &apart, &Execution::default()).unwrap();
     let shared: Vec<_> = surface.warnings.iter().filter(|warning| warning.code == "shared_points").collect();
     assert_eq!(shared.len(), 1, "{:?}", surface.warnings);

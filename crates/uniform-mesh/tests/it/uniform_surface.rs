@@ -363,8 +363,9 @@ fn shared_lengths_make_neither_number_worse_and_leave_exact_members_exact() {
         (bezier(roof()), 5.0, 12, 0.2),
         (Domain::Boundaries(vec![frame(8)]), 6.0, 10, 0.1),
     ];
-    let mut fewer = 0;
-    for (case, (domain, edge_length, most, tolerance)) in cases.iter().enumerate() {
+    let (mut fewer, mut number) = (0, 0);
+    for (case, (domain, edge_length, most, tolerance)) in cases.iter().enumerate().step_by(if crate::is_full() { 1 } else { 2 }) {
+        number += 1;
         let [plain, shared] = plain_and_shared(domain, *edge_length, *most, *tolerance);
         let (before, after) = (&plain.statistics, &shared.statistics);
         assert!(after.distinct_lengths <= before.distinct_lengths, "{case}: {before:?} {after:?}");
@@ -377,7 +378,7 @@ fn shared_lengths_make_neither_number_worse_and_leave_exact_members_exact() {
         }
         fewer += usize::from(after.distinct_lengths < before.distinct_lengths);
     }
-    assert!(2 * fewer >= cases.len(), "{fewer} of {}", cases.len());
+    assert!(2 * fewer >= number, "{fewer} of {number}");
 }
 
 /// On these polygons the whole lattice fits, and all members have the length ℓ.
@@ -482,8 +483,10 @@ fn surfaces_that_cannot_be_laid_flat_are_refused_or_meshed_validly() {
 
 #[test]
 fn progress_rises_and_stopping_is_obeyed() {
-    for domain in [bezier(roof()), Domain::Boundaries(vec![frame(12)])] {
-        let asked = Options { optimise: Optimise::Lengths { most: 3 }, ..options(4.0) };
+    // Seven or thirteen solves for each domain: the first tier takes a third of the members.
+    let (edge_length, parts) = if crate::is_full() { (4.0, 12) } else { (7.0, 8) };
+    for domain in [bezier(roof()), Domain::Boundaries(vec![frame(parts)])] {
+        let asked = Options { optimise: Optimise::Lengths { most: 3 }, ..options(edge_length) };
         let seen = std::cell::RefCell::new(Vec::new());
         let report = |progress: plateau_mesh::Progress| seen.borrow_mut().push(progress.fraction);
         let execution = Execution::new(&|| Signal::Continue, &report);
