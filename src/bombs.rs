@@ -8,7 +8,10 @@ use crate::jobs::submission::hash_of_body;
 use crate::wire::batch::BatchRequest;
 use crate::wire::incoming::Incoming;
 use plateau_engine::kind::Kind;
-use plateau_engine::limits::{refuse_too_many_values, refuse_too_much_as_values};
+#[cfg(any(feature = "hops", feature = "mcp"))]
+use plateau_engine::limits::refuse_too_many_values;
+#[cfg(feature = "mcp")]
+use plateau_engine::limits::refuse_too_much_as_values;
 use plateau_engine::source::no_jobs;
 
 /// Length of a body in bytes. In a shorter body the values may take 32 MiB, however few bytes it has.

@@ -191,6 +191,9 @@ export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme
     // A service without TLS on another machine is no secure context, where browsers have no such function.
     await page.addInitScript(() => { delete Crypto.prototype.randomUUID; });
     page.setDefaultTimeout(PATIENCE_MS);
+    // By default a condition is looked at before each frame, and a browser on a busy machine may draw none for minutes.
+    const wait = page.waitForFunction.bind(page);
+    page.waitForFunction = (condition, argument, options) => wait(condition, argument, { polling: 50, ...options });
     page.on('pageerror', (error) => studio.faults.push(error.message));
     // Chromium logs every answer of 400 and above as an error; those are part of what is tested.
     page.on('console', (message) => message.type() === 'error' && !message.text().startsWith('Failed to load resource') && studio.faults.push(message.text()));

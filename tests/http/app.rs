@@ -245,6 +245,8 @@ pub fn is_built(path: &str) -> bool {
         "/" => cfg!(feature = "studio"),
         _ if path.starts_with("/studio/") => cfg!(feature = "studio"),
         "/hops" | "/solve" => cfg!(feature = "hops"),
+        _ if path.starts_with("/hops/") => cfg!(feature = "hops"),
+        "/mcp" => cfg!(feature = "mcp"),
         _ => true,
     }
 }

@@ -129,11 +129,14 @@ export function statistics(job: JobInfo, unit: string): { result: HTMLElement[];
   return { result: figures(part(false, values), unitOf), numerics: figures(part(true, values), unitOf) };
 }
 
+/** Sums of a few hundred numbers are wrong by less than this part of the largest of them. */
+const ROUNDING = 1e-13;
+
 /** Plain figures as one table; lists, and objects of many figures, as a table each, folded up. */
 function figures(values: Values, unitOf: (path: string) => string): HTMLElement[] {
   const rows: HTMLElement[] = [];
   const lists: HTMLElement[] = [];
-  const visit = (name: string, value: unknown): void => {
+  const visit = (name: string, value: unknown, noise = 0): void => {
     if (Array.isArray(value)) {
       if (value.length === 0) return;
       if (value.every(isObject)) lists.push(table(name, value, unitOf));
@@ -142,8 +145,15 @@ function figures(values: Values, unitOf: (path: string) => string): HTMLElement[
     } else if (isObject(value)) {
       // The figures of an object stand below its name.
       if (!name.includes('.')) rows.push(el('tr', { className: 'group-name' }, el('th', { scope: 'colgroup', colSpan: 2 }, humanise(name.replace(/_deg$/, '')))));
-      Object.entries(value).forEach(([inner, each]) => visit(`${name}.${inner}`, each));
-    } else if (value !== undefined && value !== null) rows.push(row(name, text(value), typeof value === 'number' ? unitOf(name) : ''));
+      // Beside the largest figure of its object with the same unit, a figure this small is that figure's rounding.
+      const units = Object.keys(value).map((inner) => unitOf(`${name}.${inner}`));
+      const sizes = Object.values(value).map((each) => (typeof each === 'number' ? Math.abs(each) : 0));
+      Object.entries(value).forEach(([inner, each], i) => {
+        const same = units[i] === '' ? [0] : sizes.filter((_, k) => units[k] === units[i]);
+        visit(`${name}.${inner}`, each, ROUNDING * Math.max(...same));
+      });
+    } else if (typeof value === 'number') rows.push(row(name, Math.abs(value) <= noise ? '0' : text(value), unitOf(name)));
+    else if (value !== undefined && value !== null) rows.push(row(name, text(value), ''));
   };
   Object.entries(values).filter(([name]) => name !== 'comparison' && name !== 'history').sort((a, b) => rank(a) - rank(b)).forEach(([name, value]) => visit(name, value));
   return [...(rows.length > 0 ? [el('table', { className: 'plain' }, el('tbody', {}, ...rows))] : []), ...lists];

@@ -364,7 +364,9 @@ fn shared_lengths_make_neither_number_worse_and_leave_exact_members_exact() {
         (Domain::Boundaries(vec![frame(8)]), 6.0, 10, 0.1),
     ];
     let (mut fewer, mut number) = (0, 0);
-    for (case, (domain, edge_length, most, tolerance)) in cases.iter().enumerate().step_by(if crate::is_full() { 1 } else { 2 }) {
+    for (case, (domain, edge_length, most, tolerance)) in
+        cases.iter().enumerate().step_by(if crate::is_full() { 1 } else { 2 })
+    {
         number += 1;
         let [plain, shared] = plain_and_shared(domain, *edge_length, *most, *tolerance);
         let (before, after) = (&plain.statistics, &shared.statistics);
