@@ -4,6 +4,8 @@
 use crate::config::LimitsConfig;
 #[cfg(feature = "hops")]
 use crate::hops::{component::Action, recipe, values};
+#[cfg(feature = "mcp")]
+use crate::http::mcp::Message;
 use crate::jobs::submission::hash_of_body;
 use crate::wire::batch::BatchRequest;
 use crate::wire::incoming::Incoming;
@@ -58,7 +60,7 @@ impl Reader {
             Self::Mcp => {
                 let checks = [refuse_too_many_values(body, &limits.requests()), refuse_too_much_as_values(body)];
                 if checks.iter().all(Result::is_ok) {
-                    drop(serde_json::from_slice::<rmcp::model::ClientJsonRpcMessage>(body));
+                    drop(Message::read(body));
                 }
             }
         }

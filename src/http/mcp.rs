@@ -8,6 +8,7 @@
 pub mod schemas;
 
 use crate::config::HttpConfig;
+use crate::http::body::Received;
 use crate::http::parameters::{checked, pairs};
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -18,6 +19,7 @@ use crate::wire::job::{Job, JobSummary};
 use crate::wire::objectives::{self, Limits};
 use axum::http::uri::Authority;
 use base64::Engine as _;
+use bytes::Bytes;
 use plateau_archive::formats::{MeshFormat, picture};
 use plateau_drawing::{PatternOptions, Refused, ScheduleOptions};
 use plateau_engine::kind::Kind;
@@ -37,6 +39,7 @@ use schemas::{
 use serde::Serialize;
 use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use url::form_urlencoded;
 
@@ -52,8 +55,41 @@ fn instructions() -> String {
     )
 }
 
-/// Number of bytes that an MCP message may have in addition to the largest body of a request.
-const ENVELOPE_BYTES: usize = 64 << 10;
+/// Number of bytes that an MCP message may have in addition to the request of its call.
+pub const ENVELOPE_BYTES: usize = 64 << 10;
+
+/// A message without the request of its call, and that request.
+#[derive(Debug)]
+pub struct Message {
+    pub text: Vec<u8>,
+    /// The member `request` of the arguments, as a body that [`jobs`](crate::jobs) takes.
+    pub request: Option<Vec<u8>>,
+}
+
+impl Message {
+    /// Takes the request out of a message and leaves its kind in it. The library, which parses messages on the threads
+    /// of the async runtime, then has little to parse. The values that are parsed here are freed on return.
+    ///
+    /// # Errors
+    /// Returns 400 for a text that is not JSON, and 413 if more than [`ENVELOPE_BYTES`] are left.
+    pub fn read(body: &[u8]) -> Result<Self, Failure> {
+        let mut message: Value = serde_json::from_slice(body)
+            .map_err(|error| Failure::malformed(format!("the body is not JSON: {error}")))?;
+        let mut request = None;
+        if let Some(given) = message.pointer_mut("/params/arguments/request")
+            && given.is_object()
+        {
+            request = Some(written(given)?);
+            given.as_object_mut().into_iter().for_each(|members| members.retain(|name, _| name == "kind"));
+        }
+        let text = written(&message)?;
+        if text.len() > ENVELOPE_BYTES {
+            let detail = format!("a message may have at most {ENVELOPE_BYTES} bytes beside the request of its call");
+            return Err(Failure::too_large(detail));
+        }
+        Ok(Self { text, request })
+    }
+}
 
 /// The tools for one caller.
 #[derive(Clone, Debug)]
@@ -63,6 +99,9 @@ pub struct Tools {
     owner: Option<String>,
     /// Address of this server, to which the paths of links are added: `http://localhost:8080/plateau`.
     address: String,
+    /// The request of the only call, if it was taken out of the message before the library parsed the message. It is
+    /// taken from here when it is submitted, so that its memory is free while the call waits for the job.
+    request: Arc<Mutex<Option<Received>>>,
 }
 
 /// Speaks MCP on standard input and output until the input ends or a shutdown begins. `listening` is the address at
@@ -73,7 +112,7 @@ pub async fn serve_stdio(app: App, listening: SocketAddr) {
     let address = address(&app.config.http, "http", &reachable(listening).to_string());
     let (reader, writer) = rmcp::transport::stdio_pipes();
     let transport = AsyncRwTransport::new_server(reader, writer).with_max_line_length(longest);
-    let starting = Tools { app, owner: None, address }.serve(transport);
+    let starting = Tools { app, owner: None, address, request: Arc::default() }.serve(transport);
     let service = tokio::select! {
         started = starting => match started {
             Ok(service) => service,
@@ -107,14 +146,19 @@ fn address(http: &HttpConfig, scheme: &str, authority: &str) -> String {
 }
 
 impl Tools {
-    /// Returns the tools for a request. `host` is the authority that the client used, and `scheme` is `http` or
-    /// `https`.
+    /// Returns the tools for a message. `host` is the authority that the client used, `scheme` is `http` or `https`, and
+    /// `request` is what [`Message::read`] took out of the message.
     #[must_use]
-    pub fn of_request(app: App, owner: Option<&str>, scheme: &str, host: Option<&str>) -> Self {
+    pub fn of_message(
+        app: App,
+        owner: Option<&str>,
+        (scheme, host): (&str, Option<&str>),
+        request: Option<Received>,
+    ) -> Self {
         let host = host.and_then(|host| host.parse::<Authority>().ok());
         let host = host.map_or_else(|| reachable(app.config.http.listen).to_string(), |host| host.to_string());
         let address = address(&app.config.http, scheme, &host);
-        Self { owner: owner.map(str::to_owned), address, app }
+        Self { owner: owner.map(str::to_owned), address, app, request: Arc::new(Mutex::new(request)) }
     }
 
     fn describe(&self, arguments: &Value) -> Result<CallToolResult, Failure> {
@@ -212,7 +256,11 @@ impl Tools {
         let kind = request["kind"].as_str().and_then(Kind::from_name);
         // The schema of the arguments requires a known kind.
         let kind = kind.ok_or_else(|| Failure::internal("a request without a kind passed its schema"))?;
-        let body = serde_json::to_vec(&request).map_err(|error| Failure::internal(error.to_string()))?;
+        let taken = self.request.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let body = match taken {
+            Some(received) => Bytes::from_owner(received),
+            None => written(&request)?.into(),
+        };
         drop(request);
         let limit = self.app.config.limits.body_bytes;
         if body.len() > limit {
@@ -220,7 +268,7 @@ impl Tools {
             return Err(Rejection::TooLarge(vec![FieldError::new(POINTER, detail)]).into());
         }
         let from = Submitter { owner: self.owner.clone(), idempotency_key: None };
-        match self.app.jobs.submit(kind, body.into(), from, waited_for).await {
+        match self.app.jobs.submit(kind, body, from, waited_for).await {
             Ok(accepted) => match accepted.submitted {
                 Submitted::Created(job) | Submitted::Existing(job) => Ok(job),
             },
@@ -319,6 +367,10 @@ fn named_example(name: &str) -> Result<&'static objectives::Example, Failure> {
         let detail = format!("must be one of {}", names.join(", "));
         Rejection::Invalid(vec![FieldError::new("/example", detail)]).into()
     })
+}
+
+fn written(value: &Value) -> Result<Vec<u8>, Failure> {
+    serde_json::to_vec(value).map_err(|error| Failure::internal(error.to_string()))
 }
 
 /// Returns a result as structured content and as the same JSON in a text, followed by further content.
