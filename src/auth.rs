@@ -592,6 +592,12 @@ mod tests {
         other.await;
         assert_eq!(keys.admit(Some(&second_key), ""), Err(AuthError::Unknown));
         assert!(keys.required());
+        // A key whose scopes change ends what it has open too.
+        keys.replace(&format!("me {second}")).unwrap();
+        let narrowed = removal(&second_key);
+        keys.replace(&format!("me {second} read")).unwrap();
+        let ended = tokio::time::timeout(Duration::from_secs(60), narrowed).await;
+        assert!(ended.is_ok(), "the key may do other things");
     }
 
     #[test]

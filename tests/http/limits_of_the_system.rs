@@ -152,6 +152,32 @@ async fn a_failed_job_is_logged_and_counted_with_its_type() {
     until("the failure is logged", async || logged(server.log())).await;
 }
 
+#[tokio::test]
+async fn a_job_whose_worker_was_killed_is_logged_and_counted_as_failed() {
+    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__LEASE_MS", "1000"), ("PLATEAU_JOBS__ATTEMPTS_MAX", "1")];
+    let app = TestApp::start_with(&settings).await;
+    app.hold.at("claimed");
+    let job: Value = app.post(crate::app::MINIMAL, &crate::app::small_film(0.3)).await.json().await.unwrap();
+    let id = job["id"].as_str().unwrap();
+    app.hold.reached("claimed", id).await;
+    let folder = app.kill().await;
+    let server = Limited::start(&folder.path().join("data"), "true", &settings).await.unwrap();
+    let get = async |path: &str| client().get(format!("{}{path}", server.url)).send().await.unwrap();
+    let state = async || get(job["links"]["self"].as_str().unwrap()).await.json::<Value>().await.unwrap();
+    until("the job has failed", async || state().await["status"] == "failed").await;
+    assert_eq!(state().await["error"]["type"], "/problems/worker-lost");
+    let logged =
+        |line: &str| ["without a worker", id, "error_type=\"worker-lost\""].iter().all(|part| line.contains(part));
+    until("the failure is logged", async || server.log().lines().any(logged)).await;
+    let metrics = get("/metrics").await.text().await.unwrap();
+    for series in [
+        "plateau_job_failures_total{kind=\"minimal_surface\",type=\"worker-lost\"} 1",
+        "plateau_jobs_total{kind=\"minimal_surface\",status=\"failed\"} 1",
+    ] {
+        assert!(metrics.lines().any(|line| line == series), "{series}");
+    }
+}
+
 /// Pages of the database are overwritten, so that nothing can be stored.
 #[tokio::test]
 async fn a_server_whose_database_is_damaged_is_not_ready_and_answers_503() {

@@ -38,23 +38,3 @@ async fn a_restarted_server_finishes_the_jobs_of_a_killed_one() {
         assert_eq!(app.ended(job).await["status"], "succeeded");
     }
 }
-
-#[tokio::test]
-async fn a_job_whose_worker_was_killed_is_logged_and_counted_as_failed() {
-    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__LEASE_MS", "1000"), ("PLATEAU_JOBS__ATTEMPTS_MAX", "1")];
-    let app = TestApp::start_with(&settings).await;
-    app.hold.at("claimed");
-    let job: Value = app.post(MINIMAL, &small_film(0.3)).await.json().await.unwrap();
-    app.hold.reached("claimed", job["id"].as_str().unwrap()).await;
-    let folder = app.kill().await;
-    let app = TestApp::start_in(folder, &settings).await;
-    let ended = app.ended(job).await;
-    assert_eq!(ended["error"]["type"], "/problems/worker-lost", "{ended:#}");
-    let metrics = app.get("/metrics").await.text().await.unwrap();
-    for series in [
-        "plateau_job_failures_total{kind=\"minimal_surface\",type=\"worker-lost\"} 1",
-        "plateau_jobs_total{kind=\"minimal_surface\",status=\"failed\"} 1",
-    ] {
-        assert!(metrics.lines().any(|line| line == series), "{series}");
-    }
-}
