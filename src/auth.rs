@@ -289,13 +289,17 @@ impl Keys {
     pub async fn forget(&self) {
         loop {
             tokio::time::sleep(FORGET_INTERVAL).await;
-            if let Some(requests) = &self.requests {
-                requests.retain_recent();
-            }
-            if let Some(failures) = &self.failures {
-                failures.retain_recent();
-                failures.shrink_to_fit();
-            }
+            self.forget_now();
+        }
+    }
+
+    fn forget_now(&self) {
+        if let Some(requests) = &self.requests {
+            requests.retain_recent();
+        }
+        if let Some(failures) = &self.failures {
+            failures.retain_recent();
+            failures.shrink_to_fit();
         }
     }
 
@@ -535,6 +539,24 @@ mod tests {
         assert_eq!(from("10.0.0.2"), AuthError::Unknown);
         assert_eq!(keys.admit(None, "10.0.0.1"), Err(AuthError::Unknown), "no key is no guess");
         assert_eq!(name_of(keys.admit(Some(&key), "10.0.0.1")).as_deref(), Some("me"));
+    }
+
+    #[test]
+    fn addresses_and_names_are_forgotten() {
+        let (key, digest) = new_key().unwrap();
+        // Both are full again after a millisecond.
+        let often =
+            AuthConfig { failures_per_minute: 60_000, requests_per_minute: 60_000, ..keys_of(&[("me", &digest)]) };
+        let keys = Keys::load(&often).unwrap();
+        assert!(keys.admit(Some(&key), "").is_ok());
+        for address in 0..100 {
+            assert!(keys.admit(Some("plateau_guess"), &address.to_string()).is_err());
+        }
+        let kept = || [keys.requests.as_ref().unwrap().len(), keys.failures.as_ref().unwrap().len()];
+        assert_eq!(kept(), [1, 100]);
+        std::thread::sleep(Duration::from_millis(50));
+        keys.forget_now();
+        assert_eq!(kept(), [0, 0]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The entry points: the estimate of the cost, the check of the arguments, and the solve.
 
 use super::on_polygon::on_polygon;
-use super::on_surface::{on_film, on_patch};
+use super::on_surface::{is_almost_flat, on_film, on_patch};
 use super::options::{Domain, Objective, Optimise, Options};
 use super::plane::polygon::{self, Polygon};
 use super::report::UniformMesh;
@@ -18,8 +18,8 @@ const MOST_NODES: f64 = 5e7;
 /// Memory of any solve besides that of its triangles, in bytes.
 const BYTES_OF_SOLVE: f64 = 1e6;
 
-/// Memory per point of a polygon, in bytes, for its triangulation and its sides. Measured: 480 bytes.
-const BYTES_PER_POINT: f64 = 480.0;
+/// Memory per point of a polygon, in bytes, for its triangulation and its sides. Measured: 480 to 600 bytes.
+const BYTES_PER_POINT: f64 = 560.0;
 
 /// Memory per rectangle of a patch's auxiliary grid, in bytes.
 const BYTES_PER_RECTANGLE: f64 = 400.0;
@@ -27,16 +27,27 @@ const BYTES_PER_RECTANGLE: f64 = 400.0;
 /// Memory per triangle of the film that carries a lattice, in bytes, with its flattening. Measured: 1,170 bytes.
 const BYTES_PER_FILM_TRIANGLE: f64 = 1_150.0;
 
+/// Smallest number of triangles, by estimate, of a patch that is flattened to estimate its memory. The memory of fewer
+/// does not matter.
+const JUDGED_TRIANGLES: f64 = 3_000.0;
+
 /// Returns the memory per triangle of a mesh, in bytes. On polygons the most equal edges need all lengths at once.
-/// Measured, per estimated triangle: 75 to 150 bytes for fewest nodes on polygons and 180 to 200 for most equal edges;
-/// 2,900 bytes on a high dome, which is meshed on the surface itself, for either. A patch that can be flattened takes 710
-/// to 1,630 bytes, but only the solve shows which patches can.
-fn bytes_per_triangle(domain: &Domain, objective: Objective) -> f64 {
-    match (domain, objective) {
-        (Domain::Polygon { .. }, Objective::FewestNodes) => 118.0,
-        (Domain::Polygon { .. }, Objective::MostEqualEdges) => 210.0,
+/// Measured, per estimated triangle: 125 to 155 bytes for fewest nodes on polygons and 190 to 220 for most equal edges;
+/// 2,900 bytes on a high dome, which is meshed on the surface itself, for either. A patch that is flattened takes 270
+/// to 280 bytes if its nodes stay, 730 to 920 for fewest nodes and 1,490 to 1,880 for most equal edges.
+fn bytes_per_triangle(domain: &Domain, options: &Options, triangles: f64) -> f64 {
+    let of_patch = |patch: &Nurbs| match (options.optimise, options.objective) {
+        _ if triangles < JUDGED_TRIANGLES || !is_almost_flat(patch, options) => 3_000.0,
+        (Optimise::None, _) => 300.0,
+        (_, Objective::FewestNodes) => 950.0,
+        (_, Objective::MostEqualEdges) => 1_850.0,
+    };
+    match (domain, options.objective) {
+        (Domain::Polygon { .. }, Objective::FewestNodes) => 150.0,
+        (Domain::Polygon { .. }, Objective::MostEqualEdges) => 220.0,
         (Domain::Boundaries(_), _) => 2_700.0,
-        (Domain::Bezier { .. } | Domain::Nurbs(_), _) => 3_000.0,
+        (Domain::Bezier { control_points }, _) => of_patch(&Nurbs::bezier(control_points.clone())),
+        (Domain::Nurbs(patch), _) => of_patch(patch),
     }
 }
 
@@ -47,13 +58,13 @@ fn bytes_per_triangle(domain: &Domain, objective: Objective) -> f64 {
 /// The input errors that [`solve`] would report before meshing.
 pub fn estimate(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
     let triangles = 2.0 * most_nodes(domain, options)?;
-    let a_triangle = bytes_per_triangle(domain, options.objective);
+    let a_triangle = bytes_per_triangle(domain, options, triangles);
     let beside = match domain {
         Domain::Polygon { outer, holes } => {
             let points = outer.len() + holes.iter().map(Vec::len).sum::<usize>();
             // The bound on the nodes has a node for each 2/3 ℓ of the sides. Thin polygons with long sides have fewer.
             let (_, perimeter) = polygon::extent(outer, holes)?;
-            BYTES_PER_POINT * points as f64 - a_triangle * perimeter / options.edge_length
+            BYTES_PER_POINT * points as f64 - 1.5 * a_triangle * perimeter / options.edge_length
         }
         Domain::Bezier { .. } | Domain::Nurbs(_) => {
             BYTES_PER_RECTANGLE * f64::from(options.auxiliary_grid.iter().product::<u32>())
@@ -138,25 +149,24 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// Checks the arguments of [`solve`], including planarity, without meshing. Returns the estimate of the cost. The time
-/// is linear in the size of the arguments.
+/// Checks the arguments of [`solve`], including planarity, without meshing. The time is linear in the size of the
+/// arguments.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would return before meshing. A boundary that passes this check may still cross
 /// itself.
-pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
-    let estimate = estimate(domain, options)?;
+pub fn check(domain: &Domain, options: &Options) -> Result<(), Error> {
+    let nodes = most_nodes(domain, options)?;
     match domain {
         Domain::Polygon { outer, holes } => drop(Polygon::new(outer, holes, options.edge_length)?),
         Domain::Boundaries(boundaries) => auxiliary::check_film(boundaries, options)?,
         Domain::Bezier { .. } | Domain::Nurbs(_) => {}
     }
-    let nodes = 0.5 * estimate.triangles;
     if nodes > MOST_NODES {
-        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", nodes);
+        let detail = format!("asks for up to {nodes:.3e} nodes; at most {MOST_NODES:.0e} are possible");
         return Err(Error::input(Place::field("edge_length"), detail));
     }
-    Ok(estimate)
+    Ok(())
 }
 
 /// Meshes the domain.
