@@ -27,9 +27,10 @@ MOST_S = 0.5
 TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 PATHS = {"minimal_surface": "minimal-surfaces", "tensile_structure": "tensile-structures", "cable_net": "cable-nets",
          "ruled_surface": "ruled-surfaces", "uniform_mesh": "uniform-meshes"}
-# Every job on a thread, and no limit that is below what the largest requests need.
+# Every job on a thread that is never given up, and no limit that is below what the largest requests need.
 ENVIRONMENT = {"PLATEAU_JOBS__THREAD_BYTES": str(1 << 50), "PLATEAU_JOBS__MEMORY_BYTES": str(1 << 40),
-               "PLATEAU_LIMITS__MEMORY_BYTES": str(1 << 40), "PLATEAU_WORKERS": "1", "PLATEAU_LOG__LEVEL": "error"}
+               "PLATEAU_LIMITS__MEMORY_BYTES": str(1 << 40), "PLATEAU_WORKERS": "1", "PLATEAU_LOG__LEVEL": "error",
+               "PLATEAU_JOBS__UNRESPONSIVE_MS": str(1 << 40)}
 
 
 def cases():
