@@ -63,8 +63,8 @@ def cases():
     star_floor = {"polygon": [[9 * x, 9 * y, 0] for x, y, _ in star(random.Random(4), 30)]}
     for objective in ("fewest_nodes", "most_equal_edges"):
         yield f"floor, {objective}", lattice(floor, side, objective=objective)
-        yield f"star floor, {objective}", lattice(star_floor, side, objective=objective)
-        yield f"zigzag floor, {objective}", lattice({"polygon": zigzag(190_000)}, 1.2, objective=objective)
+        yield f"star floor, {objective}", lattice(star_floor, 1.5 * side, objective=objective)
+        yield f"zigzag floor, {objective}", lattice({"polygon": zigzag(190_000)}, 4.0, objective=objective)
         yield f"dome, {objective}", dome(math.sqrt(900 / (200_000 * 0.866)), objective=objective)
         yield f"high dome, {objective}", dome(math.sqrt(900 / (60_000 * 0.866)), 60.0, objective=objective)
     loop = [[15 * x, 15 * y, 15 * z] for x, y, z in wavy(random.Random(2), 40)]
